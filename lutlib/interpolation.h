@@ -1,0 +1,39 @@
+// Evaluation of one colour: the float path that everything else is held to, and its double oracle.
+//
+// Outside the domain every channel is clamped: -Inf reads as the minimum, +Inf as the maximum,
+// and NaN as the minimum. A finite LUT therefore has a finite answer for every input.
+#pragma once
+
+#include "lutlib/lut.h"
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace lutlib {
+
+enum class Interpolation { nearest, trilinear, tetrahedral };
+
+struct InterpolationInfo {
+    Interpolation kind;
+    std::string_view name;
+    std::string_view help;
+};
+
+/// Every interpolation, in order of quality.
+std::span<const InterpolationInfo> interpolations();
+std::optional<Interpolation> interpolation_named(std::string_view name);
+std::string_view name_of(Interpolation kind);
+
+/// A curve is always interpolated linearly; `Interpolation` chooses how the cube is.
+Rgb evaluate(const Lut1D& curve, Rgb in);
+Rgb evaluate(const Lut3D& cube, Rgb in, Interpolation how);
+Rgb evaluate(const Lut& lut, Rgb in, Interpolation how = Interpolation::tetrahedral);
+
+/// The same functions in double, written from the definitions: trilinear as the weighted sum of
+/// eight corners, tetrahedral by sorting the fractions (Kanamori, "Color interpolation", 1993).
+RgbD evaluate_exact(const Lut1D& curve, RgbD in);
+RgbD evaluate_exact(const Lut3D& cube, RgbD in, Interpolation how);
+RgbD evaluate_exact(const Lut& lut, RgbD in, Interpolation how = Interpolation::tetrahedral);
+
+} // namespace lutlib

@@ -1,0 +1,73 @@
+// Where the node (r,g,b) of a lattice sits in a picture, for every layout in use, and how to tell
+// from a picture's content which layout it has.
+//
+// N is the lattice size; r,g,b run over 0..N-1; x to the right and y down from the top row.
+#pragma once
+
+#include "lutlib/lut.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lutlib {
+
+struct Pixel {
+    int x = 0, y = 0;
+    friend bool operator==(const Pixel&, const Pixel&) = default;
+};
+
+struct PictureSize {
+    int width = 0, height = 0;
+    friend bool operator==(const PictureSize&, const PictureSize&) = default;
+};
+
+struct Layout {
+    std::string_view name;
+    std::string_view help;
+    /// The picture of a lattice of size n; nullopt where the layout has none for that size.
+    std::optional<PictureSize> (*picture)(int n);
+    Pixel (*pixel)(int n, int r, int g, int b);
+};
+
+/// strip, strip-up, ocio, hald, tiles.
+std::span<const Layout> layouts();
+const Layout* layout_named(std::string_view name);
+
+/// A picture of linear RGB triples, rows from the top.
+struct Picture {
+    int width = 0, height = 0;
+    std::vector<Rgb> pixels;
+
+    const Rgb& at(int x, int y) const {
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x)];
+    }
+    Rgb& at(int x, int y) {
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x)];
+    }
+};
+
+/// Lattice to picture and back. Both throw Error when the size does not fit the layout.
+Picture to_picture(const Lut3D& cube, const Layout& layout);
+Lut3D from_picture(const Picture& picture, const Layout& layout, int size);
+
+/// One way of reading a picture as a lattice. `score` is 1 for an identity in that layout and
+/// falls to 0 or below where the picture's axes do not grow with their channels.
+struct Recognition {
+    const Layout* layout = nullptr;
+    int size = 0;
+    int strip_rows = 1; ///< pictures stacked below each other (ReShade's multi-LUT files)
+    double score = 0;
+};
+
+/// Every reading that the dimensions allow, best first. Empty: no layout has these dimensions.
+std::vector<Recognition> recognise(const Picture& picture);
+
+/// The best reading, when it is clearly the best. Throws Error naming the candidates otherwise.
+Recognition recognise_one(const Picture& picture, const std::string& file);
+
+} // namespace lutlib

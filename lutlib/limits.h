@@ -1,0 +1,21 @@
+// Every size cap of the toolkit. All are checked before anything is allocated.
+#pragma once
+
+#include <cstddef>
+
+namespace lutlib::limits {
+
+inline constexpr int min_cube_size = 2;
+inline constexpr int max_cube_size = 256;
+inline constexpr int min_shaper_size = 2;
+inline constexpr int max_shaper_size = 65536;
+
+// A 256^3 table of long decimals is about 0.6 GiB.
+inline constexpr std::size_t max_file_bytes = std::size_t{2} << 30;
+inline constexpr std::size_t max_title_bytes = 4096;
+
+// Side length of a picture that is read as a LUT or filtered through one.
+inline constexpr int max_image_side = 65536;
+inline constexpr std::size_t max_image_pixels = std::size_t{1} << 28;
+
+} // namespace lutlib::limits

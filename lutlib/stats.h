@@ -1,0 +1,19 @@
+// Statistics of a set of errors, the same everywhere a figure is printed.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace lutlib {
+
+/// Of absolute values. Percentiles are the smallest value that at least that share does not exceed.
+struct ErrorStats {
+    double max = 0, p99 = 0, p95 = 0, mean = 0;
+    std::size_t count = 0;
+    std::size_t worst = 0; ///< index of the maximum
+};
+
+/// Values are taken absolute; a NaN counts as +Inf. An empty set gives zeros.
+ErrorStats error_stats(std::vector<double> errors);
+
+} // namespace lutlib

@@ -15,9 +15,8 @@ TexelCheck check_texels(const CodePicture& picture, const Engine& engine, int si
         for (int g = 0; g < size; ++g) {
             for (int r = 0; r < size; ++r) {
                 pixels.push_back(layout.pixel(size, r, g, b));
-                values.push_back(
-                    to_float({engine.node_input(r, size), engine.node_input(g, size),
-                              engine.node_input(b, size)}));
+                values.push_back(to_float({engine.node_input(r, size), engine.node_input(g, size),
+                                           engine.node_input(b, size)}));
             }
         }
     }

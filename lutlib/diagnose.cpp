@@ -129,7 +129,8 @@ class Trial {
             bool all = true;
             for (std::size_t c = 0; c < 3; ++c) {
                 all = all &&
-                      mistake.agrees(picture_.code(p, c), saturate(value[c]), picture_.maximum());
+                      mistake.agrees(picture_.code(p, c), saturate(static_cast<double>(value[c])),
+                                     picture_.maximum());
             }
             agreeing += all;
         });
@@ -147,7 +148,8 @@ class Trial {
         for_each_node([&](int r, int g, int b) {
             const Pixel p = layout_.pixel(size_, r, g, b);
             for (std::size_t c = 0; c < 3; ++c) {
-                const double d = picture_.code(p, c) - saturate(values[i][c]) * picture_.maximum();
+                const double d = picture_.code(p, c) -
+                                 saturate(static_cast<double>(values[i][c])) * picture_.maximum();
                 distance.push_back(d);
                 bias += d;
             }
@@ -166,8 +168,6 @@ class Trial {
     }
 
   private:
-    static double saturate(float x) { return x > 0 ? std::min(static_cast<double>(x), 1.0) : 0; }
-
     template <class F>
     void for_each_node(F&& f) const {
         for (int b = 0; b < size_; ++b) {

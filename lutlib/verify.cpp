@@ -28,8 +28,7 @@ TexelCheck check_texels(const CodePicture& picture, const Engine& engine, int si
     for (std::size_t i = 0; i < values.size(); ++i) {
         bool wrong = false;
         for (std::size_t c = 0; c < 3; ++c) {
-            const double value =
-                values[i][c] > 0 ? std::min(static_cast<double>(values[i][c]), 1.0) : 0.0;
+            const double value = saturate(static_cast<double>(values[i][c]));
             const int code = picture.code(pixels[i], c);
             if (is_rounded(code, value, maximum)) {
                 continue;

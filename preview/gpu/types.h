@@ -85,7 +85,7 @@ enum class BindingType : std::uint8_t {
 
 struct RasterState {
     enum class Cull : std::uint8_t { none, back, front };
-    Cull cull = Cull::back; ///< front faces are counter-clockwise seen with y up
+    Cull cull = Cull::back; ///< front faces wind counter-clockwise in the picture
     bool depth_test = true; ///< nearer or equal passes; 0 is near, 1 far
     bool depth_write = true;
     float depth_bias_constant = 0;

@@ -245,10 +245,8 @@ void Executor::record_raster(const Graph& graph, const PassRecord& pass,
     const vk::Rect2D area({0, 0}, extent);
     commands.beginRendering(
         vk::RenderingInfo({}, area, 1, 0, colors_, depth.imageView ? &depth : nullptr));
-    // The viewport is flipped, so that y points up in clip space as it does in the scene.
-    const auto width = static_cast<float>(extent.width);
-    const auto height = static_cast<float>(extent.height);
-    commands.setViewport(0, vk::Viewport(0, height, width, -height, 0, 1));
+    commands.setViewport(0, vk::Viewport(0, 0, static_cast<float>(extent.width),
+                                         static_cast<float>(extent.height), 0, 1));
     commands.setScissor(0, area);
     if (indices != nullptr)
         commands.bindIndexBuffer(indices->vk(), 0, vk::IndexType::eUint32);

@@ -51,23 +51,9 @@ struct Picture {
     }
 };
 
-/// Lattice to picture and back. Both throw Error when the size does not fit the layout.
+/// Lattice to picture and back. Both throw Error when the size does not fit the layout. `row` picks
+/// one of several lattices stacked below each other (ReShade's multi-LUT files), from the top.
 Picture to_picture(const Lut3D& cube, const Layout& layout);
-Lut3D from_picture(const Picture& picture, const Layout& layout, int size);
-
-/// One way of reading a picture as a lattice. `score` is 1 for an identity in that layout and
-/// falls to 0 or below where the picture's axes do not grow with their channels.
-struct Recognition {
-    const Layout* layout = nullptr;
-    int size = 0;
-    int strip_rows = 1; ///< pictures stacked below each other (ReShade's multi-LUT files)
-    double score = 0;
-};
-
-/// Every reading that the dimensions allow, best first. Empty: no layout has these dimensions.
-std::vector<Recognition> recognise(const Picture& picture);
-
-/// The best reading, when it is clearly the best. Throws Error naming the candidates otherwise.
-Recognition recognise_one(const Picture& picture, const std::string& file);
+Lut3D from_picture(const Picture& picture, const Layout& layout, int size, int row = 0);
 
 } // namespace lutlib

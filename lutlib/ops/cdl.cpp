@@ -47,7 +47,7 @@ Kernel compile(const Values& values, const OpContext&) {
             x = clamp ? std::clamp(x, 0.0, 1.0) : x;
             c[i] = x > 0 && power[i] != 1 ? std::pow(x, power[i]) : x;
         }
-        return saturate(c, saturation);
+        return scale_saturation(c, saturation);
     };
     if (!clamp) {
         return each_colour(sop);

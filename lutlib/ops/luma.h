@@ -6,7 +6,7 @@
 namespace lutlib::op {
 
 /// ASC CDL 1.2: luma + s (x - luma), written so that s = 1 gives x exactly.
-inline RgbD saturate(RgbD c, double s) {
+inline RgbD scale_saturation(RgbD c, double s) {
     const double luma = 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
     return c * s + RgbD{luma, luma, luma} * (1 - s);
 }

@@ -1,0 +1,323 @@
+#include "lutlib/formats/cube.h"
+
+#include "lutlib/error.h"
+#include "lutlib/formats/decimal.h"
+#include "lutlib/limits.h"
+#include "lutlib/text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+
+namespace lutlib {
+namespace {
+
+struct Range {
+    std::optional<Rgb> min, max;
+    std::size_t line = 0;
+};
+
+class CubeReader {
+  public:
+    CubeReader(std::string_view bytes, const std::string& file) : lines_(bytes), file_(file) {
+        if (bytes.empty()) {
+            throw Error("the file is empty; a .cube needs at least LUT_3D_SIZE or LUT_1D_SIZE",
+                        {file_, 0, {}});
+        }
+        if (bytes.substr(0, 4096).find('\0') != std::string_view::npos) {
+            throw Error("this is a binary file, not a .cube text", {file_, 0, {}});
+        }
+    }
+
+    Lut read() {
+        std::string_view line;
+        for (;;) {
+            take_plain_rows();
+            if (!lines_.next(line)) {
+                break;
+            }
+            read_line(line);
+        }
+        return finish();
+    }
+
+  private:
+    [[noreturn]] void fail(const std::string& message, std::string_view text) const {
+        throw Error(message, {file_, lines_.line_number(), std::string(text)});
+    }
+
+    // Lines of plain numbers, which are nearly all of a file, without looking for keywords.
+    void take_plain_rows() {
+        if (!table_ || filled_ == table_->size()) {
+            return;
+        }
+        const RowRun run =
+            parse_rows(lines_.rest(), table_->data() + filled_, table_->size() - filled_);
+        lines_.skip(run.bytes, run.rows);
+        filled_ += run.rows;
+        next_table_when_full();
+    }
+
+    void read_line(std::string_view whole) {
+        if (whole.find('\0') != std::string_view::npos) {
+            fail("a NUL byte: this is a binary file, not a .cube text", {});
+        }
+        const std::string_view line = trimmed(whole);
+        if (line.empty()) {
+            return;
+        }
+        if (line.front() == '#') {
+            lut_.comments.emplace_back(trimmed(line.substr(1)));
+            return;
+        }
+        const Words words = words_of(line);
+        if (words.items[0] == "TITLE") {
+            read_title(line.substr(5));
+        } else {
+            const Words uncommented = words_of(line.substr(0, line.find('#')));
+            if (looks_like_number(uncommented.items[0])) {
+                read_row(uncommented, line);
+            } else {
+                read_keyword(uncommented, line);
+            }
+        }
+    }
+
+    static bool looks_like_number(std::string_view word) {
+        float value = 0;
+        const char c = word.front();
+        return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == ',' ||
+               parse_float(word, value) != NumberStatus::not_a_number;
+    }
+
+    void read_title(std::string_view text) {
+        text = trimmed(text);
+        if (text.size() >= 2 && text.front() == '"') {
+            const std::size_t close = text.find('"', 1);
+            text = text.substr(1, close == std::string_view::npos ? close : close - 1);
+        }
+        if (text.size() > limits::max_title_bytes) {
+            fail("the title is longer than " + std::to_string(limits::max_title_bytes) + " bytes",
+                 text);
+        }
+        lut_.title = text;
+    }
+
+    void read_row(const Words& words, std::string_view line) {
+        if (words.count != 3) {
+            fail("a row needs 3 numbers, this one has " + std::to_string(words.count), line);
+        }
+        Rgb row;
+        for (std::size_t c = 0; c < 3; ++c) {
+            row[c] = read_float(words.items[c], line);
+        }
+        if (!table_) {
+            if (!shaper_size_ && !cube_size_) {
+                fail("a row of numbers before LUT_1D_SIZE or LUT_3D_SIZE", line);
+            }
+            fail("the table is overlong: " + expected_rows() + " are complete before this row",
+                 line);
+        }
+        (*table_)[filled_++] = row;
+        next_table_when_full();
+    }
+
+    void read_keyword(const Words& words, std::string_view line) {
+        const std::string_view keyword = words.items[0];
+        if (keyword == "LUT_1D_SIZE") {
+            shaper_size_ = read_size(shaper_size_, words, line, check_shaper_size);
+            const auto n = static_cast<std::size_t>(*shaper_size_);
+            check_room_for(n, line);
+            lut_.shaper.emplace().entries.resize(n);
+            choose_table();
+        } else if (keyword == "LUT_3D_SIZE") {
+            cube_size_ = read_size(cube_size_, words, line, check_cube_size);
+            const auto n = static_cast<std::size_t>(*cube_size_);
+            check_room_for(n * n * n, line);
+            Lut3D& cube = lut_.cube.emplace();
+            cube.size = *cube_size_;
+            cube.nodes.resize(n * n * n);
+            choose_table();
+        } else if (keyword == "DOMAIN_MIN") {
+            read_domain_bound(adobe_.min, adobe_, words, line);
+        } else if (keyword == "DOMAIN_MAX") {
+            read_domain_bound(adobe_.max, adobe_, words, line);
+        } else if (keyword == "LUT_1D_INPUT_RANGE") {
+            read_input_range(resolve_1d_, words, line);
+        } else if (keyword == "LUT_3D_INPUT_RANGE") {
+            read_input_range(resolve_3d_, words, line);
+        } else {
+            lut_.comments.emplace_back(line);
+        }
+    }
+
+    int read_size(std::optional<int> before, const Words& words, std::string_view line,
+                  void (*check)(long long)) {
+        if (before) {
+            fail("a second " + std::string(words.items[0]) + "; a file has one", line);
+        }
+        if (filled_ > 0 || tables_full_) {
+            fail(std::string(words.items[0]) + " after the first row; it must stand before", line);
+        }
+        long long size = 0;
+        const std::string_view word = words.items[1];
+        const auto [stop, status] = std::from_chars(word.data(), word.data() + word.size(), size);
+        if (words.count != 2 || status != std::errc{} || stop != word.data() + word.size()) {
+            fail(std::string(words.items[0]) + " needs one whole number", line);
+        }
+        try {
+            check(size);
+        } catch (const Error& error) {
+            fail(error.message(), line);
+        }
+        return static_cast<int>(size);
+    }
+
+    // A few bytes must not make the reader allocate a large table only to find it truncated.
+    void check_room_for(std::size_t rows, std::string_view line) const {
+        constexpr std::size_t shortest_row = 6; // "0 0 0" and a line end, which the last may lack
+        const std::size_t room = (lines_.rest().size() + 1) / shortest_row;
+        if (rows > room) {
+            fail("the table is truncated: " + std::to_string(rows) +
+                     " rows are needed, the rest of the file has room for at most " +
+                     std::to_string(room),
+                 line);
+        }
+    }
+
+    void read_domain_bound(std::optional<Rgb>& bound, Range& range, const Words& words,
+                           std::string_view line) {
+        if (words.count != 4) {
+            fail(std::string(words.items[0]) + " needs 3 numbers", line);
+        }
+        bound = Rgb{read_float(words.items[1], line), read_float(words.items[2], line),
+                    read_float(words.items[3], line)};
+        note_range(range, line);
+    }
+
+    void read_input_range(Range& range, const Words& words, std::string_view line) {
+        if (words.count != 3) {
+            fail(std::string(words.items[0]) + " needs 2 numbers, the minimum and the maximum",
+                 line);
+        }
+        const float low = read_float(words.items[1], line);
+        const float high = read_float(words.items[2], line);
+        range.min = Rgb{low, low, low};
+        range.max = Rgb{high, high, high};
+        note_range(range, line);
+    }
+
+    // A bound that is missing has its default; that the interval is sound is checked at the end,
+    // when both are known, and told with this line.
+    void note_range(Range& range, std::string_view line) {
+        range.line = lines_.line_number();
+        last_range_text_ = line;
+    }
+
+    float read_float(std::string_view word, std::string_view line) {
+        float value = 0;
+        switch (parse_float(word, value)) {
+        case NumberStatus::ok:
+            return value;
+        case NumberStatus::not_finite:
+            fail("'" + std::string(word) + "' is not a finite number", line);
+        case NumberStatus::not_a_number:
+            break;
+        }
+        fail("'" + std::string(word) + "' is not a number", line);
+    }
+
+    std::string expected_rows() const {
+        std::string text;
+        if (shaper_size_) {
+            text = std::to_string(*shaper_size_) + " rows of the 1D table";
+        }
+        if (cube_size_) {
+            text += (text.empty() ? "" : " and ") + std::to_string(lut_.cube->nodes.size()) +
+                    " rows of the 3D table";
+        }
+        return text;
+    }
+
+    void choose_table() { table_ = lut_.shaper ? &lut_.shaper->entries : &lut_.cube->nodes; }
+
+    void next_table_when_full() {
+        if (filled_ < table_->size()) {
+            return;
+        }
+        const bool cube_follows = lut_.cube && table_ != &lut_.cube->nodes;
+        table_ = cube_follows ? &lut_.cube->nodes : nullptr;
+        tables_full_ = true;
+        filled_ = 0;
+    }
+
+    void set_domain(Domain& domain, const Range& range) {
+        domain.min = range.min.value_or(domain.min);
+        domain.max = range.max.value_or(domain.max);
+        try {
+            check_domain(domain);
+        } catch (const Error& error) {
+            throw Error(error.message(), {file_, range.line, last_range_text_});
+        }
+    }
+
+    void refuse_stray(const Range& range, const char* keyword) const {
+        const Domain given{range.min.value_or(Rgb{}), range.max.value_or(Rgb{1, 1, 1})};
+        if (range.line > 0 && !given.is_unit()) {
+            throw Error(std::string(keyword) + " speaks of a table that this file does not have",
+                        {file_, range.line, {}});
+        }
+    }
+
+    Lut finish() {
+        if (!shaper_size_ && !cube_size_) {
+            fail("neither LUT_3D_SIZE nor LUT_1D_SIZE was found: this is not a .cube", {});
+        }
+        if (table_) {
+            fail("the table is truncated: " + expected_rows() + " are needed, the file ends " +
+                     std::to_string(table_->size() - filled_) + " rows early in the " +
+                     (lut_.cube && table_ == &lut_.cube->nodes ? "3D" : "1D") + " table",
+                 {});
+        }
+        if (adobe_.line > 0) {
+            set_domain(lut_.shaper ? lut_.shaper->domain : lut_.cube->domain, adobe_);
+        }
+        lut_.shaper ? apply_range(lut_.shaper->domain, resolve_1d_)
+                    : refuse_stray(resolve_1d_, "LUT_1D_INPUT_RANGE");
+        lut_.cube ? apply_range(lut_.cube->domain, resolve_3d_)
+                  : refuse_stray(resolve_3d_, "LUT_3D_INPUT_RANGE");
+        lut_.provenance = file_;
+        return std::move(lut_);
+    }
+
+    void apply_range(Domain& domain, const Range& range) {
+        if (range.line == 0) {
+            return;
+        }
+        const Domain before = domain;
+        set_domain(domain, range);
+        if (!before.is_unit() && !(before == domain)) {
+            throw Error("DOMAIN_MIN/MAX and an INPUT_RANGE of the same table disagree; keep one",
+                        {file_, range.line, {}});
+        }
+    }
+
+    LineScanner lines_;
+    const std::string& file_;
+    Lut lut_;
+    std::optional<int> shaper_size_, cube_size_;
+    std::vector<Rgb>* table_ = nullptr; // being filled; null before the sizes and after the last
+    std::size_t filled_ = 0;
+    bool tables_full_ = false;
+    Range adobe_, resolve_1d_, resolve_3d_;
+    std::string last_range_text_;
+};
+
+} // namespace
+
+Lut read_cube(std::string_view bytes, const std::string& file) {
+    return CubeReader(bytes, file).read();
+}
+
+} // namespace lutlib

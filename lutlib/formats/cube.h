@@ -1,0 +1,48 @@
+// The .cube format, both dialects.
+//
+//   file      = [BOM] { line end }             end: LF, CR LF, or a lone CR; the last may be
+//   missing line      = blank | comment | keyword | row, each but a row's numbers may be followed
+//   by comment comment   = "#" text keyword   = "TITLE" text                    quoted or not
+//             | "LUT_1D_SIZE" n                 2 .. 65536
+//             | "LUT_3D_SIZE" n                 2 .. 256
+//             | "DOMAIN_MIN" r g b              Adobe/Iridas: the input that the first entry stands
+//             for | "DOMAIN_MAX" r g b              ... and the last, per channel |
+//             "LUT_1D_INPUT_RANGE" min max    Resolve: the same, of the 1D table, all channels |
+//             "LUT_3D_INPUT_RANGE" min max    Resolve: of the 3D table | other [text] kept as a
+//             comment
+//   row       = number number number            blanks or tabs between; a decimal comma is read
+//
+// Keywords may stand anywhere, sizes before the first row. The rows are the 1D table's, if there
+// is one, then the 3D table's, red fastest. With both tables the 1D table shapes the input of the
+// 3D table, and DOMAIN_MIN/MAX belong to the 1D table.
+//
+// Sources: Adobe, "Cube LUT Specification 1.0" (2013); Blackmagic Design, DaVinci Resolve's
+// "LUT files" readme.
+#pragma once
+
+#include "lutlib/format.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace lutlib {
+
+enum class CubeDialect { adobe, resolve };
+
+/// Parses a whole file. Throws Error naming `file`, the line and its text: for a table that is
+/// missing, truncated, overlong or out of limits.h, a value that is not a finite number, a domain
+/// that is empty or inverted, a binary or empty file.
+Lut read_cube(std::string_view bytes, const std::string& file);
+
+/// The shortest decimals that read back bit-identically. Throws Error for what the dialect cannot
+/// say (formats/cube.cpp's table, Holds): fit the Lut first.
+std::string write_cube(const Lut& lut, CubeDialect dialect, const WriteOptions& options = {});
+
+/// The rows `cube` (Adobe/Iridas) and `cube-resolve`.
+std::span<const Format> cube_formats();
+
+/// The dialect that keeps most of this look: Resolve for a shaper before a cube, else Adobe.
+CubeDialect best_dialect(const Lut& lut);
+
+} // namespace lutlib

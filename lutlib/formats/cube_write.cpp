@@ -1,0 +1,169 @@
+#include "lutlib/error.h"
+#include "lutlib/formats/cube.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace lutlib {
+namespace {
+
+constexpr std::array<std::string_view, 1> extensions{"cube"};
+
+// Points without exponents in the range that looks use: some readers know no exponents.
+void append(std::string& out, float value) {
+    const float magnitude = std::abs(value);
+    const bool plain = value == 0 || (magnitude >= 1e-9F && magnitude < 1e9F);
+    std::array<char, 64> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                   plain ? std::chars_format::fixed : std::chars_format::scientific)
+                         .ptr;
+    out.append(text.data(), end);
+}
+
+void append_row(std::string& out, const Rgb& row) {
+    append(out, row.r);
+    out += ' ';
+    append(out, row.g);
+    out += ' ';
+    append(out, row.b);
+    out += '\n';
+}
+
+bool equal_channels(const Rgb& c) {
+    return c.r == c.g && c.g == c.b;
+}
+
+bool scalar(const Domain& d) {
+    return equal_channels(d.min) && equal_channels(d.max);
+}
+
+void append_domain(std::string& out, const Domain& domain) {
+    if (domain.is_unit()) {
+        return;
+    }
+    out += "DOMAIN_MIN ";
+    append_row(out, domain.min);
+    out += "DOMAIN_MAX ";
+    append_row(out, domain.max);
+}
+
+void append_range(std::string& out, std::string_view keyword, const Domain& domain) {
+    if (!scalar(domain)) {
+        throw Error("the Resolve dialect has one input range for all channels; this look's differ");
+    }
+    out += keyword;
+    out += ' ';
+    append(out, domain.min.r);
+    out += ' ';
+    append(out, domain.max.r);
+    out += '\n';
+}
+
+// Comments that were keywords unknown to the reader go back as they were read, as comments.
+void append_head(std::string& out, const Lut& lut, const WriteOptions& options) {
+    const auto one_line = [](std::string text) {
+        for (char& c : text) {
+            c = (c == '\n' || c == '\r' || c == '\0') ? ' ' : c;
+        }
+        return text;
+    };
+    for (const std::string& comment : lut.comments) {
+        out += "# " + one_line(comment) + '\n';
+    }
+    std::string title = one_line(options.title.empty() ? lut.title : options.title);
+    for (char& c : title) {
+        c = c == '"' ? '\'' : c;
+    }
+    if (!title.empty()) {
+        out += "TITLE \"" + title + "\"\n";
+    }
+}
+
+std::string write_adobe(const Lut& lut, const WriteOptions& options) {
+    return write_cube(lut, CubeDialect::adobe, options);
+}
+std::string write_resolve(const Lut& lut, const WriteOptions& options) {
+    return write_cube(lut, CubeDialect::resolve, options);
+}
+
+int sniff(std::string_view bytes) {
+    const std::string_view head = bytes.substr(0, 1U << 16);
+    const bool sized = head.find("LUT_3D_SIZE") != std::string_view::npos ||
+                       head.find("LUT_1D_SIZE") != std::string_view::npos;
+    return sized ? 90 : 0;
+}
+
+int sniff_resolve(std::string_view bytes) {
+    const bool ranged = bytes.substr(0, 1U << 16).find("D_INPUT_RANGE") != std::string_view::npos;
+    return sniff(bytes) == 0 ? 0 : ranged ? 95 : 80;
+}
+
+constexpr Holds adobe_holds{.curve = true,
+                            .cube = true,
+                            .curve_domain = true,
+                            .cube_domain = true,
+                            .per_channel_domain = true,
+                            .title = true};
+constexpr Holds resolve_holds{.curve = true,
+                              .cube = true,
+                              .curve_and_cube = true,
+                              .curve_domain = true,
+                              .cube_domain = true,
+                              .title = true};
+
+constexpr std::array<Format, 2> table{{
+    {"cube", "Adobe/Iridas .cube: a 1D or a 3D table with its domain", extensions, sniff, read_cube,
+     write_adobe, adobe_holds},
+    {"cube-resolve", "Resolve .cube: a 1D shaper, a 3D table or both, with their input ranges",
+     extensions, sniff_resolve, read_cube, write_resolve, resolve_holds},
+}};
+
+} // namespace
+
+std::string write_cube(const Lut& lut, CubeDialect dialect, const WriteOptions& options) {
+    validate(lut);
+    if (!lut.shaper && !lut.cube) {
+        throw Error("a .cube needs a table; bake the identity to a size first");
+    }
+    if (dialect == CubeDialect::adobe && lut.shaper && lut.cube) {
+        throw Error("the Adobe dialect holds a shaper or a cube, not both; use cube-resolve");
+    }
+    std::string out;
+    const std::size_t rows =
+        (lut.cube ? lut.cube->nodes.size() : 0) + (lut.shaper ? lut.shaper->entries.size() : 0);
+    out.reserve(1024 + rows * 34);
+    append_head(out, lut, options);
+    const bool resolve = dialect == CubeDialect::resolve;
+    if (lut.shaper) {
+        out += "LUT_1D_SIZE " + std::to_string(lut.shaper->size()) + '\n';
+        resolve ? append_range(out, "LUT_1D_INPUT_RANGE", lut.shaper->domain)
+                : append_domain(out, lut.shaper->domain);
+    }
+    if (lut.cube) {
+        out += "LUT_3D_SIZE " + std::to_string(lut.cube->size) + '\n';
+        resolve ? append_range(out, "LUT_3D_INPUT_RANGE", lut.cube->domain)
+                : append_domain(out, lut.cube->domain);
+    }
+    if (lut.shaper) {
+        for (const Rgb& row : lut.shaper->entries) {
+            append_row(out, row);
+        }
+    }
+    if (lut.cube) {
+        for (const Rgb& row : lut.cube->nodes) {
+            append_row(out, row);
+        }
+    }
+    return out;
+}
+
+std::span<const Format> cube_formats() {
+    return table;
+}
+
+CubeDialect best_dialect(const Lut& lut) {
+    return lut.shaper && lut.cube ? CubeDialect::resolve : CubeDialect::adobe;
+}
+
+} // namespace lutlib

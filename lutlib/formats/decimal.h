@@ -1,0 +1,23 @@
+// The inner loop of the .cube reader: rows of three plain decimals, eight digits at a time.
+#pragma once
+
+#include "lutlib/rgb.h"
+
+#include <cstddef>
+#include <string_view>
+
+namespace lutlib {
+
+/// What parse_rows took from the front of a text.
+struct RowRun {
+    std::size_t rows = 0;
+    std::size_t bytes = 0;
+};
+
+/// Reads rows of three numbers of the form [-]digits[.digits], single blanks or tabs between them
+/// and LF or CR LF behind, for as long as they have that form, `most` at the most, each correctly
+/// rounded. Stops before the first row that has not (and always 128 bytes before the text's end):
+/// the caller's general reader takes that line.
+RowRun parse_rows(std::string_view text, Rgb* out, std::size_t most);
+
+} // namespace lutlib

@@ -1,0 +1,226 @@
+#include "lutlib/io/file.h"
+
+#include "lutlib/error.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <climits>
+#include <cstdlib>
+#include <fcntl.h>
+#include <memory>
+#include <random>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace lutlib::io {
+namespace {
+
+class Descriptor {
+  public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    ~Descriptor() {
+        if (fd_ > STDERR_FILENO) {
+            ::close(fd_);
+        }
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int get() const { return fd_; }
+
+  private:
+    int fd_;
+};
+
+[[noreturn]] void fail(const std::string& message, const std::string& file, int error_number) {
+    throw Error(message + ": " + std::generic_category().message(error_number), {file, 0, {}});
+}
+
+[[noreturn]] void too_large(const std::string& file, std::size_t max_bytes) {
+    throw Error("the file is larger than the limit of " + std::to_string(max_bytes) + " bytes",
+                {file, 0, {}});
+}
+
+void write_all(int fd, std::string_view bytes, const std::string& name) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+        if (written < 0) {
+            if (errno == EINTR) {
+                continue;
+            }
+            fail("cannot write", name, errno);
+        }
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+// The file that a chain of symbolic links leads to, so that a rename replaces it and not the link.
+std::string follow_links(const std::string& path) {
+    const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr),
+                                                           &std::free);
+    return real ? std::string(real.get()) : path;
+}
+
+std::string directory_of(const std::string& path) {
+    const std::size_t slash = path.rfind('/');
+    return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+}
+
+// A hidden name beside the target that keeps its extension, by which libraries choose a format.
+std::string temporary_name(const std::string& target) {
+    std::random_device random;
+    std::string tag;
+    for (int i = 0; i < 8; ++i) {
+        tag += "0123456789abcdefghijklmnopqrstuv"[random() % 32];
+    }
+    const std::size_t slash = target.rfind('/');
+    const std::string file = slash == std::string::npos ? target : target.substr(slash + 1);
+    const std::size_t dot = file.rfind('.');
+    const std::string extension = dot == std::string::npos ? "" : file.substr(dot);
+    // Short enough for a file system's 255 bytes even when the target's own name fills them.
+    const std::string stem = file.substr(0, std::min<std::size_t>(dot, 64));
+    return directory_of(target) + "/." + stem + "." + tag + ".tmp" + extension;
+}
+
+// Devices, pipes and sockets have no old content to protect and cannot be renamed over.
+bool is_special(const std::string& path) {
+    struct stat info {};
+    return ::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode);
+}
+
+void flush(const std::string& path, const std::string& name) {
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (file.get() < 0 || ::fsync(file.get()) != 0) {
+        fail("cannot flush the file to the disk", name, errno);
+    }
+}
+
+} // namespace
+
+std::string input_name(const std::string& path) {
+    return path == standard_stream ? "standard input" : path;
+}
+
+std::string output_name(const std::string& path) {
+    return path == standard_stream ? "standard output" : path;
+}
+
+std::string extension_of(std::string_view path) {
+    const std::size_t slash = path.rfind('/');
+    const std::string_view file = slash == std::string_view::npos ? path : path.substr(slash + 1);
+    const std::size_t dot = file.rfind('.');
+    std::string out(dot == std::string_view::npos ? std::string_view{} : file.substr(dot + 1));
+    std::transform(out.begin(), out.end(), out.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return out;
+}
+
+std::string read_file(const std::string& path, std::size_t max_bytes) {
+    const std::string name = input_name(path);
+    const Descriptor file(path == standard_stream ? STDIN_FILENO
+                                                  : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    struct stat info {};
+    if (file.get() < 0 || ::fstat(file.get(), &info) != 0) {
+        fail("cannot open the file", name, errno);
+    }
+    if (S_ISDIR(info.st_mode)) {
+        throw Error("this is a directory; name a file", {name, 0, {}});
+    }
+    const auto announced = S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) : 0;
+    if (announced > max_bytes) {
+        too_large(name, max_bytes);
+    }
+    // One byte more than announced, so that the end shows without growing. Pipes announce nothing.
+    std::string bytes(std::max<std::size_t>(announced + 1, 4096), '\0');
+    std::size_t length = 0;
+    while (true) {
+        if (length == bytes.size()) {
+            bytes.resize(length * 2);
+        }
+        const ssize_t got = ::read(file.get(), bytes.data() + length, bytes.size() - length);
+        if (got < 0) {
+            if (errno == EINTR) {
+                continue;
+            }
+            fail("cannot read the file", name, errno);
+        }
+        if (got == 0) {
+            break;
+        }
+        length += static_cast<std::size_t>(got);
+        if (length > max_bytes) {
+            too_large(name, max_bytes);
+        }
+    }
+    if (length == 0) {
+        throw Error("the file is empty", {name, 0, {}});
+    }
+    bytes.resize(length);
+    return bytes;
+}
+
+PendingFile::PendingFile(const std::string& target) : target_(follow_links(target)) {
+    struct stat info {};
+    const bool exists = ::stat(target_.c_str(), &info) == 0;
+    if (exists && S_ISDIR(info.st_mode)) {
+        throw Error("this is a directory; name a file to write", {target, 0, {}});
+    }
+    // A rename would pass over the target's own write protection.
+    if (exists && ::access(target_.c_str(), W_OK) != 0) {
+        fail("cannot replace the file", target, errno);
+    }
+    std::string name = temporary_name(target_);
+    const Descriptor file(
+        ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR | 0066));
+    if (file.get() < 0) {
+        fail("cannot create a file in " + directory_of(target_), target, errno);
+    }
+    path_ = std::move(name);
+    if (exists && ::fchmod(file.get(), info.st_mode & 0777) != 0) {
+        const int reason = errno;
+        ::unlink(path_.c_str());
+        fail("cannot keep the permissions of the file", target, reason);
+    }
+}
+
+PendingFile::~PendingFile() {
+    if (!path_.empty()) {
+        ::unlink(path_.c_str());
+    }
+}
+
+void PendingFile::commit() {
+    flush(path_, target_);
+    if (::rename(path_.c_str(), target_.c_str()) != 0) {
+        fail("cannot move the new file into place", target_, errno);
+    }
+    path_.clear();
+}
+
+void write_file(const std::string& path, std::string_view bytes) {
+    const std::string name = output_name(path);
+    if (path == standard_stream) {
+        write_all(STDOUT_FILENO, bytes, name);
+        return;
+    }
+    if (is_special(path)) {
+        const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+        if (file.get() < 0) {
+            fail("cannot open the file for writing", name, errno);
+        }
+        write_all(file.get(), bytes, name);
+        return;
+    }
+    PendingFile pending(path);
+    {
+        const Descriptor file(::open(pending.path().c_str(), O_WRONLY | O_CLOEXEC));
+        if (file.get() < 0) {
+            fail("cannot open the file for writing", name, errno);
+        }
+        write_all(file.get(), bytes, name);
+    }
+    pending.commit();
+}
+
+} // namespace lutlib::io

@@ -1,0 +1,52 @@
+// Whole files in and out. `-` is standard input or standard output. Writing is atomic: a temporary
+// file beside the target, flushed to the disk, then renamed over it; whatever happens, the target
+// is the old file or the whole new one.
+#pragma once
+
+#include "lutlib/limits.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace lutlib::io {
+
+inline constexpr std::string_view standard_stream = "-";
+
+/// Every byte of a file, or of standard input for `-`. Throws Error for a file that is missing,
+/// unreadable, a directory, empty or longer than `max_bytes`, before that much is allocated.
+std::string read_file(const std::string& path, std::size_t max_bytes = limits::max_file_bytes);
+
+/// Replaces `path` by `bytes` at once, or writes them to standard output for `-`. A new file gets
+/// the permissions of the umask, a replaced one keeps its own, a symbolic link stays a link.
+/// Devices and pipes are written in place. Throws Error; the old file is then unchanged.
+void write_file(const std::string& path, std::string_view bytes);
+
+/// What messages call a path: itself, or "standard input" / "standard output" for `-`.
+std::string input_name(const std::string& path);
+std::string output_name(const std::string& path);
+
+/// The part after the last dot of the file name, in lower case and without the dot; else empty.
+std::string extension_of(std::string_view path);
+
+/// The same for a library that insists on writing to a path itself: it writes to path(), which lies
+/// beside the target and has its extension, and commit() moves that file over the target. Without
+/// commit() the destructor removes it.
+class PendingFile {
+  public:
+    /// Creates the empty temporary file. `target` must not be `-`. Throws Error.
+    explicit PendingFile(const std::string& target);
+    ~PendingFile();
+    PendingFile(const PendingFile&) = delete;
+    PendingFile& operator=(const PendingFile&) = delete;
+
+    const std::string& path() const { return path_; }
+    /// Flushes and renames. Throws Error; the old file is then unchanged.
+    void commit();
+
+  private:
+    std::string target_; ///< with symbolic links followed
+    std::string path_;
+};
+
+} // namespace lutlib::io

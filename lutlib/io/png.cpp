@@ -1,0 +1,240 @@
+#include "lutlib/io/png.h"
+
+#include "lutlib/error.h"
+#include "lutlib/limits.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <spng.h>
+
+namespace lutlib::io {
+namespace {
+
+constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
+// Deflate cannot pack better than 1032:1, so a picture that claims more cannot be whole.
+constexpr std::size_t best_deflate_ratio = 1032;
+// One chunk of text or profile, and all of them together.
+constexpr std::size_t max_chunk_bytes = std::size_t{16} << 20;
+constexpr std::size_t max_chunks_bytes = std::size_t{64} << 20;
+
+struct Closer {
+    void operator()(spng_ctx* context) const { spng_ctx_free(context); }
+};
+using Context = std::unique_ptr<spng_ctx, Closer>;
+
+Context open_context(int flags) {
+    Context context(spng_ctx_new(flags));
+    if (!context) {
+        throw std::bad_alloc();
+    }
+    return context;
+}
+
+void check_read(int status, const std::string& file) {
+    if (status == SPNG_OK) {
+        return;
+    }
+    const bool ends_early =
+        status == SPNG_IO_EOF || status == SPNG_EOF || status == SPNG_EIDAT_TOO_SHORT;
+    throw Error(ends_early ? std::string("the PNG file is cut short; fetch or export it again")
+                           : std::string("the PNG file is damaged: ") + spng_strerror(status),
+                {file, 0, {}});
+}
+
+void check_write(int status) {
+    if (status != SPNG_OK) {
+        throw Error(std::string("cannot encode the PNG file: ") + spng_strerror(status));
+    }
+}
+
+void check_size(std::uint64_t width, std::uint64_t height, const std::string& file) {
+    const auto side = static_cast<std::uint64_t>(limits::max_image_side);
+    if (width == 0 || height == 0 || width > side || height > side ||
+        width * height > limits::max_image_pixels) {
+        throw Error("a picture of " + std::to_string(width) + "x" + std::to_string(height) +
+                        " pixels is outside the limits of " + std::to_string(side) +
+                        " a side and " + std::to_string(limits::max_image_pixels) + " in all",
+                    {file, 0, {}});
+    }
+}
+
+// Bytes of the picture as the file stores it, before compression.
+std::size_t stored_bytes(const spng_ihdr& header) {
+    const std::size_t channels = header.color_type == SPNG_COLOR_TYPE_TRUECOLOR         ? 3
+                                 : header.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA ? 4
+                                 : header.color_type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA ? 2
+                                                                                        : 1;
+    return (header.width * channels * header.bit_depth + 7) / 8 * header.height;
+}
+
+template <class Code>
+void copy_codes(const std::vector<unsigned char>& decoded, CodeImage& image) {
+    const auto pixels =
+        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    const auto channels = static_cast<std::size_t>(image.channels);
+    image.samples.resize(pixels * channels);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        for (std::size_t c = 0; c < channels; ++c) {
+            Code code;
+            std::memcpy(&code, decoded.data() + (i * 4 + c) * sizeof code, sizeof code);
+            image.samples[i * channels + c] = code;
+        }
+    }
+}
+
+void read_text(spng_ctx* context, CodeImage& image, const std::string& file) {
+    std::uint32_t count = 0;
+    const int status = spng_get_text(context, nullptr, &count);
+    if (status == SPNG_ECHUNKAVAIL) {
+        return;
+    }
+    check_read(status, file);
+    std::vector<spng_text> chunks(count);
+    check_read(spng_get_text(context, chunks.data(), &count), file);
+    for (const spng_text& chunk : chunks) {
+        image.text.emplace_back(chunk.keyword, std::string(chunk.text, chunk.length));
+    }
+}
+
+bool is_ascii(const std::string& text) {
+    return std::all_of(text.begin(), text.end(), [](char c) { return c > 0; });
+}
+
+// Text beyond ASCII is taken as UTF-8, which only iTXt can say.
+void set_text(spng_ctx* context, const CodeImage& image) {
+    std::vector<spng_text> chunks;
+    std::string empty;
+    for (const auto& [key, value] : image.text) {
+        if (key.empty() || key.size() >= sizeof(spng_text::keyword)) {
+            throw Error("a PNG text key has 1 to 79 characters", {{}, 0, key});
+        }
+        if (value.empty()) {
+            continue; // libspng refuses it
+        }
+        spng_text chunk{};
+        std::copy(key.begin(), key.end(), chunk.keyword);
+        // Cut at a NUL, which the format reserves.
+        chunk.length = std::min(value.find('\0'), value.size());
+        chunk.text = const_cast<char*>(value.c_str());
+        chunk.type = is_ascii(value) ? SPNG_TEXT : SPNG_ITXT;
+        chunk.language_tag = empty.data();
+        chunk.translated_keyword = empty.data();
+        chunks.push_back(chunk);
+    }
+    if (!chunks.empty()) {
+        check_write(
+            spng_set_text(context, chunks.data(), static_cast<std::uint32_t>(chunks.size())));
+    }
+}
+
+} // namespace
+
+bool is_png(std::string_view bytes) {
+    return bytes.substr(0, signature.size()) == signature;
+}
+
+CodeImage read_png(std::string_view bytes, const std::string& file) {
+    if (!is_png(bytes)) {
+        throw Error("this is not a PNG file", {file, 0, {}});
+    }
+    const Context context = open_context(0);
+    check_read(spng_set_chunk_limits(context.get(), max_chunk_bytes, max_chunks_bytes), file);
+    check_read(spng_set_png_buffer(context.get(), bytes.data(), bytes.size()), file);
+    spng_ihdr header{};
+    check_read(spng_get_ihdr(context.get(), &header), file);
+    check_size(header.width, header.height, file);
+    if (stored_bytes(header) / best_deflate_ratio > bytes.size()) {
+        throw Error("the PNG file is cut short; fetch or export it again", {file, 0, {}});
+    }
+
+    CodeImage image;
+    image.width = static_cast<int>(header.width);
+    image.height = static_cast<int>(header.height);
+    image.bits = header.bit_depth == 16 ? 16 : 8;
+    image.interlaced = header.interlace_method != SPNG_INTERLACE_NONE;
+    image.palette = header.color_type == SPNG_COLOR_TYPE_INDEXED;
+    image.grey = header.color_type == SPNG_COLOR_TYPE_GRAYSCALE ||
+                 header.color_type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA;
+    spng_trns transparency{};
+    const bool alpha = header.color_type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA ||
+                       header.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA ||
+                       spng_get_trns(context.get(), &transparency) == SPNG_OK;
+    image.channels = alpha ? 4 : 3;
+
+    const int format = image.bits == 16 ? SPNG_FMT_RGBA16 : SPNG_FMT_RGBA8;
+    std::size_t length = 0;
+    check_read(spng_decoded_image_size(context.get(), format, &length), file);
+    std::vector<unsigned char> decoded(length);
+    check_read(spng_decode_image(context.get(), decoded.data(), length, format, SPNG_DECODE_TRNS),
+               file);
+    // Text may follow the pixels; this also finds a file that ends before its IEND chunk.
+    check_read(spng_decode_chunks(context.get()), file);
+    // libspng does not read the check sum of IEND, the last 4 bytes.
+    if (bytes.rfind("IEND") + 8 > bytes.size()) {
+        check_read(SPNG_IO_EOF, file);
+    }
+    if (image.bits == 16) {
+        copy_codes<std::uint16_t>(decoded, image);
+    } else {
+        copy_codes<std::uint8_t>(decoded, image);
+    }
+
+    std::uint8_t intent = 0;
+    std::uint32_t gamma = 0;
+    spng_iccp profile{};
+    image.srgb_tag = spng_get_srgb(context.get(), &intent) == SPNG_OK;
+    image.gamma_tag = spng_get_gama_int(context.get(), &gamma) == SPNG_OK;
+    image.profile_tag = spng_get_iccp(context.get(), &profile) == SPNG_OK;
+    read_text(context.get(), image, file);
+    return image;
+}
+
+std::string write_png(const CodeImage& image) {
+    check_size(static_cast<std::uint64_t>(std::max(image.width, 0)),
+               static_cast<std::uint64_t>(std::max(image.height, 0)), {});
+    const std::size_t count = static_cast<std::size_t>(image.width) *
+                              static_cast<std::size_t>(image.height) *
+                              static_cast<std::size_t>(image.channels);
+    if ((image.channels != 3 && image.channels != 4) || (image.bits != 8 && image.bits != 16) ||
+        image.samples.size() != count) {
+        throw Error("a PNG picture has 3 or 4 channels of 8 or 16 bits, and one sample for each");
+    }
+    if (std::any_of(image.samples.begin(), image.samples.end(),
+                    [&](std::uint16_t code) { return code > image.maximum(); })) {
+        throw Error("a code is larger than " + std::to_string(image.maximum()));
+    }
+
+    const Context context = open_context(SPNG_CTX_ENCODER);
+    check_write(spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1));
+    spng_ihdr header{};
+    header.width = static_cast<std::uint32_t>(image.width);
+    header.height = static_cast<std::uint32_t>(image.height);
+    header.bit_depth = static_cast<std::uint8_t>(image.bits);
+    header.color_type =
+        image.channels == 4 ? SPNG_COLOR_TYPE_TRUECOLOR_ALPHA : SPNG_COLOR_TYPE_TRUECOLOR;
+    check_write(spng_set_ihdr(context.get(), &header));
+    if (image.srgb_tag) {
+        constexpr std::uint8_t perceptual = 0;
+        check_write(spng_set_srgb(context.get(), perceptual));
+    }
+    set_text(context.get(), image);
+
+    const std::vector<std::uint8_t> narrow =
+        image.bits == 8 ? std::vector<std::uint8_t>(image.samples.begin(), image.samples.end())
+                        : std::vector<std::uint8_t>{};
+    const void* pixels = image.bits == 8 ? static_cast<const void*>(narrow.data())
+                                         : static_cast<const void*>(image.samples.data());
+    const std::size_t length = count * (image.bits == 8 ? 1 : 2);
+    check_write(
+        spng_encode_image(context.get(), pixels, length, SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE));
+    std::size_t size = 0;
+    int status = SPNG_OK;
+    const std::unique_ptr<char, decltype(&std::free)> buffer(
+        static_cast<char*>(spng_get_png_buffer(context.get(), &size, &status)), &std::free);
+    check_write(status);
+    return std::string(buffer.get(), size);
+}
+
+} // namespace lutlib::io

@@ -1,0 +1,51 @@
+// Lines and words of a text file, with line numbers for errors. All of it ignores the locale.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace lutlib {
+
+/// Walks over the lines of a text. A line ends with LF, CR LF or a lone CR; the last may lack its
+/// end. A UTF-8 byte order mark before the first line is skipped.
+class LineScanner {
+  public:
+    explicit LineScanner(std::string_view bytes);
+
+    /// False at the end. The line excludes its end.
+    bool next(std::string_view& line);
+
+    /// Number of the line that next() returned last, from 1; 0 before the first.
+    std::size_t line_number() const { return line_; }
+
+    /// Text from the start of the line that the next next() returns.
+    std::string_view rest() const { return rest_; }
+
+    /// Steps over `bytes` bytes of rest() that hold `lines` whole lines.
+    void skip(std::size_t bytes, std::size_t lines);
+
+  private:
+    std::string_view rest_;
+    std::size_t line_ = 0;
+};
+
+/// Without blanks and tabs at both ends.
+std::string_view trimmed(std::string_view text);
+
+/// A line's first words, split at blanks and tabs. `count` may exceed `items`' size, whose further
+/// words are then not kept.
+struct Words {
+    std::array<std::string_view, 8> items;
+    std::size_t count = 0;
+};
+Words words_of(std::string_view line);
+
+enum class NumberStatus { ok, not_a_number, not_finite };
+
+/// A whole word as a float, correctly rounded: digits with a point or a decimal comma, an optional
+/// sign and exponent. Magnitudes below the smallest float become 0; above the largest, and
+/// spellings of infinity and NaN ("inf", "nan", "1.#INF", ...), are not_finite.
+NumberStatus parse_float(std::string_view word, float& value);
+
+} // namespace lutlib

@@ -199,8 +199,7 @@ bool is_rounded(int code, double value, int maximum) {
 }
 
 std::optional<Diagnosis> diagnose(const CodePicture& picture, const Engine& engine, int size,
-                                  const Oracle& oracle,
-                                  const std::vector<Alternative>& alternatives) {
+                                  const Oracle& oracle, const Alternatives& alternatives) {
     const Trial trial(picture, engine, size);
     Diagnosis best;
     const auto offer = [&best](std::string_view words, double share) {
@@ -211,7 +210,8 @@ std::optional<Diagnosis> diagnose(const CodePicture& picture, const Engine& engi
     for (const Mistake& mistake : mistakes) {
         offer(mistake.words, trial.share(mistake, oracle));
     }
-    for (const Alternative& alternative : alternatives) {
+    for (const Alternative& alternative :
+         alternatives ? alternatives() : std::vector<Alternative>{}) {
         offer(alternative.words, trial.share(mistakes[0], alternative.oracle));
     }
     return best.explained >= convincing ? std::optional(best) : trial.lossy(oracle);

@@ -52,7 +52,7 @@ TexelCheck check_texels(const CodePicture& picture, const Engine& engine, int si
 
 Verification verify(const CodePicture& picture, const Engine& engine, int size,
                     const Oracle& oracle, const std::vector<Rgb>& inputs,
-                    const std::vector<Alternative>& alternatives) {
+                    const Alternatives& alternatives) {
     Verification out;
     out.texels = check_texels(picture, engine, size, oracle);
     std::vector<Rgb> expected = inputs;

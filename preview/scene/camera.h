@@ -13,12 +13,12 @@ struct Orbit {
     float distance = 5;
     float azimuth = 0;
     float elevation = 15;
-    float field_of_view = 40; ///< vertical
+    float field_of_view = 40; ///< vertical at 16:9 and wider; narrower pictures keep the width
     float near_plane = 0.1f;  ///< the far plane is at infinity
 };
 
-/// Depth runs from 1 at the near plane to 0 at infinity (reversed, so that floats resolve it
-/// evenly), y points down in clip space as Vulkan has it.
+/// Depth runs from 0 at the near plane to 1 at infinity, y points down in clip space as Vulkan has
+/// it.
 struct Camera {
     glm::mat4 view{1};
     glm::mat4 projection{1};

@@ -5,6 +5,7 @@
 #include "preview/scene/builtin.h"
 #include "preview/scene/swatches.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -180,9 +181,12 @@ Scene sample_scene() {
 Scene plain_scene() {
     SceneBuilder build;
     add_still_life(build);
-    for (Material& material : build.scene.materials)
+    // No highlight reaches the brightness at which bloom begins.
+    for (Material& material : build.scene.materials) {
         material.emission = glm::vec3{0};
-    build.light({{-2.6f, 3.9f, 3.2f}, {42, 38, 34}, false, {}, 60, 0.1f, 20});
+        material.roughness = std::max(material.roughness, 0.65f);
+    }
+    build.light({{-2.6f, 3.9f, 3.2f}, {34, 31, 28}, false, {}, 60, 0.1f, 20});
     build.light({spark_rest, {0, 0, 0}, false, {}, 60, 0.1f, 20});
     build.scene.environment.zenith = {0.20f, 0.21f, 0.23f};
     build.scene.environment.horizon = {0.11f, 0.11f, 0.12f};

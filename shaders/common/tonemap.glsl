@@ -1,6 +1,6 @@
 // Tone maps, formula for formula those of preview/tonemaps.cpp, which has the sources. Linear light
 // in, display-encoded 0..1 out; NaN and negative light read as 0.
-#include "sanitise.glsl"
+#include "common/sanitise.glsl"
 
 vec3 srgb_encode(vec3 v) {
     vec3 high = 1.055 * pow(max(v, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055;

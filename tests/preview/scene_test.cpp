@@ -74,7 +74,7 @@ TEST(Camera, puts_the_target_in_the_middle_and_up_on_top) {
     const glm::vec3 centre = project(orbit.target);
     EXPECT_NEAR(centre.x, 0, 1e-5);
     EXPECT_NEAR(centre.y, 0, 1e-5);
-    EXPECT_NEAR(centre.z, orbit.near_plane / orbit.distance, 1e-5);
+    EXPECT_NEAR(centre.z, 1 - orbit.near_plane / orbit.distance, 1e-5);
     EXPECT_LT(project(orbit.target + glm::vec3{0, 0.1f, 0}).y, 0);
     EXPECT_NEAR(glm::length(camera.position - orbit.target), orbit.distance, 1e-4);
 }

@@ -1,36 +1,12 @@
 #include "lutlib/recipe.h"
 
 #include "lutlib/error.h"
+#include "tests/lutlib/op_samples.h"
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 namespace lutlib {
 namespace {
-
-// A valid value of a parameter, different from its default.
-Value some_value(const Parameter& parameter, std::mt19937& random) {
-    std::uniform_real_distribution<double> unit(0, 1);
-    const auto draw = [&] { return std::lerp(parameter.min, parameter.max, unit(random)); };
-    switch (parameter.kind) {
-    case ParameterKind::toggle:
-        return 1 - parameter.fallback;
-    case ParameterKind::rgb:
-        return RgbD{draw(), draw(), draw()};
-    case ParameterKind::curve: {
-        Knots knots;
-        for (int i = 0; i < 5; ++i) {
-            knots.push_back(
-                {std::lerp(parameter.axis.min, parameter.axis.max, unit(random)), draw()});
-        }
-        return knots;
-    }
-    case ParameterKind::number:
-        break;
-    }
-    return draw();
-}
 
 Recipe full_recipe() {
     std::mt19937 random(1);
@@ -41,10 +17,7 @@ Recipe full_recipe() {
     recipe.base = "some look.cube";
     recipe.bake = {48, Domain{{-.1F, 0, 0}, {4, 3.5F, 1}}, "tone", 777};
     for (const Op* op : ops()) {
-        Operation operation = default_operation(*op);
-        for (std::size_t i = 0; i < op->parameters.size(); ++i) {
-            operation.values[i] = some_value(op->parameters[i], random);
-        }
+        Operation operation = test::some_operation(*op, random);
         operation.enabled = recipe.operations.size() % 3 != 1;
         recipe.operations.push_back(operation);
         recipe.operations.push_back(default_operation(*op));

@@ -9,9 +9,6 @@
 namespace lutlib {
 namespace {
 
-double saturate(double x) { return x > 0 ? std::min(x, 1.0) : 0.0; }
-RgbD saturate(RgbD c) { return {saturate(c.r), saturate(c.g), saturate(c.b)}; }
-
 std::string listed(std::span<const int> values) {
     std::string out;
     for (const int value : values) {
@@ -38,8 +35,9 @@ void check_contract(const Engine& engine, int size, int bits) {
                          std::to_string(bits));
     }
     if (!layout_named(engine.layout)->picture(size)) {
-        throw UsageError(name + " lays a lattice out in sqrt(N) x sqrt(N) slices: the size must be "
-                                "a square number (16, 25, 36, 49, 64, ...), not " +
+        throw UsageError(name +
+                         " lays a lattice out in sqrt(N) x sqrt(N) slices: the size must be "
+                         "a square number (16, 25, 36, 49, 64, ...), not " +
                          std::to_string(size));
     }
 }

@@ -61,7 +61,8 @@ struct LookupError {
     Rgb worst; ///< the input with the largest channel difference
 };
 
-/// `expected[i]` is the right answer for `inputs[i]`, clamped to 0..1 here as a picture's codes are.
+/// `expected[i]` is the right answer for `inputs[i]`, clamped to 0..1 here as a picture's codes
+/// are.
 LookupError lookup_error(const Engine& engine, const Picture& picture, int size,
                          const std::vector<Rgb>& inputs, const std::vector<Rgb>& expected);
 

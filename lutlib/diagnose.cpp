@@ -24,7 +24,9 @@ bool is_high_byte(int code, double value, int maximum) {
     return is_truncated(code, value * 65535.0 / 65280.0 * (maximum == 255 ? 1 : 0), maximum);
 }
 
-Pixel as_is(const Layout& layout, int n, int r, int g, int b) { return layout.pixel(n, r, g, b); }
+Pixel as_is(const Layout& layout, int n, int r, int g, int b) {
+    return layout.pixel(n, r, g, b);
+}
 Pixel swap_green_blue(const Layout& layout, int n, int r, int g, int b) {
     return layout.pixel(n, r, b, g);
 }
@@ -35,17 +37,37 @@ Pixel flip(const Layout& layout, int n, int r, int g, int b) {
     return layout.pixel(n, r, n - 1 - g, b);
 }
 
-double engine_input(const Engine& engine, int i, int n) { return engine.node_input(i, n); }
-double lattice_input(const Engine&, int i, int n) { return static_cast<double>(i) / (n - 1); }
-double centre_input(const Engine&, int i, int n) { return (i + 0.5) / n; }
-double lowest_of_32(const Engine&, int i, int) { return i / 31.0; }
-double lowest_of_33(const Engine&, int i, int) { return i / 32.0; }
-double lowest_of_64(const Engine&, int i, int) { return i / 63.0; }
-double lowest_of_65(const Engine&, int i, int) { return i / 64.0; }
+double engine_input(const Engine& engine, int i, int n) {
+    return engine.node_input(i, n);
+}
+double lattice_input(const Engine&, int i, int n) {
+    return static_cast<double>(i) / (n - 1);
+}
+double centre_input(const Engine&, int i, int n) {
+    return (i + 0.5) / n;
+}
+double lowest_of_32(const Engine&, int i, int) {
+    return i / 31.0;
+}
+double lowest_of_33(const Engine&, int i, int) {
+    return i / 32.0;
+}
+double lowest_of_64(const Engine&, int i, int) {
+    return i / 63.0;
+}
+double lowest_of_65(const Engine&, int i, int) {
+    return i / 64.0;
+}
 
-Rgb value_of(Rgb, Rgb out) { return out; }
-Rgb input_itself(Rgb in, Rgb) { return in; }
-Rgb channels_swapped(Rgb, Rgb out) { return {out.b, out.g, out.r}; }
+Rgb value_of(Rgb, Rgb out) {
+    return out;
+}
+Rgb input_itself(Rgb in, Rgb) {
+    return in;
+}
+Rgb channels_swapped(Rgb, Rgb out) {
+    return {out.b, out.g, out.r};
+}
 Rgb decoded_again(Rgb, Rgb out) {
     return to_float({srgb_decode(out.r), srgb_decode(out.g), srgb_decode(out.b)});
 }
@@ -106,7 +128,9 @@ class Trial {
             ++i;
             bool all = true;
             for (std::size_t c = 0; c < 3; ++c) {
-                all = all && mistake.agrees(picture_.code(p, c), saturate(value[c]), picture_.maximum());
+                all = all &&
+                      mistake.agrees(picture_.code(p, c), saturate(static_cast<double>(value[c])),
+                                     picture_.maximum());
             }
             agreeing += all;
         });
@@ -124,7 +148,8 @@ class Trial {
         for_each_node([&](int r, int g, int b) {
             const Pixel p = layout_.pixel(size_, r, g, b);
             for (std::size_t c = 0; c < 3; ++c) {
-                const double d = picture_.code(p, c) - saturate(values[i][c]) * picture_.maximum();
+                const double d = picture_.code(p, c) -
+                                 saturate(static_cast<double>(values[i][c])) * picture_.maximum();
                 distance.push_back(d);
                 bias += d;
             }
@@ -143,8 +168,6 @@ class Trial {
     }
 
   private:
-    static double saturate(float x) { return x > 0 ? std::min(static_cast<double>(x), 1.0) : 0; }
-
     template <class F>
     void for_each_node(F&& f) const {
         for (int b = 0; b < size_; ++b) {
@@ -176,8 +199,7 @@ bool is_rounded(int code, double value, int maximum) {
 }
 
 std::optional<Diagnosis> diagnose(const CodePicture& picture, const Engine& engine, int size,
-                                  const Oracle& oracle,
-                                  const std::vector<Alternative>& alternatives) {
+                                  const Oracle& oracle, const Alternatives& alternatives) {
     const Trial trial(picture, engine, size);
     Diagnosis best;
     const auto offer = [&best](std::string_view words, double share) {
@@ -188,7 +210,8 @@ std::optional<Diagnosis> diagnose(const CodePicture& picture, const Engine& engi
     for (const Mistake& mistake : mistakes) {
         offer(mistake.words, trial.share(mistake, oracle));
     }
-    for (const Alternative& alternative : alternatives) {
+    for (const Alternative& alternative :
+         alternatives ? alternatives() : std::vector<Alternative>{}) {
         offer(alternative.words, trial.share(mistakes[0], alternative.oracle));
     }
     return best.explained >= convincing ? std::optional(best) : trial.lossy(oracle);

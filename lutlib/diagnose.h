@@ -19,6 +19,9 @@ struct Alternative {
     Oracle oracle;
 };
 
+/// Opened only when a picture is wrong; may be empty.
+using Alternatives = std::function<std::vector<Alternative>()>;
+
 /// A mistake that explains a picture: in words, and the share of texels that agree with the look
 /// once the mistake is assumed.
 struct Diagnosis {
@@ -30,8 +33,7 @@ struct Diagnosis {
 /// every alternative. The one that explains most texels is the diagnosis if it explains nearly all
 /// of them; else the noise of a lossy format is recognised by its size and lack of a bias.
 std::optional<Diagnosis> diagnose(const CodePicture& picture, const Engine& engine, int size,
-                                  const Oracle& oracle,
-                                  const std::vector<Alternative>& alternatives);
+                                  const Oracle& oracle, const Alternatives& alternatives);
 
 /// Whether `code` is `value` (0..1) rounded to nearest, either way when the value lies within an
 /// oracle's float precision of a tie.

@@ -9,13 +9,6 @@
 namespace lutlib {
 namespace {
 
-float saturate(float x) {
-    return x > 0 ? std::min(x, 1.0F) : 0.0F;
-}
-Rgb saturate(Rgb c) {
-    return {saturate(c.r), saturate(c.g), saturate(c.b)};
-}
-
 Rgb mix(Rgb a, Rgb b, float t) {
     return a * (1 - t) + b * t;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 
 namespace lutlib {
 
@@ -33,6 +34,17 @@ constexpr RgbD to_double(Rgb c) {
 }
 constexpr Rgb to_float(RgbD c) {
     return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
+}
+
+/// Clamped to 0..1; NaN becomes 0.
+template <class T>
+requires std::is_floating_point_v<T>
+constexpr T saturate(T x) {
+    return x > T{0} ? (x < T{1} ? x : T{1}) : T{0};
+}
+template <class T>
+constexpr BasicRgb<T> saturate(BasicRgb<T> c) {
+    return {saturate(c.r), saturate(c.g), saturate(c.b)};
 }
 
 } // namespace lutlib

@@ -12,8 +12,8 @@ void append_lattice(std::vector<Rgb>& out, int count, double offset, double step
     for (int b = 0; b < count; ++b) {
         for (int g = 0; g < count; ++g) {
             for (int r = 0; r < count; ++r) {
-                out.push_back(to_float(
-                    {(r + offset) * step, (g + offset) * step, (b + offset) * step}));
+                out.push_back(
+                    to_float({(r + offset) * step, (g + offset) * step, (b + offset) * step}));
             }
         }
     }

@@ -15,9 +15,8 @@ TexelCheck check_texels(const CodePicture& picture, const Engine& engine, int si
         for (int g = 0; g < size; ++g) {
             for (int r = 0; r < size; ++r) {
                 pixels.push_back(layout.pixel(size, r, g, b));
-                values.push_back(
-                    to_float({engine.node_input(r, size), engine.node_input(g, size),
-                              engine.node_input(b, size)}));
+                values.push_back(to_float({engine.node_input(r, size), engine.node_input(g, size),
+                                           engine.node_input(b, size)}));
             }
         }
     }
@@ -29,8 +28,7 @@ TexelCheck check_texels(const CodePicture& picture, const Engine& engine, int si
     for (std::size_t i = 0; i < values.size(); ++i) {
         bool wrong = false;
         for (std::size_t c = 0; c < 3; ++c) {
-            const double value =
-                values[i][c] > 0 ? std::min(static_cast<double>(values[i][c]), 1.0) : 0.0;
+            const double value = saturate(static_cast<double>(values[i][c]));
             const int code = picture.code(pixels[i], c);
             if (is_rounded(code, value, maximum)) {
                 continue;
@@ -54,7 +52,7 @@ TexelCheck check_texels(const CodePicture& picture, const Engine& engine, int si
 
 Verification verify(const CodePicture& picture, const Engine& engine, int size,
                     const Oracle& oracle, const std::vector<Rgb>& inputs,
-                    const std::vector<Alternative>& alternatives) {
+                    const Alternatives& alternatives) {
     Verification out;
     out.texels = check_texels(picture, engine, size, oracle);
     std::vector<Rgb> expected = inputs;

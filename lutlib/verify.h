@@ -28,6 +28,6 @@ struct Verification {
 /// dimensions must be those of the engine's layout for `size`.
 Verification verify(const CodePicture& picture, const Engine& engine, int size,
                     const Oracle& oracle, const std::vector<Rgb>& inputs,
-                    const std::vector<Alternative>& alternatives = {});
+                    const Alternatives& alternatives = {});
 
 } // namespace lutlib

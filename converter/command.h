@@ -1,0 +1,35 @@
+// What a verb of lutconv is, and the table of them.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <functional>
+#include <span>
+#include <string_view>
+
+namespace converter {
+
+enum ExitCode : int { ok = 0, verification_failed = 1, bad_input = 2, bad_usage = 3 };
+
+/// Runs a parsed verb and returns an ExitCode. Throws lutlib::Error.
+using Run = std::function<int()>;
+
+struct Command {
+    std::string_view name;
+    std::string_view help;
+    /// Declares the verb's options on its own sub-command; the returned function runs it.
+    Run (*declare)(CLI::App& app);
+};
+
+/// Every verb, in the order of the help.
+std::span<const Command> commands();
+
+Run declare_bake(CLI::App& app);
+Run declare_eval(CLI::App& app);
+Run declare_identity(CLI::App& app);
+Run declare_info(CLI::App& app);
+Run declare_verify(CLI::App& app);
+
+} // namespace converter

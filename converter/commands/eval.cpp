@@ -1,0 +1,115 @@
+// lutconv eval: colours through a LUT, nine significant digits.
+#include "converter/command.h"
+#include "converter/options.h"
+#include "converter/report.h"
+#include "lutlib/error.h"
+#include "lutlib/interpolation.h"
+#include "lutlib/text.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace converter {
+namespace {
+
+using lutlib::Rgb;
+
+struct Options {
+    std::string lut;
+    InterpolationOption interpolation;
+    bool json = false;
+};
+
+// NaN and infinities are inputs like any other here: a LUT defines what becomes of them.
+float number(std::string_view word, const lutlib::Where& where) {
+    float value = 0;
+    const lutlib::NumberStatus status = lutlib::parse_float(word, value);
+    if (status == lutlib::NumberStatus::not_finite) {
+        const bool nan = word.find_first_of("nN") < word.find_first_of("iI");
+        const bool negative = word.front() == '-';
+        return nan ? std::numeric_limits<float>::quiet_NaN()
+                   : (negative ? -1.0F : 1.0F) * std::numeric_limits<float>::infinity();
+    }
+    if (status == lutlib::NumberStatus::not_a_number) {
+        throw lutlib::Error("'" + std::string(word) + "' is not a number", where);
+    }
+    return value;
+}
+
+std::vector<Rgb> from_arguments(const std::vector<std::string>& words) {
+    if (words.size() % 3 != 0) {
+        throw lutlib::UsageError("colours are given as R G B; " + std::to_string(words.size()) +
+                                 " numbers are no whole number of colours");
+    }
+    std::vector<Rgb> out;
+    for (std::size_t i = 0; i < words.size(); i += 3) {
+        try {
+            out.push_back(
+                {number(words[i], {}), number(words[i + 1], {}), number(words[i + 2], {})});
+        } catch (const lutlib::Error& error) {
+            throw lutlib::UsageError(error.message());
+        }
+    }
+    return out;
+}
+
+std::vector<Rgb> from_standard_input() {
+    std::vector<Rgb> out;
+    std::string line;
+    for (std::size_t n = 1; std::getline(std::cin, line); ++n) {
+        if (!line.empty() && line.back() == '\r') {
+            line.pop_back();
+        }
+        const lutlib::Words words = lutlib::words_of(line);
+        if (words.count == 0) {
+            continue;
+        }
+        const lutlib::Where where{"standard input", n, line};
+        if (words.count != 3) {
+            throw lutlib::Error("a colour is three numbers", where);
+        }
+        out.push_back({number(words.items[0], where), number(words.items[1], where),
+                       number(words.items[2], where)});
+    }
+    return out;
+}
+
+int run(const Options& o, const std::vector<std::string>& words) {
+    if (o.lut == "-" && words.empty()) {
+        throw lutlib::UsageError("the LUT and the colours cannot both come from standard input");
+    }
+    const lutlib::Lut lut = read_look(o.lut);
+    const std::vector<Rgb> inputs = words.empty() ? from_standard_input() : from_arguments(words);
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    std::string text;
+    for (const Rgb& in : inputs) {
+        const Rgb out = to_float(evaluate_exact(lut, to_double(in), o.interpolation.get()));
+        if (o.json) {
+            list.push_back({{"in", {in.r, in.g, in.b}}, {"out", {out.r, out.g, out.b}}});
+        } else {
+            text += fmt::format("{:.9g} {:.9g} {:.9g}\n", out.r, out.g, out.b);
+        }
+    }
+    o.json ? print(list, "") : print(text, "");
+    return ok;
+}
+
+} // namespace
+
+Run declare_eval(CLI::App& app) {
+    const auto o = std::make_shared<Options>();
+    app.add_option("LUT", o->lut, "a LUT file, or - for standard input")->required();
+    o->interpolation.declare(app, "how the cube is read between its nodes");
+    app.add_flag("--json", o->json, "print inputs and outputs as JSON");
+    // Not a positional option: negative numbers would be taken for flags.
+    app.allow_extras();
+    app.footer("R G B...: colours; without any, lines of three numbers from standard input");
+    return [o, &app] { return run(*o, app.remaining()); };
+}
+
+} // namespace converter

@@ -1,0 +1,52 @@
+// lutconv identity: a LUT that changes nothing, as a file of any kind or an engine's picture.
+#include "converter/command.h"
+#include "converter/options.h"
+#include "lutlib/bake.h"
+#include "lutlib/formats/cube.h"
+#include "lutlib/io/file.h"
+#include "lutlib/io/lut_picture.h"
+
+#include <memory>
+
+namespace converter {
+namespace {
+
+struct Options {
+    std::string output;
+    EngineOption engine;
+    int size = 0, bits = 0;
+};
+
+constexpr int usual_size = 33;
+
+std::string bytes_of(const Options& o) {
+    if (lutlib::io::extension_of(o.output) == "png" || o.engine.given()) {
+        const lutlib::Engine& engine =
+            o.engine.given() ? o.engine.get() : *lutlib::engine_named("piccolo");
+        const lutlib::Bake picture = lutlib::bake([](lutlib::RgbD in) { return in; }, engine,
+                                                  o.size ? o.size : engine.default_size,
+                                                  o.bits ? o.bits : engine.default_bits);
+        return lutlib::io::picture_bytes(picture, {"identity", "Identity", {}});
+    }
+    lutlib::Lut lut;
+    lut.cube = lutlib::identity_cube(o.size ? o.size : usual_size);
+    lut.title = "Identity";
+    return write_cube(lut, lutlib::CubeDialect::adobe);
+}
+
+} // namespace
+
+Run declare_identity(CLI::App& app) {
+    const auto o = std::make_shared<Options>();
+    app.add_option("-o,--output", o->output, "a .cube or .png, or - for standard output")
+        ->required();
+    app.add_option("--size", o->size, "nodes a side (default: the engine's, or 33)");
+    app.add_option("--bits", o->bits, "8 or 16 bits a sample of a picture");
+    o->engine.declare(app, "");
+    return [o] {
+        lutlib::io::write_file(o->output, bytes_of(*o));
+        return static_cast<int>(ok);
+    };
+}
+
+} // namespace converter

@@ -1,0 +1,44 @@
+// Options and inputs that several verbs share.
+#pragma once
+
+#include "lutlib/engine.h"
+#include "lutlib/interpolation.h"
+
+#include <CLI/App.hpp>
+
+#include <string>
+
+namespace converter {
+
+/// --engine NAME, with every row of lutlib::engines() in its help.
+class EngineOption {
+  public:
+    /// An empty default leaves the engine open.
+    void declare(CLI::App& app, const std::string& default_name);
+    bool given() const { return !name_.empty(); }
+    const lutlib::Engine& get() const;
+
+  private:
+    std::string name_;
+};
+
+/// --interpolation NAME, with every row of lutlib::interpolations() in its help.
+class InterpolationOption {
+  public:
+    void declare(CLI::App& app, const std::string& help);
+    bool given() const { return given_; }
+    lutlib::Interpolation get() const;
+
+  private:
+    std::string name_ = "tetrahedral";
+    bool given_ = false;
+};
+
+/// Reads a LUT of any kind: .cube in both dialects, a LUT picture, and every format of
+/// OpenColorIO, which is loaded only for those.
+lutlib::Lut read_look(const std::string& path);
+
+/// "0..1", or "0..4, -1..1, 0..1" where the channels differ.
+std::string domain_text(const lutlib::Domain& domain);
+
+} // namespace converter

@@ -1,0 +1,34 @@
+#include "converter/report.h"
+
+#include "lutlib/io/file.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace converter {
+
+nlohmann::ordered_json to_json(const lutlib::ErrorStats& stats) {
+    return {{"max", stats.max},
+            {"p99", stats.p99},
+            {"p95", stats.p95},
+            {"mean", stats.mean},
+            {"count", stats.count}};
+}
+
+std::string to_text(const lutlib::ErrorStats& stats) {
+    return fmt::format("max {:.4g}, p99 {:.4g}, p95 {:.4g}, mean {:.4g}", stats.max, stats.p99,
+                       stats.p95, stats.mean);
+}
+
+void print(const std::string& text, const std::string& output) {
+    std::FILE* const stream = output == lutlib::io::standard_stream ? stderr : stdout;
+    std::fputs(text.c_str(), stream);
+}
+
+void print(const nlohmann::ordered_json& json, const std::string& output) {
+    print(json.dump(2) + "\n", output);
+}
+
+} // namespace converter

@@ -1,0 +1,22 @@
+// What verbs print: figures as text or as JSON, from one description.
+#pragma once
+
+#include "lutlib/stats.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+
+namespace converter {
+
+/// {"max", "p99", "p95", "mean", "count"}
+nlohmann::ordered_json to_json(const lutlib::ErrorStats& stats);
+
+/// "max 0.0123, p99 0.01, p95 0.008, mean 0.002"
+std::string to_text(const lutlib::ErrorStats& stats);
+
+/// Prints to standard output, or to standard error when standard output carries `output` ("-").
+void print(const std::string& text, const std::string& output);
+void print(const nlohmann::ordered_json& json, const std::string& output);
+
+} // namespace converter

@@ -1,0 +1,58 @@
+#include "lutlib/io/lut_picture.h"
+
+#include "lutlib/recognise.h"
+
+#include <algorithm>
+
+namespace lutlib::io {
+
+std::string picture_bytes(const Bake& bake, const BakeOrigin& origin) {
+    CodeImage image;
+    image.width = bake.picture.width;
+    image.height = bake.picture.height;
+    image.bits = bake.picture.bits;
+    image.samples = bake.picture.codes;
+    image.srgb_tag = bake.engine->srgb_tag == SrgbTag::present;
+    image.text = {{"Source", origin.source},
+                  {"Title", origin.title},
+                  {"Engine", std::string(bake.engine->name)},
+                  {"Interpolation", std::string(origin.interpolation)},
+                  {"Software", "lutconv"}};
+    return write_png(image);
+}
+
+CodePicture code_picture(const CodeImage& image) {
+    CodePicture out;
+    out.width = image.width;
+    out.height = image.height;
+    out.bits = image.bits;
+    const auto channels = static_cast<std::size_t>(image.channels);
+    const std::size_t pixels = image.samples.size() / channels;
+    out.codes.resize(pixels * 3);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        std::copy_n(&image.samples[i * channels], 3, &out.codes[i * 3]);
+    }
+    return out;
+}
+
+std::optional<std::string> text_entry(const CodeImage& image, std::string_view key) {
+    for (const auto& [name, text] : image.text) {
+        if (name == key) {
+            return text;
+        }
+    }
+    return std::nullopt;
+}
+
+Lut read_lut_picture(std::string_view bytes, const std::string& file) {
+    const CodeImage image = read_png(bytes, file);
+    const Picture picture = decoded(code_picture(image));
+    const Recognition found = recognise_one(picture, file);
+    Lut out;
+    out.cube = from_picture(picture, *found.layout, found.size);
+    out.title = text_entry(image, "Title").value_or("");
+    out.provenance = file;
+    return out;
+}
+
+} // namespace lutlib::io

@@ -1,0 +1,34 @@
+// LUT pictures as PNG files: an engine's baked lattice out, any recognised layout in.
+#pragma once
+
+#include "lutlib/bake.h"
+#include "lutlib/io/png.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace lutlib::io {
+
+/// What the PNG's text says of where it came from.
+struct BakeOrigin {
+    std::string source;
+    std::string title;
+    std::string_view interpolation;
+};
+
+/// The file's bytes, with the engine's sRGB tag and text entries Source, Title, Engine,
+/// Interpolation and Software.
+std::string picture_bytes(const Bake& bake, const BakeOrigin& origin);
+
+/// The RGB codes of a PNG, alpha left out.
+CodePicture code_picture(const CodeImage& image);
+
+/// A text entry of a PNG, if it has one.
+std::optional<std::string> text_entry(const CodeImage& image, std::string_view key);
+
+/// A LUT picture as a cube over 0..1, its layout recognised from content. Throws Error when it
+/// cannot be told.
+Lut read_lut_picture(std::string_view bytes, const std::string& file);
+
+} // namespace lutlib::io

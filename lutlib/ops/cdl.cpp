@@ -1,0 +1,74 @@
+// The ASC Color Decision List, version 1.2: (x slope + offset)^power, then saturation.
+#include "lutlib/ops/all.h"
+#include "lutlib/ops/luma.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lutlib::op {
+namespace {
+
+constexpr Parameter rgb(std::string_view name, std::string_view flag, std::string_view label,
+                        double min, double max, double neutral) {
+    return {.name = name,
+            .flag = flag,
+            .label = label,
+            .kind = ParameterKind::rgb,
+            .min = min,
+            .max = max,
+            .fallback_rgb = {neutral, neutral, neutral}};
+}
+
+constexpr Parameter parameters[] = {
+    rgb("slope", "cdl-slope", "Slope", 0, 10, 1),
+    rgb("offset", "cdl-offset", "Offset", -10, 10, 0),
+    rgb("power", "cdl-power", "Power", 0.05, 10, 1),
+    {.name = "saturation",
+     .flag = "cdl-saturation",
+     .label = "Saturation",
+     .min = 0,
+     .max = 10,
+     .fallback = 1},
+    {.name = "clamp",
+     .flag = "cdl-clamp",
+     .label = "Clamp to 0..1 as the standard does",
+     .kind = ParameterKind::toggle,
+     .fallback = 0},
+};
+
+Transform compile(const Values& values, const OpContext&) {
+    const auto slope = std::get<RgbD>(values[0]), offset = std::get<RgbD>(values[1]),
+               power = std::get<RgbD>(values[2]);
+    const double saturation = std::get<double>(values[3]);
+    const bool clamp = std::get<double>(values[4]) != 0;
+    const auto sop = [=](RgbD c) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            double x = c[i] * slope[i] + offset[i];
+            x = clamp ? std::clamp(x, 0.0, 1.0) : x;
+            c[i] = x > 0 && power[i] != 1 ? std::pow(x, power[i]) : x;
+        }
+        return scale_saturation(c, saturation);
+    };
+    if (!clamp) {
+        return each_colour(sop);
+    }
+    return each_colour([sop](RgbD c) {
+        c = sop(c);
+        return RgbD{std::clamp(c.r, 0.0, 1.0), std::clamp(c.g, 0.0, 1.0),
+                    std::clamp(c.b, 0.0, 1.0)};
+    });
+}
+
+} // namespace
+
+const Op cdl{.name = "cdl",
+             .label = "ASC CDL",
+             .help = "Slope, offset, power and saturation of a Color Decision List. Without clamp, "
+                     "values below zero take no power and nothing is cut",
+             .reference = "ASC CDL 1.2; without clamp as OpenColorIO's CDL_NO_CLAMP",
+             .space = Space::codes,
+             .parameters = parameters,
+             .monotone_on_neutrals = false,
+             .compile = compile};
+
+} // namespace lutlib::op

@@ -1,0 +1,25 @@
+#include "lutlib/ops/secondary.h"
+
+namespace lutlib::op {
+namespace {
+
+constexpr Parameter parameters[] = {
+    curve_parameter("hue-vs-hue", "Turn", "degrees", -180, 180, 0, hue_axis),
+};
+
+Transform compile(const Values& values, const OpContext&) {
+    const Curve curve = curve_of(parameters[0], values[0]);
+    return each_colour([curve](RgbD c) { return rotated(c, curve(dial_hue(c.g, c.b))); });
+}
+
+} // namespace
+
+const Op hue_vs_hue{.name = "hue-vs-hue",
+                    .label = "Hue vs hue",
+                    .help = "Turns hues by an angle that depends on the hue",
+                    .reference = "rotation of Oklab (a, b)",
+                    .space = Space::oklab,
+                    .parameters = parameters,
+                    .compile = compile};
+
+} // namespace lutlib::op

@@ -1,0 +1,26 @@
+#include "lutlib/ops/secondary.h"
+
+namespace lutlib::op {
+namespace {
+
+constexpr Parameter parameters[] = {
+    curve_parameter("hue-vs-lum", "Factor", "factor", 0, 2, 1, hue_axis),
+};
+
+Transform compile(const Values& values, const OpContext&) {
+    const Curve curve = curve_of(parameters[0], values[0]);
+    return each_colour(
+        [curve](RgbD c) { return c * (1 + (curve(dial_hue(c.g, c.b)) - 1) * hue_weight(c)); });
+}
+
+} // namespace
+
+const Op hue_vs_lum{.name = "hue-vs-lum",
+                    .label = "Hue vs luminance",
+                    .help = "Scales luminance by a factor that depends on the hue; neutrals stay",
+                    .reference = "factor on Oklab L, a and b, faded out towards neutral",
+                    .space = Space::oklab,
+                    .parameters = parameters,
+                    .compile = compile};
+
+} // namespace lutlib::op

@@ -1,0 +1,25 @@
+#include "lutlib/ops/secondary.h"
+
+namespace lutlib::op {
+namespace {
+
+constexpr Parameter parameters[] = {
+    curve_parameter("hue-vs-sat", "Factor", "factor", 0, 4, 1, hue_axis),
+};
+
+Transform compile(const Values& values, const OpContext&) {
+    const Curve curve = curve_of(parameters[0], values[0]);
+    return each_colour([curve](RgbD c) { return with_chroma(c, curve(dial_hue(c.g, c.b))); });
+}
+
+} // namespace
+
+const Op hue_vs_sat{.name = "hue-vs-sat",
+                    .label = "Hue vs saturation",
+                    .help = "Scales saturation by a factor that depends on the hue",
+                    .reference = "factor on Oklab chroma",
+                    .space = Space::oklab,
+                    .parameters = parameters,
+                    .compile = compile};
+
+} // namespace lutlib::op

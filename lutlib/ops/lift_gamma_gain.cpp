@@ -1,0 +1,51 @@
+#include "lutlib/ops/all.h"
+
+#include <cmath>
+
+namespace lutlib::op {
+namespace {
+
+constexpr Parameter rgb(std::string_view name, std::string_view label, double min, double max,
+                        double neutral) {
+    return {.name = name,
+            .flag = name,
+            .label = label,
+            .unit = "code values",
+            .kind = ParameterKind::rgb,
+            .min = min,
+            .max = max,
+            .fallback_rgb = {neutral, neutral, neutral}};
+}
+
+constexpr Parameter parameters[] = {
+    rgb("lift", "Lift", -0.5, 0.5, 0),
+    rgb("gamma", "Gamma", 0.1, 10, 1),
+    rgb("gain", "Gain", 0, 4, 1),
+};
+
+Transform compile(const Values& values, const OpContext&) {
+    const auto lift = std::get<RgbD>(values[0]), gamma = std::get<RgbD>(values[1]),
+               gain = std::get<RgbD>(values[2]);
+    const RgbD power{1 / gamma.r, 1 / gamma.g, 1 / gamma.b};
+    return each_colour([lift, gain, power](RgbD c) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double x = gain[i] * (c[i] + lift[i] * (1 - c[i]));
+            c[i] = power[i] == 1 ? x : std::copysign(std::pow(std::abs(x), power[i]), x);
+        }
+        return c;
+    });
+}
+
+} // namespace
+
+const Op lift_gamma_gain{
+    .name = "lift-gamma-gain",
+    .label = "Lift, gamma, gain",
+    .help = "Lift moves black and holds white, gain scales, gamma bends the middle",
+    .reference = "(gain (x + lift (1 - x)))^(1 / gamma), odd below zero",
+    .space = Space::codes,
+    .parameters = parameters,
+    .monotone_on_neutrals = true,
+    .compile = compile};
+
+} // namespace lutlib::op

@@ -1,0 +1,25 @@
+#include "lutlib/ops/secondary.h"
+
+namespace lutlib::op {
+namespace {
+
+constexpr Parameter parameters[] = {
+    curve_parameter("lum-vs-lum", "Factor", "factor", 0, 4, 1, luminance_axis),
+};
+
+Transform compile(const Values& values, const OpContext&) {
+    const Curve curve = curve_of(parameters[0], values[0]);
+    return each_colour([curve](RgbD c) { return c * curve(c.r); });
+}
+
+} // namespace
+
+const Op lum_vs_lum{.name = "lum-vs-lum",
+                    .label = "Luminance vs luminance",
+                    .help = "Scales luminance by a factor that depends on the luminance",
+                    .reference = "factor on Oklab L, a and b",
+                    .space = Space::oklab,
+                    .parameters = parameters,
+                    .compile = compile};
+
+} // namespace lutlib::op

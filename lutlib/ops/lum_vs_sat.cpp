@@ -1,0 +1,25 @@
+#include "lutlib/ops/secondary.h"
+
+namespace lutlib::op {
+namespace {
+
+constexpr Parameter parameters[] = {
+    curve_parameter("lum-vs-sat", "Factor", "factor", 0, 4, 1, luminance_axis),
+};
+
+Transform compile(const Values& values, const OpContext&) {
+    const Curve curve = curve_of(parameters[0], values[0]);
+    return each_colour([curve](RgbD c) { return with_chroma(c, curve(c.r)); });
+}
+
+} // namespace
+
+const Op lum_vs_sat{.name = "lum-vs-sat",
+                    .label = "Luminance vs saturation",
+                    .help = "Scales saturation by a factor that depends on the luminance",
+                    .reference = "factor on Oklab chroma",
+                    .space = Space::oklab,
+                    .parameters = parameters,
+                    .compile = compile};
+
+} // namespace lutlib::op

@@ -1,0 +1,32 @@
+#include "lutlib/ops/all.h"
+
+namespace lutlib::op {
+namespace {
+
+constexpr Parameter parameters[] = {
+    {.name = "amount",
+     .flag = "offset",
+     .label = "Offset",
+     .unit = "code values",
+     .kind = ParameterKind::rgb,
+     .min = -1,
+     .max = 1},
+};
+
+Transform compile(const Values& values, const OpContext&) {
+    const auto amount = std::get<RgbD>(values[0]);
+    return each_colour([amount](RgbD c) { return c + amount; });
+}
+
+} // namespace
+
+const Op offset{.name = "offset",
+                .label = "Offset",
+                .help = "Adds to every code value",
+                .reference = "x + amount",
+                .space = Space::codes,
+                .parameters = parameters,
+                .monotone_on_neutrals = true,
+                .compile = compile};
+
+} // namespace lutlib::op

@@ -1,0 +1,25 @@
+#include "lutlib/ops/secondary.h"
+
+namespace lutlib::op {
+namespace {
+
+constexpr Parameter parameters[] = {
+    curve_parameter("sat-vs-lum", "Factor", "factor", 0, 2, 1, saturation_axis),
+};
+
+Transform compile(const Values& values, const OpContext&) {
+    const Curve curve = curve_of(parameters[0], values[0]);
+    return each_colour([curve](RgbD c) { return c * curve(saturation_of(c)); });
+}
+
+} // namespace
+
+const Op sat_vs_lum{.name = "sat-vs-lum",
+                    .label = "Saturation vs luminance",
+                    .help = "Scales luminance by a factor that depends on the saturation",
+                    .reference = "factor on Oklab L, a and b",
+                    .space = Space::oklab,
+                    .parameters = parameters,
+                    .compile = compile};
+
+} // namespace lutlib::op

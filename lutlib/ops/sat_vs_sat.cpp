@@ -1,0 +1,25 @@
+#include "lutlib/ops/secondary.h"
+
+namespace lutlib::op {
+namespace {
+
+constexpr Parameter parameters[] = {
+    curve_parameter("sat-vs-sat", "Factor", "factor", 0, 4, 1, saturation_axis),
+};
+
+Transform compile(const Values& values, const OpContext&) {
+    const Curve curve = curve_of(parameters[0], values[0]);
+    return each_colour([curve](RgbD c) { return with_chroma(c, curve(saturation_of(c))); });
+}
+
+} // namespace
+
+const Op sat_vs_sat{.name = "sat-vs-sat",
+                    .label = "Saturation vs saturation",
+                    .help = "Scales saturation by a factor that depends on the saturation",
+                    .reference = "factor on Oklab chroma",
+                    .space = Space::oklab,
+                    .parameters = parameters,
+                    .compile = compile};
+
+} // namespace lutlib::op

@@ -1,0 +1,32 @@
+#include "lutlib/ops/all.h"
+
+namespace lutlib::op {
+namespace {
+
+constexpr Parameter parameters[] = {
+    {.name = "amount",
+     .flag = "saturation-perceptual",
+     .label = "Saturation, perceptual",
+     .unit = "factor",
+     .min = 0,
+     .max = 4,
+     .fallback = 1},
+};
+
+Transform compile(const Values& values, const OpContext&) {
+    const double amount = std::get<double>(values[0]);
+    return each_colour([amount](RgbD c) { return RgbD{c.r, c.g * amount, c.b * amount}; });
+}
+
+} // namespace
+
+const Op saturation_perceptual{.name = "saturation-perceptual",
+                               .label = "Saturation, perceptual",
+                               .help = "Scales Oklab chroma; hue and lightness stay",
+                               .reference = "Ottosson 2020: (L, amount a, amount b)",
+                               .space = Space::oklab,
+                               .parameters = parameters,
+                               .monotone_on_neutrals = true,
+                               .compile = compile};
+
+} // namespace lutlib::op

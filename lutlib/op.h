@@ -1,5 +1,5 @@
 // Edit operators: what a look is made of. An operator is a descriptor (name, parameters, the space
-// it works in) and a function that turns values into a kernel, which edits colours in place.
+// it works in) and a function that turns values into a transform.
 //
 // Every operator is defined for every finite colour, continuous in the colour, and at its defaults
 // the identity, exactly. Help, flags, sliders, recipes and tests are made from the table.
@@ -8,18 +8,17 @@
 #include "lutlib/color/primaries.h"
 #include "lutlib/curve.h"
 #include "lutlib/rgb.h"
+#include "lutlib/transform.h"
 
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
 namespace lutlib {
 
-/// What a kernel's colours are.
+/// What the colours of an operator's transform are.
 enum class Space {
     codes,  ///< the recipe's own code values, as its input encoding has them
     linear, ///< linear light on the primaries of the recipe's input encoding
@@ -57,13 +56,10 @@ struct Parameter {
 
 Value default_value(const Parameter& parameter);
 
-/// Edits colours in place.
-using Kernel = std::function<void(std::span<RgbD>)>;
-
 /// Values in the order of the operator's parameters, each of the parameter's kind.
 using Values = std::vector<Value>;
 
-/// What a kernel may have to know of the recipe around it.
+/// What a transform may have to know of the recipe around it.
 struct OpContext {
     Primaries primaries = rec709; ///< of Space::linear
 };
@@ -78,7 +74,7 @@ struct Op {
     /// Neutral colours that rise stay neutral colours that do not fall, whatever the values.
     bool monotone_on_neutrals = false;
     /// Values have been checked. May throw Error for a combination that cannot be.
-    Kernel (*compile)(const Values& values, const OpContext& context) = nullptr;
+    Transform (*compile)(const Values& values, const OpContext& context) = nullptr;
 };
 
 /// Every operator, in the order in which a panel shows them.
@@ -110,15 +106,5 @@ Curve curve_of(const Parameter& parameter, const Value& value);
 /// "0:1, 120:1.4" for curves. Throws UsageError with the flag and the text.
 Value parse_value(const Parameter& parameter, const std::string& text);
 std::string value_text(const Value& value);
-
-/// A kernel that applies a function of one colour.
-template <class F>
-Kernel each_colour(F f) {
-    return [f = std::move(f)](std::span<RgbD> colours) {
-        for (RgbD& c : colours) {
-            c = f(c);
-        }
-    };
-}
 
 } // namespace lutlib

@@ -36,7 +36,7 @@ constexpr Parameter parameters[] = {
      .fallback = 0},
 };
 
-Kernel compile(const Values& values, const OpContext&) {
+Transform compile(const Values& values, const OpContext&) {
     const auto slope = std::get<RgbD>(values[0]), offset = std::get<RgbD>(values[1]),
                power = std::get<RgbD>(values[2]);
     const double saturation = std::get<double>(values[3]);

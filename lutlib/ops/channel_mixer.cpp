@@ -21,7 +21,7 @@ constexpr Parameter parameters[] = {
     row("blue", "mix-blue", "Blue from", {0, 0, 1}),
 };
 
-Kernel compile(const Values& values, const OpContext&) {
+Transform compile(const Values& values, const OpContext&) {
     const auto r = std::get<RgbD>(values[0]), g = std::get<RgbD>(values[1]),
                b = std::get<RgbD>(values[2]);
     const Matrix3 m{{{{r.r, r.g, r.b}, {g.r, g.g, g.b}, {b.r, b.g, b.b}}}};

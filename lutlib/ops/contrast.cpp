@@ -21,7 +21,7 @@ constexpr Parameter parameters[] = {
 };
 
 // x amount + pivot (1 - amount) rather than (x - pivot) amount + pivot: exact at amount 1.
-Kernel compile(const Values& values, const OpContext&) {
+Transform compile(const Values& values, const OpContext&) {
     const double amount = std::get<double>(values[0]);
     const double shift = std::get<double>(values[1]) * (1 - amount);
     return each_colour([amount, shift](RgbD c) { return c * amount + RgbD{shift, shift, shift}; });

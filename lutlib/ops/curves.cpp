@@ -51,7 +51,7 @@ class Tone {
     double low_ = 0, high_ = 0;
 };
 
-Kernel compile(const Values& values, const OpContext&) {
+Transform compile(const Values& values, const OpContext&) {
     const std::array<Tone, 4> t{Tone{parameters[0], values[0]}, Tone{parameters[1], values[1]},
                                 Tone{parameters[2], values[2]}, Tone{parameters[3], values[3]}};
     return each_colour([t](RgbD c) {

@@ -15,7 +15,7 @@ constexpr Parameter parameters[] = {
      .fallback = 0},
 };
 
-Kernel compile(const Values& values, const OpContext&) {
+Transform compile(const Values& values, const OpContext&) {
     const double gain = std::exp2(std::get<double>(values[0]));
     return each_colour([gain](RgbD c) { return c * gain; });
 }

@@ -35,7 +35,7 @@ constexpr Parameter parameters[] = {
      .fallback = 0.5},
 };
 
-Kernel compile(const Values& values, const OpContext&) {
+Transform compile(const Values& values, const OpContext&) {
     const double white = std::get<double>(values[0]), start = std::get<double>(values[1]),
                  bleach = std::get<double>(values[2]);
     if (white == 1) {

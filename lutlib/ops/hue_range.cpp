@@ -30,7 +30,7 @@ constexpr Parameter parameters[] = {
     number("luminance", "range-luminance", "Luminance", "factor", 0, 2, 1),
 };
 
-Kernel compile(const Values& values, const OpContext&) {
+Transform compile(const Values& values, const OpContext&) {
     const auto value = [&values](std::size_t i) { return std::get<double>(values[i]); };
     const double centre = value(0), full = value(1) / 2, softness = value(2);
     const double turn = value(3), saturation = value(4), luminance = value(5);

@@ -7,7 +7,7 @@ constexpr Parameter parameters[] = {
     curve_parameter("hue-vs-lum", "Factor", "factor", 0, 2, 1, hue_axis),
 };
 
-Kernel compile(const Values& values, const OpContext&) {
+Transform compile(const Values& values, const OpContext&) {
     const Curve curve = curve_of(parameters[0], values[0]);
     return each_colour(
         [curve](RgbD c) { return c * (1 + (curve(dial_hue(c.g, c.b)) - 1) * hue_weight(c)); });

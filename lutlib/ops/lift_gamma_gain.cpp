@@ -23,7 +23,7 @@ constexpr Parameter parameters[] = {
     rgb("gain", "Gain", 0, 4, 1),
 };
 
-Kernel compile(const Values& values, const OpContext&) {
+Transform compile(const Values& values, const OpContext&) {
     const auto lift = std::get<RgbD>(values[0]), gamma = std::get<RgbD>(values[1]),
                gain = std::get<RgbD>(values[2]);
     const RgbD power{1 / gamma.r, 1 / gamma.g, 1 / gamma.b};

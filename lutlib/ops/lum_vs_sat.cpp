@@ -7,7 +7,7 @@ constexpr Parameter parameters[] = {
     curve_parameter("lum-vs-sat", "Factor", "factor", 0, 4, 1, luminance_axis),
 };
 
-Kernel compile(const Values& values, const OpContext&) {
+Transform compile(const Values& values, const OpContext&) {
     const Curve curve = curve_of(parameters[0], values[0]);
     return each_colour([curve](RgbD c) { return with_chroma(c, curve(c.r)); });
 }

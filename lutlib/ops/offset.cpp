@@ -13,7 +13,7 @@ constexpr Parameter parameters[] = {
      .max = 1},
 };
 
-Kernel compile(const Values& values, const OpContext&) {
+Transform compile(const Values& values, const OpContext&) {
     const auto amount = std::get<RgbD>(values[0]);
     return each_colour([amount](RgbD c) { return c + amount; });
 }

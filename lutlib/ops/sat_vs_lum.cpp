@@ -7,7 +7,7 @@ constexpr Parameter parameters[] = {
     curve_parameter("sat-vs-lum", "Factor", "factor", 0, 2, 1, saturation_axis),
 };
 
-Kernel compile(const Values& values, const OpContext&) {
+Transform compile(const Values& values, const OpContext&) {
     const Curve curve = curve_of(parameters[0], values[0]);
     return each_colour([curve](RgbD c) { return c * curve(saturation_of(c)); });
 }

@@ -13,7 +13,7 @@ constexpr Parameter parameters[] = {
      .fallback = 1},
 };
 
-Kernel compile(const Values& values, const OpContext&) {
+Transform compile(const Values& values, const OpContext&) {
     const double amount = std::get<double>(values[0]);
     return each_colour([amount](RgbD c) { return RgbD{c.r, c.g * amount, c.b * amount}; });
 }

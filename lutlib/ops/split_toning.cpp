@@ -60,7 +60,7 @@ double smoothstep(double low, double high, double x) {
 
 // Black and white stay: the shadows' weight rises from 0 at L = 0, the highlights' falls to 0 at
 // L = 1; both are 0 outside.
-Kernel compile(const Values& values, const OpContext&) {
+Transform compile(const Values& values, const OpContext&) {
     const Tint shadow = tint(values[0], values[1]), highlight = tint(values[2], values[3]);
     const double balance = std::get<double>(values[4]);
     const double dark_end = std::min(1.0, 2 * balance),

@@ -19,7 +19,7 @@ constexpr Parameter parameters[] = {
 
 // The derivative of s (1 + amount (1 - s)^2) is positive for every |amount| <= 1, so colours keep
 // their order of saturation.
-Kernel compile(const Values& values, const OpContext&) {
+Transform compile(const Values& values, const OpContext&) {
     const double amount = std::get<double>(values[0]);
     return each_colour([amount](RgbD c) {
         const double room = 1 - std::min(std::hypot(c.g, c.b) / srgb_chroma, 1.0);

@@ -57,7 +57,7 @@ Chromaticity light(double kelvin, double tint) {
     return {3 * u / (2 * u - 8 * v + 4), 2 * v / (2 * u - 8 * v + 4)};
 }
 
-Kernel compile(const Values& values, const OpContext& context) {
+Transform compile(const Values& values, const OpContext& context) {
     const double kelvin = std::get<double>(values[0]), tint = std::get<double>(values[1]);
     if (kelvin == neutral_kelvin && tint == 0) {
         return [](std::span<RgbD>) {};

@@ -1,8 +1,8 @@
 // The same as finish.comp with lattices of 16 nodes read from shared memory: each group copies the
-// lattices once and then finishes many tiles.
+// lattices once and then finishes a run of tiles, the next one's texels on their way while it works.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-layout(local_size_x = 32, local_size_y = 8) in;
+layout(local_size_x = 32, local_size_y = 32) in;
 
 vec3 graded_a(vec3 c);
 vec3 graded_b(vec3 c);
@@ -57,12 +57,23 @@ void main() {
     barrier();
 
     ivec2 size = textureSize(picture, 0);
-    ivec2 tile = ivec2(gl_WorkGroupSize.xy);
+    ivec2 tile = ivec2(gl_WorkGroupSize.xy), within = ivec2(gl_LocalInvocationID.xy);
     int columns = (size.x + tile.x - 1) / tile.x;
     int tiles = columns * ((size.y + tile.y - 1) / tile.y);
-    for (int i = int(gl_WorkGroupID.x); i < tiles; i += int(gl_NumWorkGroups.x)) {
-        ivec2 at = ivec2(i % columns, i / columns) * tile + ivec2(gl_LocalInvocationID.xy);
+    int groups = int(gl_NumWorkGroups.x);
+    int run = (tiles + groups - 1) / groups;
+    int first = int(gl_WorkGroupID.x) * run;
+    int count = min(run, tiles - first);
+    ivec2 place = ivec2(first % columns, first / columns);
+    ivec2 at = place * tile + within;
+    vec3 c = display_encoded(min(at, size - 1));
+    for (int i = 0; i < count; ++i) {
+        place = place.x + 1 < columns ? ivec2(place.x + 1, place.y) : ivec2(0, place.y + 1);
+        ivec2 next = place * tile + within;
+        vec3 next_c = display_encoded(min(next, size - 1));
         if (all(lessThan(at, size)))
-            finish_texel(at, size);
+            store_texel(at, size, c);
+        at = next;
+        c = next_c;
     }
 }

@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::uint64_t figures_bytes = 4 * (1 + 4096);
 
-// As many groups of finish_shared.comp as the largest GPUs hold at once: more would only copy the
-// lattice more often.
-constexpr std::uint32_t most_groups = 1056;
-constexpr std::uint32_t tile_width = 32, tile_height = 8;
+// Groups of finish_shared.comp: as many as the largest GPUs hold at once, for more would only copy
+// the lattice more often.
+constexpr std::uint32_t most_groups = 264;
+constexpr std::uint32_t tile_side = 32;
 
 struct FilterBlock {
     std::array<std::array<float, 4>, BloomPlan::max_layers> layers{};
@@ -110,8 +110,8 @@ Finished add_finish(Graph& graph, Handle picture, const BloomLayers& bloom, cons
     pass.push(Push{std::exp2(settings.exposure), plan.strength, plan.threshold, plan.knee,
                    settings.split, settings.heat_scale});
     if (shared) {
-        const std::uint32_t tiles = ((size.width + tile_width - 1) / tile_width) *
-                                    ((size.height + tile_height - 1) / tile_height);
+        const std::uint32_t tiles = ((size.width + tile_side - 1) / tile_side) *
+                                    ((size.height + tile_side - 1) / tile_side);
         pass.dispatch(std::min(tiles, most_groups));
     } else {
         pass.dispatch_over(size.width, size.height);

@@ -97,8 +97,8 @@ bool on_split_line(int x, ivec2 size) {
     return abs(float(x) + 0.5 - push.split * float(size.x)) <= half_width;
 }
 
-void finish_texel(ivec2 at, ivec2 size) {
-    vec3 c = display_encoded(at);
+// Shows the looks of the display-encoded colour `c`.
+void store_texel(ivec2 at, ivec2 size, vec3 c) {
     if (compare == compare_a) {
         imageStore(target, at, vec4(graded_a(c), 1.0));
     } else if (compare == compare_b) {

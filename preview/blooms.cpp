@@ -295,7 +295,10 @@ std::vector<BloomTap> gaussian_taps(float sigma) {
         const double pair = weights[i] + weights[i + 1];
         if (pair / total < 1e-9)
             break;
-        taps.push_back({static_cast<float>(static_cast<double>(i) + weights[i + 1] / pair), 0,
+        // Most texture units know 8 bits of a fraction; a place that they have gives the same
+        // picture everywhere.
+        const double fraction = std::round(256 * weights[i + 1] / pair) / 256;
+        taps.push_back({static_cast<float>(static_cast<double>(i) + fraction), 0,
                         static_cast<float>(pair / total)});
     }
     return taps;

@@ -17,7 +17,9 @@ void main() {
         return;
     vec2 texel = 1.0 / vec2(textureSize(source, 0));
     vec2 centre = (vec2(at) + 0.5) * texel;
-    vec2 along = (along_x ? vec2(1.0, 0.0) : vec2(0.0, 1.0)) * texel;
+    // By component: Mesa 22.3 folds a choice between two constant vectors by a specialisation
+    // constant wrongly.
+    vec2 along = vec2(along_x ? texel.x : 0.0, along_x ? 0.0 : texel.y);
     vec3 sum = texelFetch(source, at, 0).rgb * taps[0].z;
     for (int i = 1; i < tap_count; ++i) {
         vec2 offset = along * taps[i].x;

@@ -1,7 +1,8 @@
 // Every way of reading a look, by the number of its row in preview/lookups.cpp. The engines' own are
 // those of lutlib/engine.cpp and the float .cube that of lutlib/interpolation.cpp, operation for
-// operation, so that they agree to float rounding; only the rows that say so leave the filtering to
-// the texture unit and its few fraction bits.
+// operation and without contraction where a rounding of a coordinate would show, so that they agree
+// to float rounding; only the rows that say so leave the filtering to the texture unit and its few
+// bits of fraction.
 #include "common/sanitise.glsl"
 
 struct Look {
@@ -126,7 +127,7 @@ vec3 tetrahedral_picture(sampler2D picture, int arrangement, int n, vec3 x) {
 // A linear sampler with clamped addressing, by hand.
 vec3 bilinear_picture(sampler2D picture, float u, float v) {
     ivec2 size = textureSize(picture, 0);
-    float x = u * float(size.x) - 0.5, y = v * float(size.y) - 0.5;
+    precise float x = u * float(size.x) - 0.5, y = v * float(size.y) - 0.5;
     Axis h = axis_at(x, size.x), w = axis_at(y, size.y);
     return blend(blend(texelFetch(picture, ivec2(h.low, w.low), 0).rgb,
                        texelFetch(picture, ivec2(h.high, w.low), 0).rgb, h.f),
@@ -137,10 +138,10 @@ vec3 bilinear_picture(sampler2D picture, float u, float v) {
 
 vec3 unreal_picture(sampler2D picture, int n, vec3 c) {
     float size = float(n);
-    vec3 uvw = c * ((size - 1.0) / size) + 0.5 * (1.0 / size);
-    float z = uvw.b * size - 0.5;
+    precise vec3 uvw = c * ((size - 1.0) / size) + 0.5 * (1.0 / size);
+    precise float z = uvw.b * size - 0.5;
     float slice = floor(z);
-    float u = (uvw.r + slice) / size;
+    precise float u = (uvw.r + slice) / size;
     return blend(bilinear_picture(picture, u, uvw.g),
                  bilinear_picture(picture, u + 1.0 / size, uvw.g), z - slice);
 }
@@ -149,8 +150,8 @@ vec3 unity_picture(sampler2D picture, int n, vec3 c) {
     float width = float(textureSize(picture, 0).x), height = float(n);
     vec3 scaled = c * (height - 1.0);
     float slice = floor(scaled.b);
-    float u = scaled.r / width + 0.5 / width + slice / height;
-    float v = 1.0 - (scaled.g / height + 0.5 / height);
+    precise float u = scaled.r / width + 0.5 / width + slice / height;
+    precise float v = 1.0 - (scaled.g / height + 0.5 / height);
     return blend(bilinear_picture(picture, u, v), bilinear_picture(picture, u + 1.0 / height, v),
                  scaled.b - slice);
 }
@@ -158,10 +159,10 @@ vec3 unity_picture(sampler2D picture, int n, vec3 c) {
 vec3 reshade_picture(sampler2D picture, int n, vec3 c) {
     float size = float(n);
     float texel_x = 1.0 / size / size, texel_y = 1.0 / size;
-    float z = c.b * size - c.b;
+    precise float z = c.b * size - c.b;
     float share = z - floor(z);
-    float u = (c.r * size - c.r + 0.5) * texel_x + (z - share) * texel_y;
-    float v = (c.g * size - c.g + 0.5) * texel_y;
+    precise float u = (c.r * size - c.r + 0.5) * texel_x + (z - share) * texel_y;
+    precise float v = (c.g * size - c.g + 0.5) * texel_y;
     return blend(bilinear_picture(picture, u, v), bilinear_picture(picture, u + texel_y, v), share);
 }
 

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <mutex>
 #include <optional>
+#include <string_view>
 
 namespace preview::gpu {
 
@@ -45,8 +46,14 @@ VKAPI_ATTR VkBool32 VKAPI_CALL collect(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                        VkDebugUtilsMessageTypeFlagsEXT,
                                        const VkDebugUtilsMessengerCallbackDataEXT* data,
                                        void* user) {
-    auto* add = static_cast<std::function<void(const char*)>*>(user);
-    (*add)(data->pMessage);
+    // What a shader writes to an attachment without a format is discarded; that is how targets that
+    // nobody reads are left out. The layer warns of every such output.
+    const std::string_view id = data->pMessageIdName != nullptr ? data->pMessageIdName : "";
+    const std::string_view text = data->pMessage;
+    if (id == "UNASSIGNED-CoreValidation-Shader-InterfaceTypeMismatch" &&
+        text.find("of type `VK_FORMAT_UNDEFINED` does not match") != std::string_view::npos)
+        return VK_FALSE;
+    (*static_cast<std::function<void(const char*)>*>(user))(data->pMessage);
     return VK_FALSE;
 }
 

@@ -13,7 +13,7 @@ constexpr std::uint64_t figures_bytes = 4 * (1 + 4096);
 // Groups of finish_shared.comp: as many as the largest GPUs hold at once, for more would only copy
 // the lattice more often.
 constexpr std::uint32_t most_groups = 264;
-constexpr std::uint32_t tile_side = 32;
+constexpr std::uint32_t tile_width = 64, tile_height = 32;
 
 struct FilterBlock {
     std::array<std::array<float, 4>, BloomPlan::max_layers> layers{};
@@ -104,14 +104,17 @@ Finished add_finish(Graph& graph, Handle picture, const BloomLayers& bloom, cons
     const auto layers = static_cast<std::uint32_t>(plan.layers.size());
     const auto taps =
         layers == 1 ? static_cast<std::uint32_t>(plan.layers[0].taps.size()) : std::uint32_t{1};
+    const Format format = graph.image_desc(picture).format;
+    const bool unit =
+        format == Format::rgba8 || format == Format::rgb10a2 || format == Format::rgba16;
     const int tonemap = settings.tonemap ? settings.tonemap->shader : -1;
     pass.constants({static_cast<std::uint32_t>(tonemap), layers, taps, plan.threshold > 0,
-                    shader_of(a), shader_of(b), compare.shader});
+                    shader_of(a), shader_of(b), compare.shader, unit});
     pass.push(Push{std::exp2(settings.exposure), plan.strength, plan.threshold, plan.knee,
                    settings.split, settings.heat_scale});
     if (shared) {
-        const std::uint32_t tiles = ((size.width + tile_side - 1) / tile_side) *
-                                    ((size.height + tile_side - 1) / tile_side);
+        const std::uint32_t tiles = ((size.width + tile_width - 1) / tile_width) *
+                                    ((size.height + tile_height - 1) / tile_height);
         pass.dispatch(std::min(tiles, most_groups));
     } else {
         pass.dispatch_over(size.width, size.height);

@@ -12,6 +12,7 @@ layout(constant_id = 3) const bool bloom_threshold = false;
 layout(constant_id = 4) const int lookup_a = 0;
 layout(constant_id = 5) const int lookup_b = 0;
 layout(constant_id = 6) const int compare = 0;
+layout(constant_id = 7) const bool unit_picture = false; // its format holds 0..1 only
 
 const int compare_a = 0;
 const int compare_b = 1;

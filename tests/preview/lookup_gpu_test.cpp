@@ -198,7 +198,8 @@ TEST_F(SharedLookupTest, every_texel_of_any_size_is_finished_as_by_the_plain_pas
             settings.format = Format::rgba32f;
             Graph graph;
             const Handle source = graph.import("picture", image, image.desc());
-            const BloomPlan plan = bloom_plan(*bloom_named("dual-kawase"), {width, height}, {});
+            const BloomPlan plan =
+                bloom_plan(*bloom_named("dual-kawase"), {picture.width, picture.height}, {});
             const Handle out =
                 add_finish(graph, source, add_bloom(graph, source, plan), &look, nullptr, settings)
                     .picture;

@@ -1,12 +1,12 @@
 #include "converter/options.h"
 
+#include "converter/report.h"
 #include "lutlib/error.h"
-#include "lutlib/formats/cube.h"
-#include "lutlib/io/file.h"
-#include "lutlib/io/lut_picture.h"
-#include "lutlib/io/png.h"
+#include "lutlib/io/formats.h"
 
 #include <fmt/core.h>
+
+#include <cstdio>
 
 namespace converter {
 namespace {
@@ -58,12 +58,12 @@ lutlib::Interpolation InterpolationOption::get() const {
 }
 
 lutlib::Lut read_look(const std::string& path) {
-    const std::string bytes = lutlib::io::read_file(path);
-    const std::string name = lutlib::io::input_name(path);
-    if (lutlib::io::is_png(bytes)) {
-        return lutlib::io::read_lut_picture(bytes, name);
+    lutlib::io::Reading reading = lutlib::io::read_lut(path);
+    for (const lutlib::Loss& loss : reading.losses) {
+        std::fputs(("lutconv: " + reading.lut.provenance + ": " + loss_text(loss) + '\n').c_str(),
+                   stderr);
     }
-    return lutlib::read_cube(bytes, name);
+    return std::move(reading.lut);
 }
 
 std::string domain_text(const lutlib::Domain& domain) {

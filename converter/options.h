@@ -35,7 +35,7 @@ class InterpolationOption {
 };
 
 /// Reads a LUT of any kind: .cube in both dialects, a LUT picture, and every format of
-/// OpenColorIO, which is loaded only for those.
+/// OpenColorIO, which is loaded only for those. What the reading loses goes to standard error.
 lutlib::Lut read_look(const std::string& path);
 
 /// "0..1", or "0..4, -1..1, 0..1" where the channels differ.

@@ -30,5 +30,6 @@ Run declare_bake(CLI::App& app);
 Run declare_eval(CLI::App& app);
 Run declare_identity(CLI::App& app);
 Run declare_info(CLI::App& app);
+Run declare_verify(CLI::App& app);
 
 } // namespace converter

@@ -75,13 +75,24 @@ class CubeReader {
         if (words.items[0] == "TITLE") {
             read_title(line.substr(5));
         } else {
-            const Words uncommented = words_of(line.substr(0, line.find('#')));
+            const Words uncommented = words_of(without_comment(line));
             if (looks_like_number(uncommented.items[0])) {
                 read_row(uncommented, line);
             } else {
                 read_keyword(uncommented, line);
             }
         }
+    }
+
+    // A comment behind a row starts at a "#" after a blank; "1.#INF" has none before its "#".
+    static std::string_view without_comment(std::string_view line) {
+        for (std::size_t at = line.find('#'); at != std::string_view::npos;
+             at = line.find('#', at + 1)) {
+            if (line[at - 1] == ' ' || line[at - 1] == '\t') {
+                return line.substr(0, at);
+            }
+        }
+        return line;
     }
 
     static bool looks_like_number(std::string_view word) {

@@ -1,0 +1,45 @@
+#include "lutlib/io/module.h"
+
+#include "lutlib/error.h"
+
+#include <dlfcn.h>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+namespace lutlib::io {
+namespace {
+
+std::filesystem::path program_folder() {
+    std::error_code none;
+    return std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
+}
+
+void* open_module(const std::string& file) {
+    const std::filesystem::path folder = program_folder();
+    const std::vector<std::filesystem::path> places{folder / "../lib" / file,
+                                                    folder / "../lib/lutlib" / file, folder / file};
+    for (const auto& place : places) {
+        std::error_code none;
+        if (std::filesystem::exists(place, none)) {
+            return ::dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
+        }
+    }
+    return ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+}
+
+} // namespace
+
+void* module_symbol(const std::string& name, const char* symbol) {
+    const std::string file = "lib" + name + ".so";
+    void* const module = open_module(file);
+    void* const address = module ? ::dlsym(module, symbol) : nullptr;
+    if (!address) {
+        const char* const reason = ::dlerror();
+        throw Error("cannot load " + file + ", which belongs into ../lib beside the program (" +
+                    (reason ? reason : "unknown reason") + ")");
+    }
+    return address;
+}
+
+} // namespace lutlib::io

@@ -1,0 +1,22 @@
+#include "lutlib/io/ocio.h"
+
+#include "lutlib/io/file.h"
+#include "lutlib/io/module.h"
+
+namespace lutlib::io {
+
+const Ocio& ocio() {
+    using Entry = const Ocio* (*)();
+    static const Ocio* const library =
+        reinterpret_cast<Entry>(module_symbol("lutlib_ocio", "lutlib_ocio"))();
+    return *library;
+}
+
+std::unique_ptr<OcioTransform> open_in_ocio(const std::string& path,
+                                            const EvaluationOptions& options) {
+    const std::string bytes = read_file(path);
+    const std::string extension = path == standard_stream ? "cube" : extension_of(path);
+    return ocio().parse(bytes, extension, input_name(path), options);
+}
+
+} // namespace lutlib::io

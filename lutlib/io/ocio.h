@@ -1,0 +1,82 @@
+// OpenColorIO as the independent oracle of lutlib's own evaluation, and as the reader and writer of
+// the LUT formats that lutlib does not know itself. No OpenColorIO header here: the library is
+// loaded on first use (module.h).
+#pragma once
+
+#include "lutlib/format.h"
+#include "lutlib/interpolation.h"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lutlib::io {
+
+/// How much OpenColorIO may rewrite a transform before it evaluates it.
+enum class Optimization { none, lossless };
+
+struct EvaluationOptions {
+    /// Of cubes; OpenColorIO knows trilinear and tetrahedral. Curves are interpolated linearly.
+    Interpolation interpolation = Interpolation::tetrahedral;
+    Optimization optimization = Optimization::lossless;
+};
+
+/// A transform that OpenColorIO evaluates in float.
+class OcioTransform {
+  public:
+    virtual ~OcioTransform() = default;
+    /// Replaces every colour by its image.
+    virtual void apply(std::span<Rgb> colors) const = 0;
+    /// Whether a channel of the output depends on other channels of the input.
+    virtual bool mixes_channels() const = 0;
+};
+
+struct ReadOptions {
+    /// Nodes per side of the cube onto which a transform is sampled that is no shaper and cube.
+    /// 0: 65, or for a transform with a cube in it, the next multiple of its cells from there.
+    int size = 0;
+};
+
+/// A look with what the reading could not keep.
+struct Reading {
+    Lut lut;
+    std::vector<Loss> losses;
+};
+
+/// The loaded library.
+class Ocio {
+  public:
+    virtual ~Ocio() = default;
+    virtual std::string version() const = 0;
+    /// Lower case, without the dot: what OpenColorIO says it can read.
+    virtual std::vector<std::string> readable_extensions() const = 0;
+
+    /// Parses a file's bytes with OpenColorIO's own reader, chosen by `extension` first and then by
+    /// content. `file` names it in errors. Throws Error.
+    virtual std::unique_ptr<OcioTransform> parse(std::string_view bytes,
+                                                 const std::string& extension,
+                                                 const std::string& file,
+                                                 const EvaluationOptions& options) const = 0;
+    /// A look as OpenColorIO's own matrices, curves and cubes. Throws Error.
+    virtual std::unique_ptr<OcioTransform> from_lut(const Lut& lut,
+                                                    const EvaluationOptions& options) const = 0;
+
+    /// Parses a file into a look: exactly where it is an optional shaper and cube with domains,
+    /// else sampled, with the measured error as a loss. Throws Error.
+    virtual Reading read(std::string_view bytes, const std::string& extension,
+                         const std::string& file, const ReadOptions& options) const = 0;
+    /// The bytes of a file in one of OpenColorIO's own writers' formats, by OpenColorIO's name.
+    virtual std::string write(const Lut& lut, const std::string& ocio_name,
+                              const WriteOptions& options) const = 0;
+};
+
+/// Loads OpenColorIO on the first call. Throws Error when it is not installed.
+const Ocio& ocio();
+
+/// A file as OpenColorIO evaluates it; `-` reads a .cube from standard input. Throws Error.
+std::unique_ptr<OcioTransform> open_in_ocio(const std::string& path,
+                                            const EvaluationOptions& options = {});
+
+} // namespace lutlib::io

@@ -1,0 +1,174 @@
+#include "lutlib/io/ocio/chain.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lutlib::io {
+namespace {
+
+template <class T>
+std::shared_ptr<const T> as(const OCIO::ConstTransformRcPtr& op) {
+    return std::dynamic_pointer_cast<const T>(op);
+}
+
+bool is_forward(const OCIO::Transform& op) {
+    return op.getDirection() == OCIO::TRANSFORM_DIR_FORWARD;
+}
+
+void flatten(const OCIO::ConstTransformRcPtr& op, Chain& out) {
+    if (const auto group = as<OCIO::GroupTransform>(op)) {
+        for (int i = 0; i < group->getNumTransforms(); ++i) {
+            flatten(group->getTransform(i), out);
+        }
+    } else {
+        out.push_back(op);
+    }
+}
+
+bool append_range(ChannelMaps& maps, const OCIO::RangeTransform& range) {
+    const bool low = range.hasMinInValue(), high = range.hasMaxInValue();
+    if (!is_forward(range) || (!low && !high)) {
+        return false;
+    }
+    const double min_in = range.getMinInValue(), max_in = range.getMaxInValue();
+    const double scale =
+        low && high ? (range.getMaxOutValue() - range.getMinOutValue()) / (max_in - min_in) : 1;
+    const double offset =
+        low ? range.getMinOutValue() - scale * min_in : range.getMaxOutValue() - scale * max_in;
+    if (!(scale > 0) || std::any_of(maps.begin(), maps.end(),
+                                    [](const ChannelMap& map) { return !(map.scale > 0); })) {
+        return false;
+    }
+    for (ChannelMap& map : maps) {
+        if (range.getStyle() == OCIO::RANGE_CLAMP) {
+            map.low = low ? std::max(map.low, (min_in - map.offset) / map.scale) : map.low;
+            map.high = high ? std::min(map.high, (max_in - map.offset) / map.scale) : map.high;
+        }
+        map.offset = scale * map.offset + offset;
+        map.scale *= scale;
+    }
+    return true;
+}
+
+} // namespace
+
+Chain chain_of(const OCIO::ConstProcessorRcPtr& processor) {
+    Chain out;
+    flatten(processor->createGroupTransform(), out);
+    return out;
+}
+
+OCIO::ConstProcessorRcPtr processor_of_chain(const Chain& chain, std::size_t first) {
+    const OCIO::GroupTransformRcPtr group = OCIO::GroupTransform::Create();
+    for (std::size_t i = first; i < chain.size(); ++i) {
+        group->appendTransform(chain[i]->createEditableCopy());
+    }
+    return processor_of_transform(group);
+}
+
+std::optional<Affine> affine_of(const OCIO::ConstTransformRcPtr& op) {
+    const auto matrix = as<OCIO::MatrixTransform>(op);
+    if (!matrix || !is_forward(*matrix)) {
+        return std::nullopt;
+    }
+    std::array<double, 16> m;
+    std::array<double, 4> offset;
+    matrix->getMatrix(m.data());
+    matrix->getOffset(offset.data());
+    Affine out{};
+    for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t column = 0; column < 3; ++column) {
+            out.rows[row][column] = m[row * 4 + column];
+            out.mixes = out.mixes || (row != column && m[row * 4 + column] != 0);
+        }
+        if (m[row * 4 + 3] != 0) {
+            return std::nullopt; // alpha has no place in a look
+        }
+        out.rows[row][3] = offset[row];
+    }
+    return out;
+}
+
+Rgb Affine::operator()(Rgb c) const {
+    Rgb out;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto& row = rows[i];
+        out[i] = static_cast<float>(row[0] * static_cast<double>(c.r) +
+                                    row[1] * static_cast<double>(c.g) +
+                                    row[2] * static_cast<double>(c.b) + row[3]);
+    }
+    return out;
+}
+
+bool append(ChannelMaps& maps, const OCIO::ConstTransformRcPtr& op) {
+    if (const auto range = as<OCIO::RangeTransform>(op)) {
+        return append_range(maps, *range);
+    }
+    const std::optional<Affine> affine = affine_of(op);
+    if (!affine || affine->mixes) {
+        return false;
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double scale = affine->rows[c][c];
+        maps[c].offset = scale * maps[c].offset + affine->rows[c][3];
+        maps[c].scale *= scale;
+    }
+    return true;
+}
+
+std::optional<Domain> domain_of_unit(const ChannelMaps& maps) {
+    Domain out;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const ChannelMap& map = maps[c];
+        const double min = -map.offset / map.scale, max = (1 - map.offset) / map.scale;
+        // Readers scale in float, so the clamp and the table's end may differ by some roundings.
+        const double slack = 1e-6 * (max - min);
+        if (!(map.scale > 0) || !(max - min < std::numeric_limits<float>::max()) ||
+            map.low > min + slack || map.high < max - slack) {
+            return std::nullopt;
+        }
+        out.min[c] = static_cast<float>(min);
+        out.max[c] = static_cast<float>(max);
+    }
+    return out;
+}
+
+std::optional<Lut1D> curve_of(const OCIO::ConstTransformRcPtr& op) {
+    const auto table = as<OCIO::Lut1DTransform>(op);
+    if (!table || !is_forward(*table) || table->getInputHalfDomain() ||
+        table->getHueAdjust() != OCIO::HUE_NONE) {
+        return std::nullopt;
+    }
+    const unsigned long length = table->getLength();
+    check_shaper_size(static_cast<long long>(length));
+    Lut1D out;
+    out.entries.resize(length);
+    for (unsigned long i = 0; i < length; ++i) {
+        Rgb& entry = out.entries[i];
+        table->getValue(i, entry.r, entry.g, entry.b);
+    }
+    return out;
+}
+
+std::optional<Lut3D> cube_of(const OCIO::ConstTransformRcPtr& op) {
+    const auto table = as<OCIO::Lut3DTransform>(op);
+    if (!table || !is_forward(*table)) {
+        return std::nullopt;
+    }
+    const unsigned long size = table->getGridSize();
+    check_cube_size(static_cast<long long>(size));
+    Lut3D out;
+    out.size = static_cast<int>(size);
+    out.nodes.resize(size * size * size);
+    for (unsigned long b = 0; b < size; ++b) {
+        for (unsigned long g = 0; g < size; ++g) {
+            for (unsigned long r = 0; r < size; ++r) {
+                Rgb& node = out.nodes[r + size * (g + size * b)];
+                table->getValue(r, g, b, node.r, node.g, node.b);
+            }
+        }
+    }
+    return out;
+}
+
+} // namespace lutlib::io

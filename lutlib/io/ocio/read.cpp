@@ -1,0 +1,245 @@
+#include "lutlib/io/ocio/read.h"
+
+#include "lutlib/io/ocio/chain.h"
+#include "lutlib/limits.h"
+#include "lutlib/stats.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <random>
+
+namespace lutlib::io {
+namespace {
+
+constexpr int default_cells = 64;
+constexpr int default_curve_size = 4096;
+// What a sample that is not finite becomes: the largest half float, far outside any picture.
+constexpr float largest_sample = 65504;
+
+std::string number(float value) {
+    std::array<char, 32> text;
+    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+std::string text_of(const Domain& d) {
+    const auto triple = [](const Rgb& c) {
+        return c.r == c.g && c.g == c.b ? number(c.r)
+                                        : number(c.r) + "," + number(c.g) + "," + number(c.b);
+    };
+    return triple(d.min) + ".." + triple(d.max);
+}
+
+// The longest front of the chain that is a shaper and a cube, with the affine maps behind them.
+struct Front {
+    Lut lut;
+    std::size_t shaper_end = 0; ///< operators that the shaper stands for
+    bool whole = false;         ///< the look stands for the whole chain
+};
+
+// Folds the affine maps from `at` on into the last table; returns where it stopped.
+std::size_t fold_affine(const Chain& chain, std::size_t at, Lut& lut) {
+    for (; at < chain.size(); ++at) {
+        const std::optional<Affine> affine = affine_of(chain[at]);
+        if (!affine || (!lut.cube && affine->mixes)) {
+            break;
+        }
+        std::vector<Rgb>& values = lut.cube ? lut.cube->nodes : lut.shaper->entries;
+        std::transform(values.begin(), values.end(), values.begin(), *affine);
+    }
+    return at;
+}
+
+Front front_of(const Chain& chain) {
+    Front front;
+    ChannelMaps maps;
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+        if (append(maps, chain[i])) {
+            continue;
+        }
+        const std::optional<Domain> domain = domain_of_unit(maps);
+        if (!domain) {
+            break;
+        }
+        std::optional<Lut1D> curve = front.lut.shaper ? std::nullopt : curve_of(chain[i]);
+        std::optional<Lut3D> cube = cube_of(chain[i]);
+        if (curve) {
+            curve->domain = *domain;
+            front.lut.shaper = std::move(curve);
+            front.shaper_end = i + 1;
+            maps = {};
+            continue;
+        }
+        if (cube) {
+            cube->domain = *domain;
+            front.lut.cube = std::move(cube);
+            front.whole = fold_affine(chain, i + 1, front.lut) == chain.size();
+        }
+        return front;
+    }
+    // The chain ended without a cube: what follows the shaper may still fold into it.
+    front.whole =
+        front.lut.shaper && fold_affine(chain, front.shaper_end, front.lut) == chain.size();
+    return front;
+}
+
+// The inputs over which the chain from `first` on is sampled: those its first table spans, or what
+// a clamp leaves, or what the shaper before it gives, or 0..1.
+Domain sampling_domain(const Chain& chain, std::size_t first, const std::optional<Lut1D>& shaper) {
+    ChannelMaps maps;
+    std::size_t i = first;
+    while (i < chain.size() && append(maps, chain[i])) {
+        ++i;
+    }
+    if (i < chain.size() && (curve_of(chain[i]) || cube_of(chain[i]))) {
+        if (const std::optional<Domain> domain = domain_of_unit(maps)) {
+            return *domain;
+        }
+    }
+    Domain out;
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (std::isfinite(maps[c].low) && std::isfinite(maps[c].high)) {
+            out.min[c] = static_cast<float>(maps[c].low);
+            out.max[c] = static_cast<float>(maps[c].high);
+        } else if (shaper) {
+            const auto [low, high] =
+                std::minmax_element(shaper->entries.begin(), shaper->entries.end(),
+                                    [c](const Rgb& a, const Rgb& b) { return a[c] < b[c]; });
+            out.min[c] = (*low)[c];
+            out.max[c] = (*high)[c];
+        }
+        if (!(out.max[c] > out.min[c])) {
+            out.max[c] = out.min[c] + 1;
+        }
+    }
+    return out;
+}
+
+int sampling_size(const Chain& chain, std::size_t first, const ReadOptions& options) {
+    if (options.size != 0) {
+        check_cube_size(options.size);
+        return options.size;
+    }
+    for (std::size_t i = first; i < chain.size(); ++i) {
+        if (const std::optional<Lut3D> cube = cube_of(chain[i])) {
+            const int cells = cube->size - 1;
+            return std::min((default_cells + cells - 1) / cells * cells + 1, limits::max_cube_size);
+        }
+    }
+    return default_cells + 1;
+}
+
+std::size_t replace_non_finite(std::vector<Rgb>& values) {
+    std::size_t count = 0;
+    for (Rgb& value : values) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (!std::isfinite(value[c])) {
+                value[c] = std::isnan(value[c]) ? 0 : std::copysign(largest_sample, value[c]);
+                ++count;
+            }
+        }
+    }
+    return count;
+}
+
+// Replaces what the front could not say by samples of the chain behind the shaper.
+std::string sample_rest(const Chain& chain, const ReadOptions& options, Front& front,
+                        std::vector<Loss>& losses) {
+    Lut& lut = front.lut;
+    lut.cube.reset();
+    const auto whole = evaluator(processor_of_chain(chain, 0), Optimization::lossless);
+    std::vector<Rgb>* values = nullptr;
+    std::string form;
+    std::size_t first = 0;
+    if (!whole->mixes_channels()) {
+        lut.shaper = Lut1D{sampling_domain(chain, 0, {}), {}};
+        lut.shaper->entries.resize(default_curve_size);
+        for (int i = 0; i < default_curve_size; ++i) {
+            lut.shaper->entries[static_cast<std::size_t>(i)] =
+                to_float(entry_position(*lut.shaper, i));
+        }
+        values = &lut.shaper->entries;
+        form = "a curve of " + std::to_string(default_curve_size) + " entries";
+    } else {
+        if (front.shaper_end == 0) {
+            lut.shaper.reset();
+        } else {
+            // Without what fold_affine may have put into it.
+            lut.shaper->entries = curve_of(chain[front.shaper_end - 1])->entries;
+        }
+        first = front.shaper_end;
+        lut.cube = identity_cube(sampling_size(chain, first, options),
+                                 sampling_domain(chain, first, lut.shaper));
+        values = &lut.cube->nodes;
+        form = "a cube of " + std::to_string(lut.cube->size) + " nodes a side";
+    }
+    evaluator(processor_of_chain(chain, first), Optimization::lossless)->apply(*values);
+    if (const std::size_t count = replace_non_finite(*values)) {
+        losses.push_back({"samples that are not finite, replaced by 0 or +-65504",
+                          static_cast<double>(count), "values"});
+    }
+    return form;
+}
+
+// Largest difference between the look and the chain over `inputs`.
+double largest_error(const Lut& lut, const OcioTransform& chain, std::vector<Rgb> inputs) {
+    std::vector<Rgb> expected = inputs;
+    chain.apply(expected);
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const Rgb difference = evaluate(lut, inputs[i]) - expected[i];
+        for (std::size_t c = 0; c < 3; ++c) {
+            errors.push_back(difference[c]);
+        }
+    }
+    return error_stats(std::move(errors)).max;
+}
+
+// Colours of the domain stretched about it: 0..1 is inside.
+std::vector<Rgb> colors_between(const Domain& d, float low, float high, int count) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> position(low, high);
+    std::vector<Rgb> out;
+    for (int i = 0; i < count; ++i) {
+        Rgb t{position(random), position(random), position(random)};
+        if (i % 4 == 0) {
+            t.g = t.b = t.r;
+        }
+        for (std::size_t c = 0; c < 3; ++c) {
+            t[c] = d.min[c] + t[c] * (d.max[c] - d.min[c]);
+        }
+        out.push_back(t);
+    }
+    return out;
+}
+
+} // namespace
+
+Reading look_of_processor(const OCIO::ConstProcessorRcPtr& processor, const ReadOptions& options) {
+    const Chain chain = chain_of(processor);
+    Front front = front_of(chain);
+    Reading out;
+    const auto exact = evaluator(processor, Optimization::lossless);
+    if (!front.whole) {
+        const std::string form = sample_rest(chain, options, front, out.losses);
+        const Domain& domain = front.lut.domain();
+        out.losses.push_back(
+            {"sampled onto " + form + " over the input " + text_of(domain) + ", largest error",
+             largest_error(front.lut, *exact, colors_between(domain, 0, 1, 40000)), ""});
+    }
+    // A table ends where its domain does, other operators go on.
+    const Domain& domain = front.lut.domain();
+    const double outside =
+        std::max(largest_error(front.lut, *exact, colors_between(domain, 1, 2, 1000)),
+                 largest_error(front.lut, *exact, colors_between(domain, -1, 0, 1000)));
+    if (outside > 1e-5) {
+        out.losses.push_back({"inputs outside " + text_of(domain) +
+                                  " are clamped, largest error up to one width beyond",
+                              outside, ""});
+    }
+    out.lut = std::move(front.lut);
+    validate(out.lut);
+    return out;
+}
+
+} // namespace lutlib::io

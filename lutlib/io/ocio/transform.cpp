@@ -1,0 +1,178 @@
+#include "lutlib/io/ocio/transform.h"
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace lutlib::io {
+namespace {
+
+// OpenColorIO reads files only by path, expands "$" and "%" in it as variables and remembers what
+// it read under it. A file of our own in a folder of our own has none of these troubles.
+class TemporaryFile {
+  public:
+    TemporaryFile(std::string_view bytes, const std::string& extension) {
+        std::string folder = (std::filesystem::temp_directory_path() / "lutlib-XXXXXX").string();
+        if (!::mkdtemp(folder.data())) {
+            throw Error("cannot create a temporary folder", {folder, 0, {}});
+        }
+        folder_ = folder;
+        path_ = folder_ / ("look." + extension);
+        std::ofstream file(path_, std::ios::binary);
+        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        if (!file.flush()) {
+            std::error_code ignored;
+            std::filesystem::remove_all(folder_, ignored);
+            throw Error("cannot write a temporary file", {path_.string(), 0, {}});
+        }
+    }
+    ~TemporaryFile() {
+        std::error_code ignored;
+        std::filesystem::remove_all(folder_, ignored);
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    std::string path() const { return path_.string(); }
+
+  private:
+    std::filesystem::path folder_, path_;
+};
+
+OCIO::Interpolation ocio_interpolation(Interpolation how) {
+    switch (how) {
+    case Interpolation::trilinear:
+        return OCIO::INTERP_LINEAR;
+    case Interpolation::tetrahedral:
+        return OCIO::INTERP_TETRAHEDRAL;
+    case Interpolation::nearest:
+        break; // OpenColorIO 2 takes the name and interpolates linearly
+    }
+    throw UsageError("OpenColorIO cannot evaluate with " + std::string(name_of(how)) +
+                     " interpolation; use trilinear or tetrahedral");
+}
+
+// Maps the domain to 0..1, where OpenColorIO's tables begin and end.
+OCIO::TransformRcPtr domain_matrix(const Domain& domain) {
+    std::array<double, 16> matrix{};
+    std::array<double, 4> offset{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double min = domain.min[c];
+        const double width = static_cast<double>(domain.max[c]) - min;
+        matrix[c * 5] = 1 / width;
+        offset[c] = -min / width;
+    }
+    matrix[15] = 1;
+    const OCIO::MatrixTransformRcPtr out = OCIO::MatrixTransform::Create();
+    out->setMatrix(matrix.data());
+    out->setOffset(offset.data());
+    return out;
+}
+
+class Evaluator final : public OcioTransform {
+  public:
+    explicit Evaluator(OCIO::ConstCPUProcessorRcPtr processor) : processor_(std::move(processor)) {}
+
+    void apply(std::span<Rgb> colors) const override {
+        static_assert(sizeof(Rgb) == 3 * sizeof(float));
+        if (colors.empty()) {
+            return;
+        }
+        guarded({}, [&] {
+            OCIO::PackedImageDesc image(colors.data(), static_cast<long>(colors.size()), 1, 3);
+            processor_->apply(image);
+        });
+    }
+
+    bool mixes_channels() const override { return processor_->hasChannelCrosstalk(); }
+
+  private:
+    OCIO::ConstCPUProcessorRcPtr processor_;
+};
+
+// OpenColorIO's messages quote the temporary path; the reader knows the file's own name.
+std::string with_name(std::string text, const std::string& path, const std::string& file) {
+    for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path, at)) {
+        text.replace(at, path.size(), file);
+        at += file.size();
+    }
+    for (char& c : text) {
+        c = c == '\n' ? ' ' : c;
+    }
+    return text;
+}
+
+} // namespace
+
+OCIO::ConstConfigRcPtr plain_config() {
+    static const OCIO::ConstConfigRcPtr config = OCIO::Config::CreateRaw();
+    return config;
+}
+
+OCIO::ConstProcessorRcPtr processor_of_transform(const OCIO::ConstTransformRcPtr& transform) {
+    return plain_config()->getProcessor(transform);
+}
+
+OCIO::ConstProcessorRcPtr processor_of_file(std::string_view bytes, const std::string& extension,
+                                            const std::string& file, Interpolation interpolation) {
+    const TemporaryFile copy(bytes, extension);
+    const OCIO::FileTransformRcPtr transform = OCIO::FileTransform::Create();
+    transform->setSrc(copy.path().c_str());
+    transform->setInterpolation(ocio_interpolation(interpolation));
+    try {
+        OCIO::ConstProcessorRcPtr processor = processor_of_transform(transform);
+        OCIO::ClearAllCaches();
+        return processor;
+    } catch (const OCIO::Exception& e) {
+        OCIO::ClearAllCaches();
+        throw Error("OpenColorIO cannot read it: " + with_name(e.what(), copy.path(), file),
+                    {file, 0, {}});
+    }
+}
+
+OCIO::GroupTransformRcPtr group_of_lut(const Lut& lut, Interpolation interpolation) {
+    validate(lut);
+    const OCIO::GroupTransformRcPtr group = OCIO::GroupTransform::Create();
+    if (lut.shaper) {
+        if (!lut.shaper->domain.is_unit()) {
+            group->appendTransform(domain_matrix(lut.shaper->domain));
+        }
+        const auto length = static_cast<unsigned long>(lut.shaper->size());
+        const OCIO::Lut1DTransformRcPtr curve = OCIO::Lut1DTransform::Create(length, false);
+        curve->setInterpolation(OCIO::INTERP_LINEAR);
+        curve->setFileOutputBitDepth(OCIO::BIT_DEPTH_F32);
+        for (unsigned long i = 0; i < length; ++i) {
+            const Rgb& entry = lut.shaper->entries[i];
+            curve->setValue(i, entry.r, entry.g, entry.b);
+        }
+        group->appendTransform(curve);
+    }
+    if (lut.cube) {
+        if (!lut.cube->domain.is_unit()) {
+            group->appendTransform(domain_matrix(lut.cube->domain));
+        }
+        const auto size = static_cast<unsigned long>(lut.cube->size);
+        const OCIO::Lut3DTransformRcPtr cube = OCIO::Lut3DTransform::Create(size);
+        cube->setInterpolation(ocio_interpolation(interpolation));
+        cube->setFileOutputBitDepth(OCIO::BIT_DEPTH_F32);
+        for (unsigned long b = 0; b < size; ++b) {
+            for (unsigned long g = 0; g < size; ++g) {
+                for (unsigned long r = 0; r < size; ++r) {
+                    const Rgb& node = lut.cube->nodes[r + size * (g + size * b)];
+                    cube->setValue(r, g, b, node.r, node.g, node.b);
+                }
+            }
+        }
+        group->appendTransform(cube);
+    }
+    return group;
+}
+
+std::unique_ptr<OcioTransform> evaluator(const OCIO::ConstProcessorRcPtr& processor,
+                                         Optimization optimization) {
+    return std::make_unique<Evaluator>(processor->getOptimizedCPUProcessor(
+        optimization == Optimization::none ? OCIO::OPTIMIZATION_NONE
+                                           : OCIO::OPTIMIZATION_LOSSLESS));
+}
+
+} // namespace lutlib::io

@@ -1,0 +1,42 @@
+// Between lutlib's types and OpenColorIO's, inside the module.
+#pragma once
+
+#include "lutlib/io/ocio.h"
+
+#include "lutlib/error.h"
+
+#include <OpenColorIO/OpenColorIO.h>
+
+#include <string>
+#include <string_view>
+
+namespace lutlib::io {
+
+namespace OCIO = OCIO_NAMESPACE;
+
+/// Runs `action`; an exception of OpenColorIO becomes an Error of `file`.
+template <class Action>
+auto guarded(const std::string& file, Action&& action) {
+    try {
+        return action();
+    } catch (const OCIO::Exception& e) {
+        throw Error(std::string("OpenColorIO: ") + e.what(), {file, 0, {}});
+    }
+}
+
+/// A file's bytes as a processor of everything in it, not yet optimised. Throws Error.
+OCIO::ConstProcessorRcPtr processor_of_file(std::string_view bytes, const std::string& extension,
+                                            const std::string& file, Interpolation interpolation);
+
+/// Matrix, curve, matrix, cube, as far as the look needs them.
+OCIO::GroupTransformRcPtr group_of_lut(const Lut& lut, Interpolation interpolation);
+
+OCIO::ConstProcessorRcPtr processor_of_transform(const OCIO::ConstTransformRcPtr& transform);
+
+std::unique_ptr<OcioTransform> evaluator(const OCIO::ConstProcessorRcPtr& processor,
+                                         Optimization optimization);
+
+/// The config in which every transform is evaluated: nothing in it but OpenColorIO's defaults.
+OCIO::ConstConfigRcPtr plain_config();
+
+} // namespace lutlib::io

@@ -27,6 +27,7 @@ struct Command {
 std::span<const Command> commands();
 
 Run declare_bake(CLI::App& app);
+Run declare_edit(CLI::App& app);
 Run declare_eval(CLI::App& app);
 Run declare_identity(CLI::App& app);
 Run declare_info(CLI::App& app);

@@ -1,12 +1,17 @@
 #include "converter/options.h"
 
+#include "lutlib/bake_recipe.h"
+#include "lutlib/edit.h"
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/lut_picture.h"
 #include "lutlib/io/png.h"
+#include "lutlib/io/recipe_file.h"
 
 #include <fmt/core.h>
+
+#include <memory>
 
 namespace converter {
 namespace {
@@ -18,6 +23,12 @@ std::string listed(const Rows& rows) {
         out += (out.empty() ? "" : ", ") + std::string(row.name);
     }
     return out;
+}
+
+lutlib::Lut lut_from(const std::string& bytes, const std::string& path) {
+    const std::string name = lutlib::io::input_name(path);
+    return lutlib::io::is_png(bytes) ? lutlib::io::read_lut_picture(bytes, name)
+                                     : lutlib::read_cube(bytes, name);
 }
 
 } // namespace
@@ -57,13 +68,35 @@ lutlib::Interpolation InterpolationOption::get() const {
     return *how;
 }
 
+lutlib::Lut read_lut(const std::string& path) {
+    return lut_from(lutlib::io::read_file(path), path);
+}
+
 lutlib::Lut read_look(const std::string& path) {
     const std::string bytes = lutlib::io::read_file(path);
-    const std::string name = lutlib::io::input_name(path);
-    if (lutlib::io::is_png(bytes)) {
-        return lutlib::io::read_lut_picture(bytes, name);
+    return lutlib::io::is_recipe(bytes)
+               ? bake_recipe(lutlib::io::recipe_from(bytes, path, read_lut))
+               : lut_from(bytes, path);
+}
+
+Look open_look(const std::string& path, lutlib::Interpolation how) {
+    const std::string bytes = lutlib::io::read_file(path);
+    if (lutlib::io::is_recipe(bytes)) {
+        const lutlib::Recipe recipe = lutlib::io::recipe_from(bytes, path, read_lut);
+        const lutlib::Domain usual = recipe.base_lut ? recipe.base_lut->domain() : lutlib::Domain{};
+        return {[edit = lutlib::Edit(recipe)](lutlib::RgbD in) { return edit(in); },
+                recipe.bake.domain.value_or(usual), recipe.title};
     }
-    return lutlib::read_cube(bytes, name);
+    const auto lut = std::make_shared<const lutlib::Lut>(lut_from(bytes, path));
+    return {[lut, how](lutlib::RgbD in) { return evaluate_exact(*lut, in, how); }, lut->domain(),
+            lut->title};
+}
+
+void write_look(const lutlib::Lut& lut, const std::string& path) {
+    if (path != lutlib::io::standard_stream && lutlib::io::extension_of(path) != "cube") {
+        throw lutlib::UsageError("'" + path + "' is no .cube; convert and bake write other files");
+    }
+    lutlib::io::write_file(path, write_cube(lut, best_dialect(lut)));
 }
 
 std::string domain_text(const lutlib::Domain& domain) {

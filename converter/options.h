@@ -1,6 +1,7 @@
 // Options and inputs that several verbs share.
 #pragma once
 
+#include "lutlib/bake.h"
 #include "lutlib/engine.h"
 #include "lutlib/interpolation.h"
 
@@ -36,7 +37,21 @@ class InterpolationOption {
 
 /// Reads a LUT of any kind: .cube in both dialects, a LUT picture, and every format of
 /// OpenColorIO, which is loaded only for those.
+lutlib::Lut read_lut(const std::string& path);
+
+/// The same, and a recipe, baked as its own settings say.
 lutlib::Lut read_look(const std::string& path);
+
+/// A look to be sampled: a recipe, evaluated exactly, or a LUT read through an interpolation.
+struct Look {
+    lutlib::ExactLook exact;
+    lutlib::Domain domain;
+    std::string title;
+};
+Look open_look(const std::string& path, lutlib::Interpolation how);
+
+/// Writes a .cube in the dialect that keeps most. Throws UsageError for another extension.
+void write_look(const lutlib::Lut& lut, const std::string& path);
 
 /// "0..1", or "0..4, -1..1, 0..1" where the channels differ.
 std::string domain_text(const lutlib::Domain& domain);

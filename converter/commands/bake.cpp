@@ -30,7 +30,7 @@ struct Options {
 };
 
 // A few thousand colours are enough to say how large the error is; `verify` looks at all.
-constexpr lutlib::SampleCounts quick_samples{.neutral = 256, .random = 4096, .lattice = false};
+constexpr lutlib::SampleCounts quick_samples{.neutral = 256, .random = 2048, .lattice = false};
 
 // The share of the look's input domain that 0..1 reaches, in the channel that loses most.
 double reachable_share(const Domain& domain) {

@@ -88,7 +88,7 @@ int run(const Options& o, const std::vector<std::string>& words) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     std::string text;
     for (const Rgb& in : inputs) {
-        const Rgb out = evaluate(lut, in, o.interpolation.get());
+        const Rgb out = to_float(evaluate_exact(lut, to_double(in), o.interpolation.get()));
         if (o.json) {
             list.push_back({{"in", {in.r, in.g, in.b}}, {"out", {out.r, out.g, out.b}}});
         } else {

@@ -25,27 +25,38 @@ void flatten(const OCIO::ConstTransformRcPtr& op, Chain& out) {
     }
 }
 
+bool rising(const ChannelMaps& maps) {
+    return std::all_of(maps.begin(), maps.end(),
+                       [](const ChannelMap& map) { return map.scale > 0; });
+}
+
+// Clamps to low..high what `map` gives now.
+void append_clamp(ChannelMap& map, double low, double high) {
+    map.low = std::max(map.low, (low - map.offset) / map.scale);
+    map.high = std::min(map.high, (high - map.offset) / map.scale);
+}
+
+void append_line(ChannelMap& map, double scale, double offset) {
+    map.offset = scale * map.offset + offset;
+    map.scale *= scale;
+}
+
 bool append_range(ChannelMaps& maps, const OCIO::RangeTransform& range) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     const bool low = range.hasMinInValue(), high = range.hasMaxInValue();
-    if (!is_forward(range) || (!low && !high)) {
-        return false;
-    }
     const double min_in = range.getMinInValue(), max_in = range.getMaxInValue();
     const double scale =
         low && high ? (range.getMaxOutValue() - range.getMinOutValue()) / (max_in - min_in) : 1;
     const double offset =
         low ? range.getMinOutValue() - scale * min_in : range.getMaxOutValue() - scale * max_in;
-    if (!(scale > 0) || std::any_of(maps.begin(), maps.end(),
-                                    [](const ChannelMap& map) { return !(map.scale > 0); })) {
+    if (!is_forward(range) || (!low && !high) || !(scale > 0) || !rising(maps)) {
         return false;
     }
     for (ChannelMap& map : maps) {
         if (range.getStyle() == OCIO::RANGE_CLAMP) {
-            map.low = low ? std::max(map.low, (min_in - map.offset) / map.scale) : map.low;
-            map.high = high ? std::min(map.high, (max_in - map.offset) / map.scale) : map.high;
+            append_clamp(map, low ? min_in : -infinity, high ? max_in : infinity);
         }
-        map.offset = scale * map.offset + offset;
-        map.scale *= scale;
+        append_line(map, scale, offset);
     }
     return true;
 }
@@ -109,9 +120,33 @@ bool append(ChannelMaps& maps, const OCIO::ConstTransformRcPtr& op) {
         return false;
     }
     for (std::size_t c = 0; c < 3; ++c) {
-        const double scale = affine->rows[c][c];
-        maps[c].offset = scale * maps[c].offset + affine->rows[c][3];
-        maps[c].scale *= scale;
+        append_line(maps[c], affine->rows[c][c], affine->rows[c][3]);
+    }
+    return true;
+}
+
+bool append_straight(ChannelMaps& maps, const Lut1D& curve) {
+    const Rgb first = curve.entries.front(), last = curve.entries.back();
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double low = first[c], high = last[c];
+        const double rounding = 2e-7 * std::max(std::abs(low), std::abs(high));
+        for (int i = 0; i < curve.size(); ++i) {
+            const double line = low + (high - low) * i / (curve.size() - 1);
+            if (std::abs(curve.entries[static_cast<std::size_t>(i)][c] - line) > rounding) {
+                return false;
+            }
+        }
+        if (!(high > low)) {
+            return false;
+        }
+    }
+    if (!rising(maps)) {
+        return false;
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+        append_clamp(maps[c], 0, 1);
+        append_line(maps[c], static_cast<double>(last[c]) - static_cast<double>(first[c]),
+                    first[c]);
     }
     return true;
 }

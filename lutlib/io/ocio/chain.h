@@ -28,6 +28,10 @@ using ChannelMaps = std::array<ChannelMap, 3>;
 /// Adds an operator behind `maps`. False, and nothing changed, when it is not such a map.
 bool append(ChannelMaps& maps, const OCIO::ConstTransformRcPtr& op);
 
+/// Adds a curve (of domain 0..1) whose values lie on a rising line, up to float rounding: readers
+/// make such curves of what a file means as a domain. False, and nothing changed, for others.
+bool append_straight(ChannelMaps& maps, const Lut1D& curve);
+
 /// The inputs that `maps` takes to 0..1, as floats; nullopt when a clamp cuts into them or a
 /// channel is not rising.
 std::optional<Domain> domain_of_unit(const ChannelMaps& maps);

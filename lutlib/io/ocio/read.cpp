@@ -1,11 +1,11 @@
 #include "lutlib/io/ocio/read.h"
 
+#include "lutlib/io/describe.h"
 #include "lutlib/io/ocio/chain.h"
 #include "lutlib/limits.h"
 #include "lutlib/stats.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <random>
 
@@ -16,19 +16,6 @@ constexpr int default_cells = 64;
 constexpr int default_curve_size = 4096;
 // What a sample that is not finite becomes: the largest half float, far outside any picture.
 constexpr float largest_sample = 65504;
-
-std::string number(float value) {
-    std::array<char, 32> text;
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
-std::string text_of(const Domain& d) {
-    const auto triple = [](const Rgb& c) {
-        return c.r == c.g && c.g == c.b ? number(c.r)
-                                        : number(c.r) + "," + number(c.g) + "," + number(c.b);
-    };
-    return triple(d.min) + ".." + triple(d.max);
-}
 
 // The longest front of the chain that is a shaper and a cube, with the affine maps behind them.
 struct Front {
@@ -50,6 +37,11 @@ std::size_t fold_affine(const Chain& chain, std::size_t at, Lut& lut) {
     return at;
 }
 
+bool table_follows(const Chain& chain, std::size_t at) {
+    return std::any_of(chain.begin() + static_cast<std::ptrdiff_t>(at) + 1, chain.end(),
+                       [](const auto& op) { return curve_of(op) || cube_of(op); });
+}
+
 Front front_of(const Chain& chain) {
     Front front;
     ChannelMaps maps;
@@ -63,6 +55,9 @@ Front front_of(const Chain& chain) {
         }
         std::optional<Lut1D> curve = front.lut.shaper ? std::nullopt : curve_of(chain[i]);
         std::optional<Lut3D> cube = cube_of(chain[i]);
+        if (curve && table_follows(chain, i) && append_straight(maps, *curve)) {
+            continue;
+        }
         if (curve) {
             curve->domain = *domain;
             front.lut.shaper = std::move(curve);

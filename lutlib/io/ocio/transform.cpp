@@ -1,43 +1,11 @@
 #include "lutlib/io/ocio/transform.h"
 
+#include "lutlib/io/temporary_file.h"
+
 #include <array>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 
 namespace lutlib::io {
 namespace {
-
-// OpenColorIO reads files only by path, expands "$" and "%" in it as variables and remembers what
-// it read under it. A file of our own in a folder of our own has none of these troubles.
-class TemporaryFile {
-  public:
-    TemporaryFile(std::string_view bytes, const std::string& extension) {
-        std::string folder = (std::filesystem::temp_directory_path() / "lutlib-XXXXXX").string();
-        if (!::mkdtemp(folder.data())) {
-            throw Error("cannot create a temporary folder", {folder, 0, {}});
-        }
-        folder_ = folder;
-        path_ = folder_ / ("look." + extension);
-        std::ofstream file(path_, std::ios::binary);
-        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        if (!file.flush()) {
-            std::error_code ignored;
-            std::filesystem::remove_all(folder_, ignored);
-            throw Error("cannot write a temporary file", {path_.string(), 0, {}});
-        }
-    }
-    ~TemporaryFile() {
-        std::error_code ignored;
-        std::filesystem::remove_all(folder_, ignored);
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    std::string path() const { return path_.string(); }
-
-  private:
-    std::filesystem::path folder_, path_;
-};
 
 OCIO::Interpolation ocio_interpolation(Interpolation how) {
     switch (how) {
@@ -115,6 +83,8 @@ OCIO::ConstProcessorRcPtr processor_of_transform(const OCIO::ConstTransformRcPtr
 
 OCIO::ConstProcessorRcPtr processor_of_file(std::string_view bytes, const std::string& extension,
                                             const std::string& file, Interpolation interpolation) {
+    // OpenColorIO reads only by path, expands "$" and "%" in it as variables and remembers what it
+    // read under it. A file of our own in a folder of our own has none of these troubles.
     const TemporaryFile copy(bytes, extension);
     const OCIO::FileTransformRcPtr transform = OCIO::FileTransform::Create();
     transform->setSrc(copy.path().c_str());

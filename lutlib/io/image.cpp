@@ -1,0 +1,118 @@
+#include "lutlib/io/image.h"
+
+#include "lutlib/error.h"
+#include "lutlib/io/file.h"
+#include "lutlib/io/module.h"
+#include "lutlib/io/oiio.h"
+#include "lutlib/io/png.h"
+#include "lutlib/io/temporary_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+
+namespace lutlib::io {
+namespace {
+
+constexpr std::array<DepthInfo, 4> table{{
+    {Depth::uint8, "uint8", true},
+    {Depth::uint16, "uint16", true},
+    {Depth::half, "half", false},
+    {Depth::float32, "float", false},
+}};
+
+FloatImage to_float_image(const CodeImage& codes) {
+    FloatImage out;
+    out.width = codes.width;
+    out.height = codes.height;
+    out.alpha = codes.channels == 4;
+    out.channels = (codes.grey ? 1 : 3) + (out.alpha ? 1 : 0);
+    out.depth = codes.bits == 16 ? Depth::uint16 : Depth::uint8;
+    const auto pixels =
+        static_cast<std::size_t>(codes.width) * static_cast<std::size_t>(codes.height);
+    const auto channels = static_cast<std::size_t>(codes.channels);
+    const auto maximum = static_cast<float>(codes.maximum());
+    out.rgba.assign(pixels * 4, 1.0F);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        for (std::size_t c = 0; c < channels; ++c) {
+            out.rgba[i * 4 + c] = static_cast<float>(codes.samples[i * channels + c]) / maximum;
+        }
+    }
+    return out;
+}
+
+CodeImage to_codes(const FloatImage& image, const ImageWriteOptions& options) {
+    CodeImage out;
+    out.width = image.width;
+    out.height = image.height;
+    out.channels = options.alpha ? 4 : 3;
+    out.bits = options.depth == Depth::uint8 ? 8 : 16;
+    out.text = options.text;
+    const auto channels = static_cast<std::size_t>(out.channels);
+    const auto maximum = static_cast<float>(out.maximum());
+    out.samples.resize(image.rgba.size() / 4 * channels);
+    for (std::size_t i = 0; i < image.rgba.size() / 4; ++i) {
+        for (std::size_t c = 0; c < channels; ++c) {
+            const float v = image.rgba[i * 4 + c];
+            // The comparison's form sends NaN to 0.
+            out.samples[i * channels + c] = static_cast<std::uint16_t>(
+                std::lround((v > 0 ? std::min(v, 1.0F) : 0.0F) * maximum));
+        }
+    }
+    return out;
+}
+
+bool starts_as_png(const std::string& path) {
+    std::array<char, 8> head{};
+    std::ifstream file(path, std::ios::binary);
+    file.read(head.data(), head.size());
+    return is_png({head.data(), static_cast<std::size_t>(file.gcount())});
+}
+
+} // namespace
+
+std::span<const DepthInfo> depths() {
+    return table;
+}
+
+const DepthInfo& info_of(Depth depth) {
+    return *std::find_if(table.begin(), table.end(),
+                         [depth](const DepthInfo& row) { return row.depth == depth; });
+}
+
+const Oiio& oiio() {
+    using Entry = const Oiio* (*)();
+    static const Oiio* const library =
+        reinterpret_cast<Entry>(module_symbol("lutlib_oiio", "lutlib_oiio"))();
+    return *library;
+}
+
+FloatImage decode_image(std::string_view bytes, const std::string& extension,
+                        const std::string& file) {
+    if (is_png(bytes)) {
+        return to_float_image(read_png(bytes, file));
+    }
+    const TemporaryFile copy(bytes, extension);
+    return oiio().read(copy.path(), file);
+}
+
+FloatImage read_image(const std::string& path) {
+    if (path == standard_stream || starts_as_png(path)) {
+        return decode_image(read_file(path), {}, input_name(path));
+    }
+    return oiio().read(path, path);
+}
+
+void write_image(const std::string& path, const FloatImage& image,
+                 const ImageWriteOptions& options) {
+    if (path == standard_stream || extension_of(path) == "png") {
+        write_file(path, write_png(to_codes(image, options)));
+        return;
+    }
+    PendingFile pending(path);
+    oiio().write(pending.path(), path, image, options);
+    pending.commit();
+}
+
+} // namespace lutlib::io

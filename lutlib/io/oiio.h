@@ -1,0 +1,24 @@
+// The door of the OpenImageIO module. No OpenImageIO header here.
+#pragma once
+
+#include "lutlib/io/image.h"
+
+#include <string>
+
+namespace lutlib::io {
+
+class Oiio {
+  public:
+    virtual ~Oiio() = default;
+    virtual std::string version() const = 0;
+    /// `file` names the picture at `path` in errors.
+    virtual FloatImage read(const std::string& path, const std::string& file) const = 0;
+    /// Writes to `path` itself. `file` as above.
+    virtual void write(const std::string& path, const std::string& file, const FloatImage& image,
+                       const ImageWriteOptions& options) const = 0;
+};
+
+/// Loads OpenImageIO on the first call. Throws Error when it is not installed.
+const Oiio& oiio();
+
+} // namespace lutlib::io

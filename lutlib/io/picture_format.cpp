@@ -1,0 +1,127 @@
+#include "lutlib/io/picture_format.h"
+
+#include "lutlib/error.h"
+#include "lutlib/io/png.h"
+#include "lutlib/limits.h"
+#include "lutlib/recognise.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lutlib::io {
+namespace {
+
+constexpr int sniff_score = 60;
+constexpr int made_size = 65;
+
+Picture to_picture(const CodeImage& codes) {
+    Picture out{codes.width, codes.height, {}};
+    const auto channels = static_cast<std::size_t>(codes.channels);
+    const auto maximum = static_cast<float>(codes.maximum());
+    for (std::size_t i = 0; i + channels <= codes.samples.size(); i += channels) {
+        const auto value = [&](std::size_t c) {
+            return static_cast<float>(codes.samples[i + c]) / maximum;
+        };
+        out.pixels.push_back({value(0), value(1), value(2)});
+    }
+    return out;
+}
+
+// The one lattice size whose picture in this layout has these dimensions.
+int size_in_layout(const Picture& picture, const Layout& layout, const std::string& file) {
+    for (int n = limits::min_cube_size; n <= limits::max_cube_size; ++n) {
+        if (layout.picture(n) == PictureSize{picture.width, picture.height}) {
+            return n;
+        }
+    }
+    throw Error("no lattice has a picture of " + std::to_string(picture.width) + "x" +
+                    std::to_string(picture.height) + " pixels in the layout '" +
+                    std::string(layout.name) + "'",
+                {file, 0, {}});
+}
+
+std::string encode(const Lut& lut, const Layout& layout, const SaveOptions& options) {
+    const Picture picture = lutlib::to_picture(*lut.cube, layout);
+    CodeImage codes;
+    codes.width = picture.width;
+    codes.height = picture.height;
+    codes.bits = options.bits;
+    const auto maximum = static_cast<float>(codes.maximum());
+    codes.samples.reserve(picture.pixels.size() * 3);
+    for (const Rgb& pixel : picture.pixels) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float v = std::clamp(pixel[c], 0.0F, 1.0F);
+            codes.samples.push_back(static_cast<std::uint16_t>(std::lround(v * maximum)));
+        }
+    }
+    const std::string& title = options.title.empty() ? lut.title : options.title;
+    codes.text = {{"Title", title}, {"Source", lut.provenance}};
+    return write_png(codes);
+}
+
+} // namespace
+
+int picture_cube_size(const Layout& layout, const Lut& lut, int wanted) {
+    if (wanted != 0) {
+        check_cube_size(wanted);
+        if (!layout.picture(wanted)) {
+            throw UsageError("the layout '" + std::string(layout.name) +
+                             "' has no picture of a lattice of " + std::to_string(wanted));
+        }
+        return wanted;
+    }
+    const bool plain = lut.cube && !lut.shaper && lut.cube->domain.is_unit();
+    const int own = lut.cube ? lut.cube->size : 0;
+    int largest = 0;
+    for (int n = limits::min_cube_size; n <= limits::max_cube_size; ++n) {
+        if (layout.picture(n)) {
+            largest = n;
+            if (n >= (plain ? own : std::max(own, made_size))) {
+                return n;
+            }
+        }
+    }
+    return largest;
+}
+
+FileFormat picture_format(const Layout& layout) {
+    FileFormat out;
+    out.name = layout.name;
+    out.label = "PNG picture: " + std::string(layout.help);
+    out.extensions = {"png"};
+    out.holds = Holds{.cube = true, .title = true, .integer_bits = 16};
+    out.picture = &layout;
+    out.read = [&layout](std::string_view bytes, const std::string& file, const ReadOptions&) {
+        const Picture picture = to_picture(read_png(bytes, file));
+        Reading reading;
+        reading.lut.cube = from_picture(picture, layout, size_in_layout(picture, layout, file));
+        return reading;
+    };
+    out.write = [&layout](const Lut& lut, const SaveOptions& options) {
+        return encode(lut, layout, options);
+    };
+    return out;
+}
+
+FileFormat recognised_picture_format() {
+    FileFormat out;
+    out.name = "png";
+    out.label = "PNG picture whose layout is recognised from its content";
+    out.extensions = {"png"};
+    out.sniff = [](std::string_view bytes) { return is_png(bytes) ? sniff_score : 0; };
+    out.read = [](std::string_view bytes, const std::string& file, const ReadOptions&) {
+        const Picture picture = to_picture(read_png(bytes, file));
+        const Recognition found = recognise_one(picture, file);
+        Reading reading;
+        reading.lut.cube = from_picture(picture, *found.layout, found.size);
+        if (found.rows > 1) {
+            reading.losses.push_back(
+                {"only the first of the picture's stacked lattices is read, of",
+                 static_cast<double>(found.rows), "lattices"});
+        }
+        return reading;
+    };
+    return out;
+}
+
+} // namespace lutlib::io

@@ -1,0 +1,24 @@
+// Bytes as a file with a chosen extension, for libraries that read only from a path.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace lutlib::io {
+
+/// Lies in a folder of its own; both are removed with the object.
+class TemporaryFile {
+  public:
+    /// Throws Error when it cannot be written.
+    TemporaryFile(std::string_view bytes, const std::string& extension);
+    ~TemporaryFile();
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    const std::string& path() const { return path_; }
+
+  private:
+    std::string folder_, path_;
+};
+
+} // namespace lutlib::io

@@ -1,0 +1,143 @@
+#include "lutlib/engine.h"
+#include "lutlib/io/png.h"
+#include "tests/converter/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace converter_test {
+namespace {
+
+using nlohmann::json;
+
+class BakeEngine : public testing::TestWithParam<lutlib::Engine> {};
+INSTANTIATE_TEST_SUITE_P(Engines, BakeEngine,
+                         testing::ValuesIn(lutlib::engines().begin(), lutlib::engines().end()),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST_P(BakeEngine, bakes_what_verify_proves_against_opencolorio) {
+    const Folder folder;
+    const std::string look = folder.write("my look.CUBE", saturated_cube(17));
+    const std::string picture = folder.path("strip.png");
+    const std::string engine(GetParam().name);
+    const Result baked = lutconv({"bake", look, "-o", picture, "--engine", engine, "--json"});
+    ASSERT_EQ(baked.exit_code, 0) << baked.err;
+    EXPECT_EQ(json::parse(baked.out)["engine"], engine);
+
+    const lutlib::io::CodeImage image = lutlib::io::read_png(contents(picture), "strip.png");
+    EXPECT_EQ(image.srgb_tag, GetParam().srgb_tag == lutlib::SrgbTag::present);
+    EXPECT_EQ(image.bits, GetParam().default_bits);
+    EXPECT_FALSE(image.gamma_tag || image.profile_tag);
+    const auto source = std::find_if(image.text.begin(), image.text.end(),
+                                     [](const auto& entry) { return entry.first == "Source"; });
+    ASSERT_NE(source, image.text.end());
+    EXPECT_NE(source->second.find("my look.CUBE"), std::string::npos);
+
+    // The engine is recorded in the picture, so it need not be said.
+    const Result verified =
+        lutconv({"verify", picture, "--against", look, "--samples", "2000", "--json"});
+    EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
+    const json figures = json::parse(verified.out);
+    EXPECT_EQ(figures["texels"]["wrong"], 0);
+    EXPECT_EQ(figures["engine"], engine);
+    EXPECT_LT(figures["lookup"]["absolute_error"]["mean"].get<double>(), 0.01);
+}
+
+TEST(Bake, reads_standard_input_and_writes_standard_output) {
+    const Folder folder;
+    const std::string look = saturated_cube(9);
+    const Result piped = lutconv({"bake", "-", "-o", "-"}, look);
+    ASSERT_EQ(piped.exit_code, 0) << piped.err;
+    EXPECT_TRUE(lutlib::io::is_png(piped.out));
+    EXPECT_NE(piped.err.find("standard input"), std::string::npos);
+    const std::string picture = folder.write("strip.png", piped.out);
+    EXPECT_EQ(lutconv({"verify", picture, "--against", "-"}, look).exit_code, 0);
+}
+
+TEST(Bake, says_what_an_engine_cannot_reach) {
+    const Folder folder;
+    const std::string wide =
+        folder.write("hdr.cube", saturated_cube(9, "DOMAIN_MIN 0 0 0\nDOMAIN_MAX 4 4 4\n"));
+    const Result result = lutconv({"bake", wide, "-o", folder.path("x.png")});
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_NE(result.out.find("reaches 25 % of the look's input domain (0..4)"), std::string::npos)
+        << result.out;
+}
+
+TEST(Verify, fails_with_words_when_another_tool_swapped_the_slices) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(17));
+    const std::string picture = folder.path("strip.png");
+    // ociolutimage's layout at 16 nodes has Unreal's dimensions with green and blue swapped.
+    ASSERT_EQ(
+        lutconv({"bake", look, "-o", picture, "--engine", "ocio", "--size", "16", "--bits", "8"})
+            .exit_code,
+        0);
+    const Result result = lutconv({"verify", picture, "--against", look, "--engine", "unreal"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.out.find("green and blue are swapped"), std::string::npos) << result.out;
+}
+
+TEST(Verify, fails_with_words_on_a_wrong_size_and_a_wrong_tag) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(17));
+    const std::string picture = folder.path("strip.png");
+    ASSERT_EQ(lutconv({"bake", look, "-o", picture, "--size", "33"}).exit_code, 0);
+    lutlib::io::CodeImage image = lutlib::io::read_png(contents(picture), "strip.png");
+    image.srgb_tag = true;
+    folder.write("strip.png", write_png(image));
+    const Result result = lutconv({"verify", picture, "--against", look, "--engine", "unreal"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.out.find("unreal takes a lattice of size 16, not 33"), std::string::npos);
+    EXPECT_NE(result.out.find("tagged sRGB"), std::string::npos) << result.out;
+    const Result tiles = lutconv({"verify", picture, "--against", look, "--engine", "obs"});
+    EXPECT_EQ(tiles.exit_code, 1);
+    EXPECT_NE(tiles.out.find("wrong size"), std::string::npos) << tiles.out;
+}
+
+TEST(Verify, names_the_interpolation_when_that_is_the_difference) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(9));
+    const std::string picture = folder.path("strip.png");
+    ASSERT_EQ(lutconv({"bake", look, "-o", picture, "--interpolation", "trilinear"}).exit_code, 0);
+    EXPECT_EQ(lutconv({"verify", picture, "--against", look}).exit_code, 0);
+    const Result result =
+        lutconv({"verify", picture, "--against", look, "--interpolation", "tetrahedral"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.out.find("trilinear interpolation"), std::string::npos) << result.out;
+}
+
+TEST(RealLooks, bake_and_verify_for_every_engine) {
+    const std::filesystem::path folder = std::filesystem::path(EXTRA_DATA) / "luts";
+    if (!std::filesystem::is_directory(folder)) {
+        GTEST_SKIP() << "LUT_EXTRA_DATA names no folder with real looks";
+    }
+    const Folder scratch;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        std::string extension = entry.path().extension().string();
+        std::transform(extension.begin(), extension.end(), extension.begin(),
+                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        if (extension != ".cube") {
+            continue;
+        }
+        for (const lutlib::Engine& engine : lutlib::engines()) {
+            const std::string picture = scratch.path("x.png");
+            const std::string name(engine.name);
+            ASSERT_EQ(
+                lutconv({"bake", entry.path().string(), "-o", picture, "--engine", name}).exit_code,
+                0);
+            const Result verified = lutconv(
+                {"verify", picture, "--against", entry.path().string(), "--samples", "1000"});
+            EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
+        }
+    }
+}
+
+} // namespace
+} // namespace converter_test

@@ -1,0 +1,39 @@
+// Runs lutconv as a person does, in a folder of its own.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace converter_test {
+
+struct Result {
+    int exit_code = -1;
+    std::string out, err;
+};
+
+/// Runs lutconv with these arguments and this standard input.
+Result lutconv(const std::vector<std::string>& arguments, const std::string& input = "");
+
+/// A new empty folder, removed with the object.
+class Folder {
+  public:
+    Folder();
+    ~Folder();
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    std::string path(const std::string& name) const { return (path_ / name).string(); }
+    std::string write(const std::string& name, const std::string& bytes) const;
+    std::vector<std::string> names() const;
+
+  private:
+    std::filesystem::path path_;
+};
+
+std::string contents(const std::string& path);
+
+/// A .cube of a strongly saturated look, six decimals a value, so that every verb has real work.
+std::string saturated_cube(int size, const std::string& head = "");
+
+} // namespace converter_test

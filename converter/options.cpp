@@ -25,15 +25,15 @@ std::string listed(const Rows& rows) {
     return out;
 }
 
-void say(const std::string& file, const std::vector<lutlib::Loss>& losses) {
+void complain_of(const std::vector<lutlib::Loss>& losses, const std::string& name) {
     for (const lutlib::Loss& loss : losses) {
-        std::fputs(("lutconv: " + file + ": lost: " + loss_text(loss) + '\n').c_str(), stderr);
+        std::fputs(("lutconv: " + name + ": lost: " + loss_text(loss) + '\n').c_str(), stderr);
     }
 }
 
 lutlib::Lut lut_from(const std::string& bytes, const std::string& path) {
     lutlib::io::Reading reading = lutlib::io::decode_lut(bytes, lutlib::io::input_name(path));
-    say(reading.lut.provenance, reading.losses);
+    complain_of(reading.losses, reading.lut.provenance);
     return std::move(reading.lut);
 }
 
@@ -80,7 +80,7 @@ lutlib::Lut read_lut(const std::string& path) {
 
 lutlib::Lut read_look(const std::string& path) {
     lutlib::io::Reading reading = read_look(path, {}, {});
-    say(lutlib::io::input_name(path), reading.losses);
+    complain_of(reading.losses, lutlib::io::input_name(path));
     return std::move(reading.lut);
 }
 
@@ -107,7 +107,7 @@ Look open_look(const std::string& path, lutlib::Interpolation how) {
 }
 
 void write_look(const lutlib::Lut& lut, const std::string& path) {
-    say(lutlib::io::output_name(path), lutlib::io::write_lut(path, lut).losses);
+    complain_of(lutlib::io::write_lut(path, lut).losses, lutlib::io::output_name(path));
 }
 
 std::string domain_text(const lutlib::Domain& domain) {

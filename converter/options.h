@@ -54,8 +54,7 @@ struct Look {
 };
 Look open_look(const std::string& path, lutlib::Interpolation how);
 
-/// Writes a LUT file of the format that the extension says (of a .cube, in the dialect that keeps
-/// most). What it cannot hold goes to standard error.
+/// Writes a LUT in the format of the path's extension. What it cannot hold goes to standard error.
 void write_look(const lutlib::Lut& lut, const std::string& path);
 
 /// "0..1", or "0..4, -1..1, 0..1" where the channels differ.

@@ -5,8 +5,7 @@
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
 #include "lutlib/io/file.h"
-#include "lutlib/io/lut_picture.h"
-#include "lutlib/io/png.h"
+#include "lutlib/io/formats.h"
 #include "lutlib/io/recipe_file.h"
 
 #include <fmt/core.h>
@@ -26,9 +25,7 @@ std::string listed(const Rows& rows) {
 }
 
 lutlib::Lut lut_from(const std::string& bytes, const std::string& path) {
-    const std::string name = lutlib::io::input_name(path);
-    return lutlib::io::is_png(bytes) ? lutlib::io::read_lut_picture(bytes, name)
-                                     : lutlib::read_cube(bytes, name);
+    return lutlib::io::decode_lut(bytes, lutlib::io::input_name(path)).lut;
 }
 
 } // namespace
@@ -92,11 +89,16 @@ Look open_look(const std::string& path, lutlib::Interpolation how) {
             lut->title};
 }
 
-void write_look(const lutlib::Lut& lut, const std::string& path) {
-    if (path != lutlib::io::standard_stream && lutlib::io::extension_of(path) != "cube") {
-        throw lutlib::UsageError("'" + path + "' is no .cube; convert and bake write other files");
+std::vector<std::string> write_look(const lutlib::Lut& lut, const std::string& path) {
+    std::vector<std::string> out;
+    const std::string_view format =
+        path == lutlib::io::standard_stream
+            ? (best_dialect(lut) == lutlib::CubeDialect::resolve ? "cube-resolve" : "cube")
+            : "";
+    for (const lutlib::Loss& loss : lutlib::io::write_lut(path, lut, {}, format).losses) {
+        out.push_back(fmt::format("{}, {:.4g} {}", loss.what, loss.figure, loss.unit));
     }
-    lutlib::io::write_file(path, write_cube(lut, best_dialect(lut)));
+    return out;
 }
 
 std::string domain_text(const lutlib::Domain& domain) {

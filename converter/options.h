@@ -8,6 +8,7 @@
 #include <CLI/App.hpp>
 
 #include <string>
+#include <vector>
 
 namespace converter {
 
@@ -50,8 +51,8 @@ struct Look {
 };
 Look open_look(const std::string& path, lutlib::Interpolation how);
 
-/// Writes a .cube in the dialect that keeps most. Throws UsageError for another extension.
-void write_look(const lutlib::Lut& lut, const std::string& path);
+/// Writes a LUT in the format of its extension; what the format cannot hold is returned in words.
+std::vector<std::string> write_look(const lutlib::Lut& lut, const std::string& path);
 
 /// "0..1", or "0..4, -1..1, 0..1" where the channels differ.
 std::string domain_text(const lutlib::Domain& domain);

@@ -4,6 +4,7 @@
 #include "lutlib/lut.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -20,7 +21,7 @@ class OutputIndex {
     explicit OutputIndex(const Lut3D& cube);
 
     /// Every input whose tetrahedral interpolation is `wanted`, one for each tetrahedron that holds
-    /// it; where outputs are flat (a clipped corner), one point of the flat part.
+    /// it. Flat tetrahedra (a clipped corner) are left out; nearest() finds a point in them.
     void preimages(RgbD wanted, std::vector<RgbD>& found) const;
 
     /// The input whose output lies nearest that damped Newton steps find from the nearest nodes.

@@ -1,5 +1,6 @@
 #include "converter/options.h"
 
+#include "converter/report.h"
 #include "lutlib/bake_recipe.h"
 #include "lutlib/edit.h"
 #include "lutlib/error.h"
@@ -10,6 +11,7 @@
 
 #include <fmt/core.h>
 
+#include <cstdio>
 #include <memory>
 
 namespace converter {
@@ -24,8 +26,16 @@ std::string listed(const Rows& rows) {
     return out;
 }
 
+void complain_of(const std::vector<lutlib::Loss>& losses, const std::string& name) {
+    for (const lutlib::Loss& loss : losses) {
+        std::fputs(("lutconv: " + name + ": lost: " + loss_text(loss) + '\n').c_str(), stderr);
+    }
+}
+
 lutlib::Lut lut_from(const std::string& bytes, const std::string& path) {
-    return lutlib::io::decode_lut(bytes, lutlib::io::input_name(path)).lut;
+    lutlib::io::Reading reading = lutlib::io::decode_lut(bytes, lutlib::io::input_name(path));
+    complain_of(reading.losses, reading.lut.provenance);
+    return std::move(reading.lut);
 }
 
 } // namespace
@@ -89,16 +99,12 @@ Look open_look(const std::string& path, lutlib::Interpolation how) {
             lut->title};
 }
 
-std::vector<std::string> write_look(const lutlib::Lut& lut, const std::string& path) {
-    std::vector<std::string> out;
+void write_look(const lutlib::Lut& lut, const std::string& path) {
     const std::string_view format =
         path == lutlib::io::standard_stream
             ? (best_dialect(lut) == lutlib::CubeDialect::resolve ? "cube-resolve" : "cube")
             : "";
-    for (const lutlib::Loss& loss : lutlib::io::write_lut(path, lut, {}, format).losses) {
-        out.push_back(fmt::format("{}, {:.4g} {}", loss.what, loss.figure, loss.unit));
-    }
-    return out;
+    complain_of(lutlib::io::write_lut(path, lut, {}, format).losses, lutlib::io::output_name(path));
 }
 
 std::string domain_text(const lutlib::Domain& domain) {

@@ -37,7 +37,7 @@ class InterpolationOption {
 };
 
 /// Reads a LUT of any kind: .cube in both dialects, a LUT picture, and every format of
-/// OpenColorIO, which is loaded only for those.
+/// OpenColorIO, which is loaded only for those. What the reading loses goes to standard error.
 lutlib::Lut read_lut(const std::string& path);
 
 /// The same, and a recipe, baked as its own settings say.
@@ -51,8 +51,9 @@ struct Look {
 };
 Look open_look(const std::string& path, lutlib::Interpolation how);
 
-/// Writes a LUT in the format of its extension; what the format cannot hold is returned in words.
-std::vector<std::string> write_look(const lutlib::Lut& lut, const std::string& path);
+/// Writes a LUT in the format of the path's extension, a .cube to standard output. What the format
+/// cannot hold goes to standard error.
+void write_look(const lutlib::Lut& lut, const std::string& path);
 
 /// "0..1", or "0..4, -1..1, 0..1" where the channels differ.
 std::string domain_text(const lutlib::Domain& domain);

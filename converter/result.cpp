@@ -57,7 +57,7 @@ std::string to_text(const lutlib::Difference& d, const std::string& indent) {
 }
 
 void write_and_report(const Result& result, bool json, nlohmann::ordered_json extra) {
-    const std::vector<std::string> losses = write_look(result.lut, result.output);
+    write_look(result.lut, result.output);
     const lutlib::Lut& lut = result.lut;
     const lutlib::Difference error =
         compare(result.exact, transform_of(lut, lutlib::Interpolation::tetrahedral),
@@ -67,7 +67,6 @@ void write_and_report(const Result& result, bool json, nlohmann::ordered_json ex
                                    {"size", lut.cube->size},
                                    {"shaper_size", lut.shaper ? lut.shaper->size() : 0}};
         out.update(extra);
-        out["losses"] = losses;
         out["error"] = to_json(error);
         print(out, result.output);
         return;
@@ -76,9 +75,6 @@ void write_and_report(const Result& result, bool json, nlohmann::ordered_json ex
                                    result.made_of, tables_text(lut));
     for (const std::string& note : result.notes) {
         text += "  " + note + "\n";
-    }
-    for (const std::string& loss : losses) {
-        text += "  lost: " + loss + "\n";
     }
     text += fmt::format("  error of the LUT against that, {} colours\n{}", error.absolute.count,
                         to_text(error, "    "));

@@ -6,8 +6,8 @@
 namespace lutlib {
 namespace {
 
-// Four nodes of an axis and their weights. A node beyond a face is twice the last one minus its
-// neighbour, so its weight is shared out among those.
+// Four nodes of an axis and their weights. The weight of a node beyond a face is shared out among
+// the nodes that the parabola (of two nodes: the line) which gives its value passes through.
 struct Taps {
     std::array<int, 4> node;
     std::array<double, 4> weight;
@@ -22,17 +22,25 @@ Taps taps(double value, float min, float max, int size) {
     Taps out{{i - 1, i, i + 1, i + 2},
              {-0.5 * f3 + f2 - 0.5 * f, 1.5 * f3 - 2.5 * f2 + 1, -1.5 * f3 + 2 * f2 + 0.5 * f,
               0.5 * f3 - 0.5 * f2}};
+    const auto share = [&](std::size_t outer, std::size_t next, std::size_t inner,
+                           std::size_t innermost) {
+        const double w = out.weight[outer];
+        out.weight[outer] = 0;
+        out.node[outer] = out.node[next];
+        if (size == 2) {
+            out.weight[next] += 2 * w;
+            out.weight[inner] -= w;
+        } else {
+            out.weight[next] += 3 * w;
+            out.weight[inner] -= 3 * w;
+            out.weight[innermost] += w;
+        }
+    };
     if (i == 0) {
-        out.weight[1] += 2 * out.weight[0];
-        out.weight[2] -= out.weight[0];
-        out.weight[0] = 0;
-        out.node[0] = 0;
+        share(0, 1, 2, 3);
     }
     if (i == size - 2) {
-        out.weight[2] += 2 * out.weight[3];
-        out.weight[1] -= out.weight[3];
-        out.weight[3] = 0;
-        out.node[3] = size - 1;
+        share(3, 2, 1, 0);
     }
     return out;
 }

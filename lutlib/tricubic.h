@@ -1,9 +1,9 @@
 // Tricubic interpolation of a lattice, for resampling smooth looks.
 //
 // R. G. Keys, "Cubic convolution interpolation for digital image processing", 1981, with a = -1/2,
-// along each axis: it passes through the nodes with a continuous derivative and is exact for
-// quadratics. Beyond a face of the lattice its last cell goes on in a straight line, which keeps
-// linear looks exact. Next to a sharp bend it overshoots, by up to 1/8 of the bend's step.
+// along each axis and with his extrapolation beyond the lattice's faces (a parabola through the
+// last three nodes): it passes through the nodes with a continuous derivative and is exact for
+// quadratics. Next to a sharp bend it overshoots, by up to 1/8 of the bend's step.
 #pragma once
 
 #include "lutlib/lut.h"

@@ -68,7 +68,7 @@ int run(const Options& o) {
     }
     const lutlib::Lut look = read_look(o.input);
     const lutlib::Inversion inversion = invert(look, options);
-    const std::vector<std::string> losses = write_look(inversion.lut, o.output);
+    write_look(inversion.lut, o.output);
     const lutlib::Difference error = round_trip(look, inversion.lut);
     if (o.json) {
         print(nlohmann::ordered_json{{"input", o.input},
@@ -78,7 +78,6 @@ int run(const Options& o) {
                                      {"out_of_gamut",
                                       region_json(inversion.out_of_gamut, inversion.nodes)},
                                      {"folded", region_json(inversion.folded, inversion.nodes)},
-                                     {"losses", losses},
                                      {"round_trip", to_json(error)}},
               o.output);
         return ok;
@@ -91,9 +90,6 @@ int run(const Options& o) {
                         "distance", inversion.out_of_gamut, inversion.nodes);
     text += region_text("folded: several inputs give these, so they got the nearest of them",
                         "the inputs lie apart by", inversion.folded, inversion.nodes);
-    for (const std::string& loss : losses) {
-        text += "  lost: " + loss + "\n";
-    }
     text += fmt::format("  the look, then its inverse, against changing nothing, {} colours\n{}",
                         error.absolute.count, to_text(error, "    "));
     print(text, o.output);

@@ -4,6 +4,7 @@
 #include "lutlib/bake_recipe.h"
 #include "lutlib/edit.h"
 #include "lutlib/error.h"
+#include "lutlib/formats/cube.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/recipe_file.h"
@@ -107,7 +108,11 @@ Look open_look(const std::string& path, lutlib::Interpolation how) {
 }
 
 void write_look(const lutlib::Lut& lut, const std::string& path) {
-    complain_of(lutlib::io::write_lut(path, lut).losses, lutlib::io::output_name(path));
+    const std::string_view format =
+        path == lutlib::io::standard_stream
+            ? (best_dialect(lut) == lutlib::CubeDialect::resolve ? "cube-resolve" : "cube")
+            : "";
+    complain_of(lutlib::io::write_lut(path, lut, {}, format).losses, lutlib::io::output_name(path));
 }
 
 std::string domain_text(const lutlib::Domain& domain) {

@@ -9,6 +9,7 @@
 #include <CLI/App.hpp>
 
 #include <string>
+#include <vector>
 
 namespace converter {
 
@@ -54,7 +55,8 @@ struct Look {
 };
 Look open_look(const std::string& path, lutlib::Interpolation how);
 
-/// Writes a LUT in the format of the path's extension. What it cannot hold goes to standard error.
+/// Writes a LUT in the format of the path's extension, a .cube to standard output. What the format
+/// cannot hold goes to standard error.
 void write_look(const lutlib::Lut& lut, const std::string& path);
 
 /// "0..1", or "0..4, -1..1, 0..1" where the channels differ.

@@ -28,6 +28,7 @@ std::span<const Command> commands();
 
 Run declare_apply(CLI::App& app);
 Run declare_bake(CLI::App& app);
+Run declare_check(CLI::App& app);
 Run declare_convert(CLI::App& app);
 Run declare_edit(CLI::App& app);
 Run declare_eval(CLI::App& app);

@@ -79,7 +79,10 @@ lutlib::Lut read_lut(const std::string& path) {
 }
 
 lutlib::Lut read_look(const std::string& path) {
-    const std::string bytes = lutlib::io::read_file(path);
+    return read_look(lutlib::io::read_file(path), path);
+}
+
+lutlib::Lut read_look(const std::string& bytes, const std::string& path) {
     return lutlib::io::is_recipe(bytes)
                ? bake_recipe(lutlib::io::recipe_from(bytes, path, read_lut))
                : lut_from(bytes, path);

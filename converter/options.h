@@ -41,6 +41,8 @@ lutlib::Lut read_lut(const std::string& path);
 
 /// The same, and a recipe, baked as its own settings say.
 lutlib::Lut read_look(const std::string& path);
+/// The same of bytes that have been read from `path`.
+lutlib::Lut read_look(const std::string& bytes, const std::string& path);
 
 /// A look to be sampled: a recipe, evaluated exactly, or a LUT read through an interpolation.
 struct Look {

@@ -94,6 +94,12 @@ lutlib::io::Reading read_look(const std::string& path, const lutlib::io::ReadOpt
     return lutlib::io::decode_lut(bytes, lutlib::io::input_name(path), options, format);
 }
 
+lutlib::Lut look_from(const std::string& bytes, const std::string& path) {
+    return lutlib::io::is_recipe(bytes)
+               ? bake_recipe(lutlib::io::recipe_from(bytes, path, read_lut))
+               : lut_from(bytes, path);
+}
+
 Look open_look(const std::string& path, lutlib::Interpolation how) {
     const std::string bytes = lutlib::io::read_file(path);
     if (lutlib::io::is_recipe(bytes)) {

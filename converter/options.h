@@ -46,6 +46,8 @@ lutlib::Lut read_look(const std::string& path);
 /// The same with the losses handed back; an empty `format` is recognised.
 lutlib::io::Reading read_look(const std::string& path, const lutlib::io::ReadOptions& options,
                               const std::string& format);
+/// The same of bytes that have been read from `path`.
+lutlib::Lut look_from(const std::string& bytes, const std::string& path);
 
 /// A look to be sampled: a recipe, evaluated exactly, or a LUT read through an interpolation.
 struct Look {

@@ -1,12 +1,18 @@
 #include "converter/options.h"
 
+#include "converter/report.h"
+#include "lutlib/bake_recipe.h"
+#include "lutlib/edit.h"
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
 #include "lutlib/io/file.h"
-#include "lutlib/io/lut_picture.h"
-#include "lutlib/io/png.h"
+#include "lutlib/io/formats.h"
+#include "lutlib/io/recipe_file.h"
 
 #include <fmt/core.h>
+
+#include <cstdio>
+#include <memory>
 
 namespace converter {
 namespace {
@@ -18,6 +24,18 @@ std::string listed(const Rows& rows) {
         out += (out.empty() ? "" : ", ") + std::string(row.name);
     }
     return out;
+}
+
+void complain_of(const std::vector<lutlib::Loss>& losses, const std::string& name) {
+    for (const lutlib::Loss& loss : losses) {
+        std::fputs(("lutconv: " + name + ": lost: " + loss_text(loss) + '\n').c_str(), stderr);
+    }
+}
+
+lutlib::Lut lut_from(const std::string& bytes, const std::string& path) {
+    lutlib::io::Reading reading = lutlib::io::decode_lut(bytes, lutlib::io::input_name(path));
+    complain_of(reading.losses, reading.lut.provenance);
+    return std::move(reading.lut);
 }
 
 } // namespace
@@ -57,13 +75,50 @@ lutlib::Interpolation InterpolationOption::get() const {
     return *how;
 }
 
+lutlib::Lut read_lut(const std::string& path) {
+    return lut_from(lutlib::io::read_file(path), path);
+}
+
 lutlib::Lut read_look(const std::string& path) {
+    lutlib::io::Reading reading = read_look(path, {}, {});
+    complain_of(reading.losses, lutlib::io::input_name(path));
+    return std::move(reading.lut);
+}
+
+lutlib::io::Reading read_look(const std::string& path, const lutlib::io::ReadOptions& options,
+                              const std::string& format) {
     const std::string bytes = lutlib::io::read_file(path);
-    const std::string name = lutlib::io::input_name(path);
-    if (lutlib::io::is_png(bytes)) {
-        return lutlib::io::read_lut_picture(bytes, name);
+    if (format.empty() && lutlib::io::is_recipe(bytes)) {
+        return {bake_recipe(lutlib::io::recipe_from(bytes, path, read_lut)), {}};
     }
-    return lutlib::read_cube(bytes, name);
+    return lutlib::io::decode_lut(bytes, lutlib::io::input_name(path), options, format);
+}
+
+lutlib::Lut look_from(const std::string& bytes, const std::string& path) {
+    return lutlib::io::is_recipe(bytes)
+               ? bake_recipe(lutlib::io::recipe_from(bytes, path, read_lut))
+               : lut_from(bytes, path);
+}
+
+Look open_look(const std::string& path, lutlib::Interpolation how) {
+    const std::string bytes = lutlib::io::read_file(path);
+    if (lutlib::io::is_recipe(bytes)) {
+        const lutlib::Recipe recipe = lutlib::io::recipe_from(bytes, path, read_lut);
+        const lutlib::Domain usual = recipe.base_lut ? recipe.base_lut->domain() : lutlib::Domain{};
+        return {[edit = lutlib::Edit(recipe)](lutlib::RgbD in) { return edit(in); },
+                recipe.bake.domain.value_or(usual), recipe.title};
+    }
+    const auto lut = std::make_shared<const lutlib::Lut>(lut_from(bytes, path));
+    return {[lut, how](lutlib::RgbD in) { return evaluate_exact(*lut, in, how); }, lut->domain(),
+            lut->title};
+}
+
+void write_look(const lutlib::Lut& lut, const std::string& path) {
+    const std::string_view format =
+        path == lutlib::io::standard_stream
+            ? (best_dialect(lut) == lutlib::CubeDialect::resolve ? "cube-resolve" : "cube")
+            : "";
+    complain_of(lutlib::io::write_lut(path, lut, {}, format).losses, lutlib::io::output_name(path));
 }
 
 std::string domain_text(const lutlib::Domain& domain) {

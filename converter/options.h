@@ -1,12 +1,15 @@
 // Options and inputs that several verbs share.
 #pragma once
 
+#include "lutlib/bake.h"
 #include "lutlib/engine.h"
 #include "lutlib/interpolation.h"
+#include "lutlib/io/ocio.h"
 
 #include <CLI/App.hpp>
 
 #include <string>
+#include <vector>
 
 namespace converter {
 
@@ -35,8 +38,28 @@ class InterpolationOption {
 };
 
 /// Reads a LUT of any kind: .cube in both dialects, a LUT picture, and every format of
-/// OpenColorIO, which is loaded only for those.
+/// OpenColorIO, which is loaded only for those. What the reading loses goes to standard error.
+lutlib::Lut read_lut(const std::string& path);
+
+/// The same, and a recipe, baked as its own settings say.
 lutlib::Lut read_look(const std::string& path);
+/// The same with the losses handed back; an empty `format` is recognised.
+lutlib::io::Reading read_look(const std::string& path, const lutlib::io::ReadOptions& options,
+                              const std::string& format);
+/// The same of bytes that have been read from `path`.
+lutlib::Lut look_from(const std::string& bytes, const std::string& path);
+
+/// A look to be sampled: a recipe, evaluated exactly, or a LUT read through an interpolation.
+struct Look {
+    lutlib::ExactLook exact;
+    lutlib::Domain domain;
+    std::string title;
+};
+Look open_look(const std::string& path, lutlib::Interpolation how);
+
+/// Writes a LUT in the format of the path's extension, a .cube to standard output. What the format
+/// cannot hold goes to standard error.
+void write_look(const lutlib::Lut& lut, const std::string& path);
 
 /// "0..1", or "0..4, -1..1, 0..1" where the channels differ.
 std::string domain_text(const lutlib::Domain& domain);

@@ -241,7 +241,7 @@ Value parse_value(const Parameter& parameter, const std::string& text) {
         break;
     }
     if (const std::string why = problem_with(parameter, value); !why.empty()) {
-        reader.refuse(why);
+        throw UsageError("--" + std::string(parameter.flag) + " " + why);
     }
     return value;
 }

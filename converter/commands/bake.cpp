@@ -20,7 +20,6 @@ namespace {
 using lutlib::Bake;
 using lutlib::Domain;
 using lutlib::LookupError;
-using lutlib::Lut;
 
 struct Options {
     std::string input, output;
@@ -31,7 +30,7 @@ struct Options {
 };
 
 // A few thousand colours are enough to say how large the error is; `verify` looks at all.
-constexpr lutlib::SampleCounts quick_samples{.neutral = 256, .random = 4096, .lattice = false};
+constexpr lutlib::SampleCounts quick_samples{.neutral = 256, .random = 2048, .lattice = false};
 
 // The share of the look's input domain that 0..1 reaches, in the channel that loses most.
 double reachable_share(const Domain& domain) {
@@ -128,17 +127,14 @@ int run(const Options& o) {
     const int size = o.size ? o.size : engine.default_size;
     const int bits = o.bits ? o.bits : engine.default_bits;
     check_contract(engine, size, bits);
-    const Lut lut = read_look(o.input);
-    const lutlib::ExactLook look = [&lut, how = o.interpolation.get()](lutlib::RgbD in) {
-        return evaluate_exact(lut, in, how);
-    };
-    const Bake result = bake(look, engine, size, bits);
+    const Look look = open_look(o.input, o.interpolation.get());
+    const Bake result = bake(look.exact, engine, size, bits);
     lutlib::io::write_file(
-        o.output, lutlib::io::picture_bytes(result, {lutlib::io::input_name(o.input), lut.title,
+        o.output, lutlib::io::picture_bytes(result, {lutlib::io::input_name(o.input), look.title,
                                                      name_of(o.interpolation.get())}));
-    const LookupError error = measure(result, look);
-    o.json ? print(as_json(o, result, lut.domain(), error), o.output)
-           : print(as_text(o, result, lut.domain(), error), o.output);
+    const LookupError error = measure(result, look.exact);
+    o.json ? print(as_json(o, result, look.domain, error), o.output)
+           : print(as_text(o, result, look.domain, error), o.output);
     return ok;
 }
 
@@ -146,7 +142,7 @@ int run(const Options& o) {
 
 Run declare_bake(CLI::App& app) {
     const auto o = std::make_shared<Options>();
-    app.add_option("LUT", o->input, "a LUT file, or - for standard input")->required();
+    app.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input")->required();
     app.add_option("-o,--output", o->output, "the PNG, or - for standard output")->required();
     o->engine.declare(app, "piccolo");
     app.add_option("--size", o->size, "nodes a side (default: the engine's)");

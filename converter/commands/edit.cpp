@@ -1,0 +1,107 @@
+// lutconv edit: operators on top of a LUT or of nothing, baked to a LUT and kept as a recipe.
+#include "lutlib/edit.h"
+#include "converter/command.h"
+#include "converter/options.h"
+#include "converter/recipe_options.h"
+#include "converter/result.h"
+#include "lutlib/bake_recipe.h"
+#include "lutlib/error.h"
+#include "lutlib/io/recipe_file.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace converter {
+namespace {
+
+namespace io = lutlib::io;
+
+struct Options {
+    std::string input, output, recipe, save_recipe, title, input_encoding, output_encoding;
+    SamplingOptions sampling;
+    OperatorFlags operators;
+    bool json = false;
+};
+
+// The recipe file, then IN as its base, then the flags.
+lutlib::Recipe assemble(const Options& o, std::string& base) {
+    lutlib::Recipe recipe;
+    if (!o.recipe.empty()) {
+        recipe = io::read_recipe(o.recipe, read_lut);
+        base = io::base_path(recipe, o.recipe);
+    }
+    if (!o.input.empty() && o.input != "identity") {
+        io::set_base(recipe, o.input, read_lut);
+        base = o.input;
+    }
+    if (!o.input_encoding.empty()) {
+        recipe.input = &encoding_of(o.input_encoding, "--input-encoding");
+    }
+    if (!o.output_encoding.empty()) {
+        recipe.output = &encoding_of(o.output_encoding, "--output-encoding");
+    }
+    if (!o.title.empty()) {
+        recipe.title = o.title;
+    }
+    for (lutlib::Operation& operation : o.operators.operations()) {
+        recipe.operations.push_back(std::move(operation));
+    }
+    o.sampling.apply_to(recipe.bake);
+    return recipe;
+}
+
+std::string made_of(const Options& o, const lutlib::Recipe& recipe) {
+    const std::string base = o.input.empty() ? o.recipe : o.input;
+    return fmt::format("{}, {} operator{}", base, recipe.operations.size(),
+                       recipe.operations.size() == 1 ? "" : "s");
+}
+
+int run(const Options& o) {
+    if (o.output.empty() && o.save_recipe.empty()) {
+        throw lutlib::UsageError("nothing to write: give -o LUT, --save-recipe R.json or both");
+    }
+    if (o.input.empty() && o.recipe.empty()) {
+        throw lutlib::UsageError("nothing to edit: give a LUT, the word identity, or --recipe");
+    }
+    std::string base;
+    const lutlib::Recipe recipe = assemble(o, base);
+    if (!o.save_recipe.empty()) {
+        io::save_recipe(recipe, o.save_recipe, base);
+    }
+    if (!o.output.empty()) {
+        const lutlib::Lut lut = bake_recipe(recipe);
+        write_and_report(
+            {lut,
+             o.output,
+             made_of(o, recipe),
+             [exact = lutlib::Edit(recipe)](std::span<lutlib::RgbD> colours) { exact(colours); },
+             recipe.output_encoding(),
+             {}},
+            o.json, {{"operators", recipe.operations.size()}});
+    }
+    return ok;
+}
+
+} // namespace
+
+Run declare_edit(CLI::App& app) {
+    const auto o = std::make_shared<Options>();
+    app.add_option("LUT", o->input, "a LUT file to edit, or the word identity");
+    app.add_option("-o,--output", o->output, "the baked LUT, or - for standard output");
+    app.add_option("--recipe", o->recipe, "operators to start from");
+    app.add_option("--save-recipe", o->save_recipe, "write the operators and their base here");
+    app.add_option("--title", o->title, "title of the result");
+    app.add_option("--input-encoding", o->input_encoding,
+                   "what the operators' code values are: " + encoding_names());
+    app.add_option("--output-encoding", o->output_encoding,
+                   "encoding of the result (default: as the input)");
+    o->sampling.declare(app, true);
+    app.add_flag("--json", o->json, "print the figures as JSON");
+    o->operators.declare(app);
+    app.footer("Operators apply in the order in which their flags are given, after the recipe's.");
+    return [o] { return run(*o); };
+}
+
+} // namespace converter

@@ -1,0 +1,169 @@
+#include "converter/recipe_options.h"
+
+#include "lutlib/error.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+
+namespace converter {
+namespace {
+
+using lutlib::Operation;
+using lutlib::Parameter;
+using lutlib::ParameterKind;
+
+std::string shape(const Parameter& parameter) {
+    switch (parameter.kind) {
+    case ParameterKind::toggle:
+        return "on or off";
+    case ParameterKind::rgb:
+        return "one number or \"r, g, b\"";
+    case ParameterKind::curve:
+        return fmt::format("knots \"{}:value, ...\"", parameter.axis.label);
+    case ParameterKind::number:
+        break;
+    }
+    return "a number";
+}
+
+// "Contrast: a number (slope), 0 to 4, default 1"
+std::string help_of(const Parameter& parameter) {
+    std::string out = fmt::format("{}: {}", parameter.label, shape(parameter));
+    if (!parameter.unit.empty()) {
+        out += fmt::format(" ({})", parameter.unit);
+    }
+    if (parameter.kind != ParameterKind::toggle) {
+        out += fmt::format(", {:g} to {:g}", parameter.min, parameter.max);
+    }
+    if (parameter.kind != ParameterKind::curve) {
+        out += fmt::format(", default {}", lutlib::value_text(default_value(parameter)));
+    } else if (!parameter.axis.diagonal) {
+        out += fmt::format(", neutral {:g}", parameter.fallback);
+    }
+    return out;
+}
+
+} // namespace
+
+void OperatorFlags::declare(CLI::App& app) {
+    app_ = &app;
+    for (const lutlib::Op* op : lutlib::ops()) {
+        for (std::size_t i = 0; i < op->parameters.size(); ++i) {
+            const Parameter& parameter = op->parameters[i];
+            CLI::Option* const option = app.add_option("--" + std::string(parameter.flag))
+                                            ->type_name("")
+                                            ->description(help_of(parameter))
+                                            ->expected(1)
+                                            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+                                            ->group(std::string(op->label));
+            flags_.push_back({option, op, i});
+        }
+    }
+}
+
+std::vector<Operation> OperatorFlags::operations() const {
+    std::vector<Operation> out;
+    std::vector<bool> set; // parameters of the last operation that have been given
+    std::map<const CLI::Option*, std::size_t> used;
+    for (const CLI::Option* const option : app_->parse_order()) {
+        const auto flag = std::find_if(flags_.begin(), flags_.end(),
+                                       [&](const Flag& f) { return f.option == option; });
+        if (flag == flags_.end()) {
+            continue;
+        }
+        if (out.empty() || out.back().op != flag->op || set[flag->parameter]) {
+            out.push_back(default_operation(*flag->op));
+            set.assign(flag->op->parameters.size(), false);
+        }
+        const std::string& text = option->results()[used[option]++];
+        out.back().values[flag->parameter] =
+            parse_value(flag->op->parameters[flag->parameter], text);
+        set[flag->parameter] = true;
+    }
+    return out;
+}
+
+void SamplingOptions::declare(CLI::App& app, bool recipe) {
+    recipe_ = recipe;
+    app.add_option("--size", size_, "nodes a side of the result");
+    app.add_option("--domain", domain_, "input range of the result: minimum and maximum")
+        ->expected(2);
+    app.add_option("--shaper", shaper_,
+                   fmt::format("1D table before the cube: none, base, {}or the curve of one of {}",
+                               recipe ? "tone, " : "", encoding_names()));
+    app.add_option("--shaper-size", shaper_size_, "entries of the 1D table");
+}
+
+void SamplingOptions::apply_to(lutlib::BakeSettings& settings) const {
+    if (size_) {
+        lutlib::check_cube_size(size_);
+        settings.size = size_;
+    }
+    if (!domain_.empty()) {
+        const float low = domain_[0], high = domain_[1];
+        settings.domain = lutlib::Domain{{low, low, low}, {high, high, high}};
+        lutlib::check_domain(*settings.domain);
+    }
+    if (!shaper_.empty()) {
+        if (shaper_ != "none" && shaper_ != "base" && !(recipe_ && shaper_ == "tone")) {
+            encoding_of(shaper_, "--shaper");
+        }
+        settings.shaper = shaper_;
+    }
+    if (shaper_size_) {
+        lutlib::check_shaper_size(shaper_size_);
+        settings.shaper_size = shaper_size_;
+    }
+}
+
+lutlib::Sampling SamplingOptions::sampling() const {
+    lutlib::BakeSettings settings;
+    apply_to(settings);
+    lutlib::Sampling out;
+    out.size = settings.size;
+    out.domain = settings.domain;
+    out.shaper = settings.shaper;
+    out.shaper_size = settings.shaper_size;
+    // Codes of a look that lacks a recipe are taken for light where a curve is to shape them.
+    out.input = lutlib::encoding_named("linear");
+    return out;
+}
+
+void MethodOption::declare(CLI::App& app) {
+    std::string names;
+    for (const lutlib::ResamplingMethod& row : lutlib::resampling_methods()) {
+        names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", row.name, row.help);
+    }
+    app.add_option("--interpolation", name_, "how looks are read between their nodes: " + names)
+        ->capture_default_str();
+}
+
+const lutlib::ResamplingMethod& MethodOption::get() const {
+    const lutlib::ResamplingMethod* const found = lutlib::resampling_method_named(name_);
+    if (!found) {
+        throw lutlib::UsageError("there is no interpolation '" + name_ +
+                                 "'; there are trilinear, tetrahedral, tricubic");
+    }
+    return *found;
+}
+
+const lutlib::Encoding& encoding_of(const std::string& name, const std::string& flag) {
+    const lutlib::Encoding* const found = lutlib::encoding_named(name);
+    if (!found) {
+        throw lutlib::UsageError(flag + " '" + name + "' is unknown; there are " +
+                                 encoding_names());
+    }
+    return *found;
+}
+
+std::string encoding_names() {
+    std::string out;
+    for (const lutlib::Encoding& row : lutlib::encodings()) {
+        out += (out.empty() ? "" : ", ") + std::string(row.name);
+    }
+    return out;
+}
+
+} // namespace converter

@@ -1,0 +1,64 @@
+// Recipes on the command line: operators as flags, in the order in which they are given.
+#pragma once
+
+#include "lutlib/recipe.h"
+#include "lutlib/resample.h"
+
+#include <CLI/App.hpp>
+
+#include <string>
+#include <vector>
+
+namespace converter {
+
+/// One flag for each parameter of each operator, made from the descriptors.
+class OperatorFlags {
+  public:
+    void declare(CLI::App& app);
+
+    /// The operators that the flags describe. A flag opens an operator, unless it belongs to the
+    /// one before it and is not set there yet: `--contrast 1.2 --contrast-pivot .4` is one.
+    std::vector<lutlib::Operation> operations() const;
+
+  private:
+    struct Flag {
+        const CLI::Option* option;
+        const lutlib::Op* op;
+        std::size_t parameter;
+    };
+    const CLI::App* app_ = nullptr;
+    std::vector<Flag> flags_;
+};
+
+/// The lattice of the result: --size, --domain, --shaper, --shaper-size.
+class SamplingOptions {
+  public:
+    /// `recipe`: the 1D table may follow the recipe's tones.
+    void declare(CLI::App& app, bool recipe);
+    /// Overwrites what was given.
+    void apply_to(lutlib::BakeSettings& settings) const;
+    lutlib::Sampling sampling() const;
+
+  private:
+    int size_ = 0, shaper_size_ = 0;
+    std::vector<float> domain_;
+    std::string shaper_;
+    bool recipe_ = false;
+};
+
+/// --interpolation of the looks that are sampled, with every row of resampling_methods().
+class MethodOption {
+  public:
+    void declare(CLI::App& app);
+    const lutlib::ResamplingMethod& get() const;
+
+  private:
+    std::string name_ = "tetrahedral";
+};
+
+/// A row of lutlib::encodings(). Throws UsageError naming the flag.
+const lutlib::Encoding& encoding_of(const std::string& name, const std::string& flag);
+/// The names of all rows, for help.
+std::string encoding_names();
+
+} // namespace converter

@@ -7,6 +7,9 @@
 
 #include <hwy/contrib/math/math-inl.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 
 HWY_BEFORE_NAMESPACE();
@@ -85,6 +88,23 @@ HWY_EXPORT(Logarithm);
 
 void power_all(std::span<double> values, double exponent) {
     HWY_DYNAMIC_DISPATCH(Power)(values.data(), values.size(), exponent);
+}
+
+void power_all(std::span<RgbD> colours, RgbD exponents, Negative negative) {
+    std::array<double, 128> room;
+    for (std::size_t c = 0; c < 3; ++c) {
+        for (std::size_t i = 0; i < colours.size() && exponents[c] != 1; i += room.size()) {
+            const auto part = colours.subspan(i, std::min(room.size(), colours.size() - i));
+            for (std::size_t k = 0; k < part.size(); ++k) {
+                room[k] = part[k][c];
+            }
+            power_all(std::span(room).first(part.size()), exponents[c]);
+            for (std::size_t k = 0; k < part.size(); ++k) {
+                double& x = part[k][c];
+                x = x < 0 && negative == Negative::kept ? x : std::copysign(room[k], x);
+            }
+        }
+    }
 }
 
 void cube_root_all(std::span<double> values) {

@@ -5,12 +5,20 @@
 // 6e-8.
 #pragma once
 
+#include "lutlib/rgb.h"
+
 #include <span>
 
 namespace lutlib {
 
 /// Each |x| becomes |x|^exponent; 0 stays 0. exponent > 0.
 void power_all(std::span<double> values, double exponent);
+
+enum class Negative { mirrored, kept };
+
+/// Each channel c becomes |c|^exponent with the sign of c, or stays as it is when it is negative
+/// and those are kept. An exponent of exactly 1 leaves its channel alone.
+void power_all(std::span<RgbD> colours, RgbD exponents, Negative negative);
 
 /// Each x becomes its cube root, negative for a negative x.
 void cube_root_all(std::span<double> values);

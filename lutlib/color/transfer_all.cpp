@@ -41,14 +41,6 @@ void merge(std::span<double> x, std::span<const double> t, F f) {
     }
 }
 
-void odd_power_all(std::span<RgbD> colours, double exponent) {
-    each_piece(colours, [exponent](std::span<double> x, std::span<double> t) {
-        std::copy(x.begin(), x.end(), t.begin());
-        power_all(t, exponent);
-        merge(x, t, [](double v, double p) { return std::copysign(p, v); });
-    });
-}
-
 } // namespace
 
 void srgb_decode_all(std::span<RgbD> colours) {
@@ -73,11 +65,11 @@ void srgb_encode_all(std::span<RgbD> colours) {
 }
 
 void gamma24_decode_all(std::span<RgbD> colours) {
-    odd_power_all(colours, 2.4);
+    power_all(colours, {2.4, 2.4, 2.4}, Negative::mirrored);
 }
 
 void gamma24_encode_all(std::span<RgbD> colours) {
-    odd_power_all(colours, 1 / 2.4);
+    power_all(colours, {1 / 2.4, 1 / 2.4, 1 / 2.4}, Negative::mirrored);
 }
 
 void logc3_decode_all(std::span<RgbD> colours) {

@@ -31,6 +31,7 @@ Run declare_bake(CLI::App& app);
 Run declare_blend(CLI::App& app);
 Run declare_compare(CLI::App& app);
 Run declare_compose(CLI::App& app);
+Run declare_check(CLI::App& app);
 Run declare_convert(CLI::App& app);
 Run declare_edit(CLI::App& app);
 Run declare_eval(CLI::App& app);

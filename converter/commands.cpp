@@ -5,10 +5,11 @@
 namespace converter {
 namespace {
 
-constexpr std::array<Command, 13> table{{
+constexpr auto table = std::to_array<Command>({
     {"bake", "A look becomes an engine's LUT picture", declare_bake},
     {"verify", "Prove a LUT picture right against OpenColorIO, or say what is wrong",
      declare_verify},
+    {"check", "What is broken, folded, steep or flat in a look, and its repair", declare_check},
     {"convert", "A LUT from any format to any other, saying what is lost", declare_convert},
     {"edit", "Operators on top of a LUT, baked and kept as a recipe", declare_edit},
     {"resample", "A look on another lattice", declare_resample},
@@ -20,7 +21,7 @@ constexpr std::array<Command, 13> table{{
     {"info", "What is in a LUT", declare_info},
     {"eval", "Colours through a LUT", declare_eval},
     {"identity", "A LUT that changes nothing", declare_identity},
-}};
+});
 
 } // namespace
 

@@ -80,7 +80,21 @@ lutlib::Lut read_lut(const std::string& path) {
 }
 
 lutlib::Lut read_look(const std::string& path) {
+    lutlib::io::Reading reading = read_look(path, {}, {});
+    complain_of(reading.losses, lutlib::io::input_name(path));
+    return std::move(reading.lut);
+}
+
+lutlib::io::Reading read_look(const std::string& path, const lutlib::io::ReadOptions& options,
+                              const std::string& format) {
     const std::string bytes = lutlib::io::read_file(path);
+    if (format.empty() && lutlib::io::is_recipe(bytes)) {
+        return {bake_recipe(lutlib::io::recipe_from(bytes, path, read_lut)), {}};
+    }
+    return lutlib::io::decode_lut(bytes, lutlib::io::input_name(path), options, format);
+}
+
+lutlib::Lut look_from(const std::string& bytes, const std::string& path) {
     return lutlib::io::is_recipe(bytes)
                ? bake_recipe(lutlib::io::recipe_from(bytes, path, read_lut))
                : lut_from(bytes, path);

@@ -4,6 +4,7 @@
 #include "lutlib/bake.h"
 #include "lutlib/engine.h"
 #include "lutlib/interpolation.h"
+#include "lutlib/io/ocio.h"
 
 #include <CLI/App.hpp>
 
@@ -42,6 +43,11 @@ lutlib::Lut read_lut(const std::string& path);
 
 /// The same, and a recipe, baked as its own settings say.
 lutlib::Lut read_look(const std::string& path);
+/// The same with the losses handed back; an empty `format` is recognised.
+lutlib::io::Reading read_look(const std::string& path, const lutlib::io::ReadOptions& options,
+                              const std::string& format);
+/// The same of bytes that have been read from `path`.
+lutlib::Lut look_from(const std::string& bytes, const std::string& path);
 
 /// A look to be sampled: a recipe, evaluated exactly, or a LUT read through an interpolation.
 struct Look {

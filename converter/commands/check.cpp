@@ -36,7 +36,7 @@ lutlib::Lut read_to_check(const std::string& path) {
     if (!io::is_recipe(bytes) && io::recognise_format(bytes, name).name.starts_with("cube")) {
         return lutlib::read_broken_cube(bytes, name);
     }
-    return read_look(bytes, path);
+    return look_from(bytes, path);
 }
 
 std::string place_text(const std::optional<lutlib::Rgb>& where) {

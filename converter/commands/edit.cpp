@@ -3,11 +3,9 @@
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/recipe_options.h"
-#include "converter/report.h"
+#include "converter/result.h"
 #include "lutlib/bake_recipe.h"
-#include "lutlib/compare.h"
 #include "lutlib/error.h"
-#include "lutlib/io/file.h"
 #include "lutlib/io/recipe_file.h"
 
 #include <fmt/core.h>
@@ -54,28 +52,10 @@ lutlib::Recipe assemble(const Options& o, std::string& base) {
     return recipe;
 }
 
-void report(const Options& o, const lutlib::Recipe& recipe, const lutlib::Lut& lut) {
-    const lutlib::Edit exact(recipe);
-    const lutlib::Difference error =
-        compare([&exact](std::span<lutlib::RgbD> colours) { exact(colours); },
-                transform_of(lut, lutlib::Interpolation::tetrahedral),
-                samples_over(lut.domain(), lut.cube->size), recipe.output_encoding());
-    if (o.json) {
-        print(nlohmann::ordered_json{{"output", o.output},
-                                     {"size", lut.cube->size},
-                                     {"operators", recipe.operations.size()},
-                                     {"absolute_error", to_json(error.absolute)},
-                                     {"delta_e_2000", to_json(error.delta_e_2000)}},
-              o.output);
-        return;
-    }
-    print(fmt::format("{} <- {} operators, {} nodes a side{}\n"
-                      "  error of the bake against the recipe, {} colours: {}\n"
-                      "  as dE2000: {}\n",
-                      io::output_name(o.output), recipe.operations.size(), lut.cube->size,
-                      lut.shaper ? fmt::format(", 1D table of {}", lut.shaper->size()) : "",
-                      error.absolute.count, to_text(error.absolute), to_text(error.delta_e_2000)),
-          o.output);
+std::string made_of(const Options& o, const lutlib::Recipe& recipe) {
+    const std::string base = o.input.empty() ? o.recipe : o.input;
+    return fmt::format("{}, {} operator{}", base, recipe.operations.size(),
+                       recipe.operations.size() == 1 ? "" : "s");
 }
 
 int run(const Options& o) {
@@ -92,8 +72,14 @@ int run(const Options& o) {
     }
     if (!o.output.empty()) {
         const lutlib::Lut lut = bake_recipe(recipe);
-        write_look(lut, o.output);
-        report(o, recipe, lut);
+        write_and_report(
+            {lut,
+             o.output,
+             made_of(o, recipe),
+             [exact = lutlib::Edit(recipe)](std::span<lutlib::RgbD> colours) { exact(colours); },
+             recipe.output_encoding(),
+             {}},
+            o.json, {{"operators", recipe.operations.size()}});
     }
     return ok;
 }

@@ -1,0 +1,51 @@
+#include "preview/look_file.h"
+
+#include "lutlib/error.h"
+#include "lutlib/io/file.h"
+#include "lutlib/io/formats.h"
+#include "lutlib/io/lut_picture.h"
+#include "lutlib/io/png.h"
+#include "lutlib/recognise.h"
+
+namespace preview {
+
+namespace {
+
+using lutlib::CodePicture;
+using lutlib::Lut;
+
+LoadedLook from_picture_file(const std::string& bytes, const std::string& path,
+                             const Lookup* lookup) {
+    const CodePicture codes = lutlib::io::code_picture(lutlib::io::read_png(bytes, path));
+    const lutlib::Picture picture = lutlib::decoded(codes);
+    const lutlib::Recognition found = lutlib::recognise_one(picture, path);
+    Lut look;
+    look.cube = lutlib::from_picture(picture, *found.layout, found.size);
+    if (lookup == nullptr)
+        lookup = lookup_named(found.layout->name == "strip" ? "strip" : "trilinear");
+    if (lookup->source == Lookup::Source::table)
+        return look_for(look, *lookup);
+    if (found.layout->name != lookup->layout)
+        throw lutlib::UsageError("the lookup '" + std::string(lookup->name) +
+                                 "' reads pictures in the layout '" + std::string(lookup->layout) +
+                                 "' and '" + path + "' is in '" + std::string(found.layout->name) +
+                                 "': bake it with lutconv for that engine");
+    LoadedLook out;
+    out.skip_reason = lookup->engine == nullptr ? skip_reason_of(look) : "";
+    out.data = look_data(codes, found.size, *lookup);
+    return out;
+}
+
+} // namespace
+
+LoadedLook load_look(const std::string& path, const Lookup* lookup) {
+    if (path.empty() || path == "none")
+        return {no_look(), "there is none"};
+    const std::string bytes = lutlib::io::read_file(path);
+    if (lutlib::io::is_png(bytes))
+        return from_picture_file(bytes, path, lookup);
+    const lutlib::io::Reading reading = lutlib::io::decode_lut(bytes, path);
+    return look_for(reading.lut, lookup != nullptr ? *lookup : *lookup_named("tetrahedral"));
+}
+
+} // namespace preview

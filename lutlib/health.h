@@ -25,9 +25,9 @@ struct Extreme {
     Rgb in;
 };
 
-/// What a lattice of `nodes` a side over the look's domain, without a shaper and read
-/// tetrahedrally, is expected to miss of the look that these nodes were sampled from: the largest
-/// difference of a channel.
+/// What a lattice of `nodes` a side over the look's domain, without a shaper, holding the look's
+/// values at its nodes and read tetrahedrally, is expected to miss of this look: the largest
+/// difference of a channel. 0 where the lattice keeps all nodes of the look.
 struct ExpectedError {
     int nodes = 0;
     double error = 0;
@@ -42,9 +42,9 @@ struct Health {
     std::size_t values = 0;
     std::size_t non_finite = 0;
     std::optional<Rgb> first_non_finite;
-    std::size_t outside = 0;       ///< finite values below 0 or above 1 in the output
-    Extreme lowest, highest;       ///< of the output
-    std::size_t scaled_shaper = 0; ///< finite shaper entries that the cube's domain cuts off
+    std::size_t outside = 0; ///< finite values below 0 or above 1 in the output
+    Extreme lowest, highest; ///< of the output
+    std::size_t cut_off = 0; ///< finite shaper values that the cube's domain cuts off
 
     // The six tetrahedra of every cell that an input can reach, and the sign of the Jacobian's
     // determinant in each. Flat: too small to have a sign beside the rounding of six decimals.

@@ -26,8 +26,12 @@ void raise(Extreme& extreme, double value, const Rgb& in) {
     }
 }
 
+double dot(const RgbD& a, const RgbD& b) {
+    return a.r * b.r + a.g * b.g + a.b * b.b;
+}
+
 double length(const RgbD& v) {
-    return std::sqrt(v.r * v.r + v.g * v.g + v.b * v.b);
+    return std::sqrt(dot(v, v));
 }
 
 double sum(const Rgb& c) {
@@ -177,23 +181,39 @@ class CellPass {
             channel = std::max(
                 {channel, std::abs(slopes[c].r), std::abs(slopes[c].g), std::abs(slopes[c].b)});
         }
-        const SingularValues s = singular_values(slopes);
-        raise(out.gain, s.largest, in);
         raise(out.channel_gain, channel, in);
         const double x = length(edges[0]), y = length(edges[1]), z = length(edges[2]);
         const double det = determinant(edges);
         // What two independent roundings, both twice their usual size, make of an edge.
         const double shake = 1.6 * tolerance(static_cast<float>(std::max({x, y, z})));
-        if (!(std::abs(det) > shake * (x * y + y * z + z * x)) ||
-            !(at[0].slope * at[1].slope * at[2].slope > 0)) {
+        const bool flat = !(std::abs(det) > shake * (x * y + y * z + z * x)) ||
+                          !(at[0].slope * at[1].slope * at[2].slope > 0);
+        raise_singular(slopes, flat, in, out);
+        if (flat) {
             ++out.flat;
             return;
         }
-        raise(out.condition, s.largest / s.smallest, in);
         const std::size_t sign = det > 0 ? 1 : 0;
         ++out.signed_count[sign];
         out.signed_volume[sign] += volume;
         raise(out.deepest[sign], std::abs(determinant(slopes)), in);
+    }
+
+    // The singular values only where their bounds by sums of squares leave a new largest possible:
+    // s1 <= |J|, and s1 / s3 = s1 * (s1 s2) / |det| <= |J| * |cofactors| / |det|.
+    static void raise_singular(const Jacobian& j, bool flat, const Rgb& in, Sums& out) {
+        const double square = dot(j[0], j[0]) + dot(j[1], j[1]) + dot(j[2], j[2]);
+        const double det = std::abs(determinant(j));
+        // |cofactors| <= |J|^2 / sqrt(3)
+        const bool ill = !flat && square * std::sqrt(square / 3) > out.condition.value * det;
+        if (!ill && square <= out.gain.value * out.gain.value) {
+            return;
+        }
+        const SingularValues s = singular_values(j);
+        raise(out.gain, s.largest, in);
+        if (!flat) {
+            raise(out.condition, s.largest / s.smallest, in);
+        }
     }
 
     double tolerance(float a, float b = 0) const {

@@ -10,7 +10,7 @@ namespace lutlib {
 namespace {
 
 // Limits of the verdict.
-constexpr double fold_note = 0, fold_fault = 1e-3;  // shares of the tetrahedra
+constexpr double fold_note = 0, fold_fault = 0.02;  // shares of the tetrahedra
 constexpr double gain_warning = 8, gain_fault = 32; // an 8-bit code becomes as many
 constexpr double condition_warning = 1e3;
 constexpr double banding_warning = 4, banding_fault = 16; // codes
@@ -41,6 +41,10 @@ std::size_t largest_of(const std::array<Extreme, 3>& channels_of) {
 
 double share(std::size_t part, std::size_t whole) {
     return whole ? static_cast<double>(part) / static_cast<double>(whole) : 0;
+}
+
+std::optional<Rgb> place(const Extreme& extreme) {
+    return extreme.value > 0 ? std::optional<Rgb>(extreme.in) : std::nullopt;
 }
 
 Finding non_finite(const Health& h) {
@@ -100,7 +104,7 @@ Finding table_falls(const Health& h) {
 
 Finding gain(const Health& h) {
     return {graded(h.gain.value, gain_warning, gain_fault), h.gain.value,
-            text("the steepest direction gains %.4g", h.gain.value), h.gain.in};
+            text("the steepest direction gains %.4g", h.gain.value), place(h.gain)};
 }
 
 Finding condition(const Health& h) {
@@ -110,13 +114,13 @@ Finding condition(const Health& h) {
     return {graded(h.condition.value, condition_warning), h.condition.value,
             text("the steepest direction gains up to %.3g times the flattest beside it",
                  h.condition.value),
-            h.condition.in};
+            place(h.condition)};
 }
 
 Finding second_difference(const Health& h) {
     return {Severity::good, h.second_difference.value,
             text("neighbouring slopes differ by at most %.4g a node", h.second_difference.value),
-            h.second_difference.in};
+            place(h.second_difference)};
 }
 
 Finding banding(const Health& h) {
@@ -125,13 +129,13 @@ Finding banding(const Health& h) {
             text("8 bits: a neutral ramp jumps by up to %.3g codes, a ramp of one channel by up to "
                  "%.3g",
                  most, h.banding_channel.value),
-            h.banding_neutral.in};
+            place(h.banding_neutral)};
 }
 
 Finding noise(const Health& h) {
     return {graded(h.noise_gain.value, noise_warning), h.noise_gain.value,
             text("noise near black is multiplied by up to %.3g", h.noise_gain.value),
-            h.noise_gain.in};
+            place(h.noise_gain)};
 }
 
 Finding expected(const ExpectedError& e) {
@@ -141,7 +145,10 @@ Finding expected(const ExpectedError& e) {
                 text("cannot tell: the look bends too sharply between its nodes, or in steps of "
                      "coarse codes; at worst about %.3g (%.3g codes of 8 bits)",
                      e.error, codes),
-                e.in};
+                place({e.error, e.in})};
+    }
+    if (!(e.error > 0)) {
+        return {Severity::good, 0, "none: the lattice keeps what is there", {}};
     }
     return {graded(e.error, error_warning), e.error,
             text("about %.3g at most (%.3g codes of 8 bits), read tetrahedrally", e.error, codes),
@@ -222,13 +229,13 @@ Finding invertible(const Health& h) {
 }
 
 Finding cut_off(const Health& h) {
-    if (h.scaled_shaper == 0) {
+    if (h.cut_off == 0) {
         return {Severity::good, 0, "the cube takes all that the 1D table, if any, gives", {}};
     }
     return {Severity::note,
-            static_cast<double>(h.scaled_shaper),
+            static_cast<double>(h.cut_off),
             text("%zu values of the 1D table lie outside the cube's domain and are clamped to it",
-                 h.scaled_shaper),
+                 h.cut_off),
             {}};
 }
 

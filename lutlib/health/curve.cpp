@@ -73,8 +73,8 @@ void examine_curve(const Lut1D& curve, const Lut3D* cube, double rounding, Healt
         }
         for (std::size_t k = 0; cube && k < curve.entries.size(); ++k) {
             const float value = curve.entries[k][c];
-            out.scaled_shaper += std::isfinite(value) &&
-                                 (value < cube->domain.min[c] || value > cube->domain.max[c]);
+            out.cut_off += std::isfinite(value) &&
+                           (value < cube->domain.min[c] || value > cube->domain.max[c]);
         }
     }
     if (cube) {

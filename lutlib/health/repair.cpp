@@ -34,9 +34,14 @@ void each_node(const Lut3D& cube, F visit) {
     }
 }
 
-// What the finite neighbours say of a value: the mean of two that enclose it, before a straight
-// line through two beside it, before one neighbour's own value.
-std::optional<float> from_neighbours(const Lut3D& cube, const Node& n, std::size_t c) {
+// What the finite neighbours say of a value, and how well they know: 0, the mean of two that
+// enclose it; 1, a straight line through two beside it; 2, one neighbour's own value.
+struct Guess {
+    std::size_t rank;
+    float value;
+};
+
+std::optional<Guess> from_neighbours(const Lut3D& cube, const Node& n, std::size_t c) {
     std::array<double, 3> sum{};
     std::array<int, 3> count{};
     const auto value = [&](std::size_t axis, int by) -> std::optional<double> {
@@ -67,39 +72,47 @@ std::optional<float> from_neighbours(const Lut3D& cube, const Node& n, std::size
     for (std::size_t rank = 0; rank < 3; ++rank) {
         const auto mean = static_cast<float>(sum[rank] / std::max(count[rank], 1));
         if (count[rank] > 0 && std::isfinite(mean)) {
-            return mean;
+            return Guess{rank, mean};
         }
     }
     return std::nullopt;
 }
 
+// From the edges of each hole inwards; in each round only what is known best.
 void fill(Lut3D& cube) {
-    for (bool missing = true; missing;) {
-        missing = false;
-        std::vector<std::pair<std::size_t, Rgb>> found;
-        each_node(cube, [&](const Node& n) {
-            Rgb value = node_at(cube, n);
-            bool changed = false;
-            for (std::size_t c = 0; c < 3; ++c) {
-                if (!std::isfinite(value[c])) {
-                    missing = true;
-                    if (const auto v = from_neighbours(cube, n, c)) {
-                        value[c] = *v;
-                        changed = true;
-                    }
-                }
+    struct Missing {
+        Node node;
+        std::size_t channel;
+    };
+    std::vector<Missing> missing;
+    each_node(cube, [&](const Node& n) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (!std::isfinite(node_at(cube, n)[c])) {
+                missing.push_back({n, c});
             }
-            if (changed) {
-                found.emplace_back(cube.index(n[0], n[1], n[2]), value);
-            }
-        });
-        if (missing && found.empty()) {
+        }
+    });
+    while (!missing.empty()) {
+        std::vector<std::optional<Guess>> guesses;
+        std::size_t best = 3;
+        for (const Missing& m : missing) {
+            guesses.push_back(from_neighbours(cube, m.node, m.channel));
+            best = guesses.back() ? std::min(best, guesses.back()->rank) : best;
+        }
+        if (best == 3) {
             throw Error("a channel of the cube has no value that is a number: nothing to repair "
                         "it from");
         }
-        for (const auto& [index, value] : found) {
-            cube.nodes[index] = value;
+        std::vector<Missing> rest;
+        for (std::size_t i = 0; i < missing.size(); ++i) {
+            const Node& n = missing[i].node;
+            if (guesses[i] && guesses[i]->rank == best) {
+                cube.at(n[0], n[1], n[2])[missing[i].channel] = guesses[i]->value;
+            } else {
+                rest.push_back(missing[i]);
+            }
         }
+        missing = std::move(rest);
     }
 }
 
@@ -197,33 +210,43 @@ constexpr double spike_ratio = 8;
 constexpr double least_spike = 0.02; // 5 codes of 8 bits
 
 std::optional<float> without_spike(const Lut3D& cube, const Node& n, std::size_t c) {
-    std::array<double, 3> lines{};
+    const auto value = [&cube, c](int r, int g, int b) {
+        return static_cast<double>(cube.at(r, g, b)[c]);
+    };
+    const auto [r, g, b] = n;
+    const int last = cube.size - 1;
+    if (std::min({r, g, b}) == 0 || std::max({r, g, b}) == last) {
+        return std::nullopt;
+    }
+    std::array<double, 3> lines{value(r - 1, g, b) / 2 + value(r + 1, g, b) / 2,
+                                value(r, g - 1, b) / 2 + value(r, g + 1, b) / 2,
+                                value(r, g, b - 1) / 2 + value(r, g, b + 1) / 2};
+    std::sort(lines.begin(), lines.end());
+    const double own = value(r, g, b);
+    const double out = own > lines[2] ? own - lines[2] : lines[0] - own;
+    const double scale = std::max({1.0, std::abs(lines[0]), std::abs(lines[2])});
+    if (!(out > least_spike * scale)) {
+        return std::nullopt;
+    }
     double beside = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto before = moved(cube, n, axis, -1), after = moved(cube, n, axis, 1);
-        if (!before || !after) {
-            return std::nullopt;
-        }
-        const auto value = [&](const Node& m) { return static_cast<double>(node_at(cube, m)[c]); };
-        lines[axis] = value(*before) / 2 + value(*after) / 2;
         for (std::size_t across = 0; across < 3; ++across) {
             for (const int side : {-1, 1}) {
-                const auto centre = moved(cube, n, across, side);
-                if (across != axis && centre) {
-                    const double bend = value(*moved(cube, *centre, axis, -1)) / 2 -
-                                        value(*centre) + value(*moved(cube, *centre, axis, 1)) / 2;
+                Node centre = n;
+                centre[across] += side;
+                Node before = centre, after = centre;
+                --before[axis];
+                ++after[axis];
+                const auto at = [&](const Node& m) { return value(m[0], m[1], m[2]); };
+                if (across != axis) {
+                    const double bend = at(before) / 2 - at(centre) + at(after) / 2;
                     beside = std::max(beside, std::abs(bend));
                 }
             }
         }
     }
-    std::sort(lines.begin(), lines.end());
-    const double own = node_at(cube, n)[c];
-    const double out = own > lines[2] ? own - lines[2] : lines[0] - own;
-    const double scale = std::max({1.0, std::abs(lines[0]), std::abs(lines[2])});
-    return out > std::max(spike_ratio * beside, least_spike * scale)
-               ? std::optional<float>(static_cast<float>(lines[1]))
-               : std::nullopt;
+    return out > spike_ratio * beside ? std::optional<float>(static_cast<float>(lines[1]))
+                                      : std::nullopt;
 }
 
 std::string level_spikes(Lut& lut, const RepairOptions&) {

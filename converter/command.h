@@ -26,7 +26,9 @@ struct Command {
 /// Every verb, in the order of the help.
 std::span<const Command> commands();
 
+Run declare_apply(CLI::App& app);
 Run declare_bake(CLI::App& app);
+Run declare_convert(CLI::App& app);
 Run declare_edit(CLI::App& app);
 Run declare_eval(CLI::App& app);
 Run declare_identity(CLI::App& app);

@@ -1,16 +1,16 @@
 #include "converter/options.h"
 
+#include "converter/report.h"
 #include "lutlib/bake_recipe.h"
 #include "lutlib/edit.h"
 #include "lutlib/error.h"
-#include "lutlib/formats/cube.h"
 #include "lutlib/io/file.h"
-#include "lutlib/io/lut_picture.h"
-#include "lutlib/io/png.h"
+#include "lutlib/io/formats.h"
 #include "lutlib/io/recipe_file.h"
 
 #include <fmt/core.h>
 
+#include <cstdio>
 #include <memory>
 
 namespace converter {
@@ -25,10 +25,16 @@ std::string listed(const Rows& rows) {
     return out;
 }
 
+void complain_of(const std::vector<lutlib::Loss>& losses, const std::string& name) {
+    for (const lutlib::Loss& loss : losses) {
+        std::fputs(("lutconv: " + name + ": lost: " + loss_text(loss) + '\n').c_str(), stderr);
+    }
+}
+
 lutlib::Lut lut_from(const std::string& bytes, const std::string& path) {
-    const std::string name = lutlib::io::input_name(path);
-    return lutlib::io::is_png(bytes) ? lutlib::io::read_lut_picture(bytes, name)
-                                     : lutlib::read_cube(bytes, name);
+    lutlib::io::Reading reading = lutlib::io::decode_lut(bytes, lutlib::io::input_name(path));
+    complain_of(reading.losses, reading.lut.provenance);
+    return std::move(reading.lut);
 }
 
 } // namespace
@@ -93,10 +99,7 @@ Look open_look(const std::string& path, lutlib::Interpolation how) {
 }
 
 void write_look(const lutlib::Lut& lut, const std::string& path) {
-    if (path != lutlib::io::standard_stream && lutlib::io::extension_of(path) != "cube") {
-        throw lutlib::UsageError("'" + path + "' is no .cube; convert and bake write other files");
-    }
-    lutlib::io::write_file(path, write_cube(lut, best_dialect(lut)));
+    complain_of(lutlib::io::write_lut(path, lut).losses, lutlib::io::output_name(path));
 }
 
 std::string domain_text(const lutlib::Domain& domain) {

@@ -36,7 +36,7 @@ class InterpolationOption {
 };
 
 /// Reads a LUT of any kind: .cube in both dialects, a LUT picture, and every format of
-/// OpenColorIO, which is loaded only for those.
+/// OpenColorIO, which is loaded only for those. What the reading loses goes to standard error.
 lutlib::Lut read_lut(const std::string& path);
 
 /// The same, and a recipe, baked as its own settings say.
@@ -50,7 +50,7 @@ struct Look {
 };
 Look open_look(const std::string& path, lutlib::Interpolation how);
 
-/// Writes a .cube in the dialect that keeps most. Throws UsageError for another extension.
+/// Writes a LUT in the format of the path's extension. What it cannot hold goes to standard error.
 void write_look(const lutlib::Lut& lut, const std::string& path);
 
 /// "0..1", or "0..4, -1..1, 0..1" where the channels differ.

@@ -22,6 +22,11 @@ std::string to_text(const lutlib::ErrorStats& stats) {
                        stats.p95, stats.mean);
 }
 
+std::string loss_text(const lutlib::Loss& loss) {
+    return fmt::format("{}: {:.4g}{}{}", loss.what, loss.figure, loss.unit.empty() ? "" : " ",
+                       loss.unit);
+}
+
 void print(const std::string& text, const std::string& output) {
     std::FILE* const stream = output == lutlib::io::standard_stream ? stderr : stdout;
     std::fputs(text.c_str(), stream);

@@ -1,6 +1,7 @@
 // What verbs print: figures as text or as JSON, from one description.
 #pragma once
 
+#include "lutlib/format.h"
 #include "lutlib/stats.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -14,6 +15,9 @@ nlohmann::ordered_json to_json(const lutlib::ErrorStats& stats);
 
 /// "max 0.0123, p99 0.01, p95 0.008, mean 0.002"
 std::string to_text(const lutlib::ErrorStats& stats);
+
+/// "input 0..4 cut to 0..1: 3 units of input"
+std::string loss_text(const lutlib::Loss& loss);
 
 /// Prints to standard output, or to standard error when standard output carries `output` ("-").
 void print(const std::string& text, const std::string& output);

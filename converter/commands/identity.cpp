@@ -2,8 +2,8 @@
 #include "converter/command.h"
 #include "converter/options.h"
 #include "lutlib/bake.h"
-#include "lutlib/formats/cube.h"
 #include "lutlib/io/file.h"
+#include "lutlib/io/formats.h"
 #include "lutlib/io/lut_picture.h"
 
 #include <memory>
@@ -31,14 +31,15 @@ std::string bytes_of(const Options& o) {
     lutlib::Lut lut;
     lut.cube = lutlib::identity_cube(o.size ? o.size : usual_size);
     lut.title = "Identity";
-    return write_cube(lut, lutlib::CubeDialect::adobe);
+    return encode_lut(lut, lutlib::io::format_for_writing(o.output, lut)).bytes;
 }
 
 } // namespace
 
 Run declare_identity(CLI::App& app) {
     const auto o = std::make_shared<Options>();
-    app.add_option("-o,--output", o->output, "a .cube or .png, or - for standard output")
+    app.add_option("-o,--output", o->output,
+                   "a LUT file of any extension, or - for a .cube to standard output")
         ->required();
     app.add_option("--size", o->size, "nodes a side (default: the engine's, or 33)");
     app.add_option("--bits", o->bits, "8 or 16 bits a sample of a picture");

@@ -6,6 +6,7 @@
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
 #include "lutlib/io/file.h"
+#include "lutlib/io/formats.h"
 #include "lutlib/io/lut_picture.h"
 #include "lutlib/io/ocio.h"
 #include "lutlib/limits.h"
@@ -130,7 +131,7 @@ class Reference {
         : name_(io::input_name(path)), bytes_(io::read_file(path)),
           extension_(path == io::standard_stream ? "cube" : io::extension_of(path)) {
         if (io::is_png(bytes_)) {
-            ours_ = io::read_lut_picture(bytes_, name_);
+            ours_ = io::decode_lut(bytes_, name_).lut;
             return;
         }
         try {

@@ -144,7 +144,7 @@ const FileFormat& require_file_format(std::string_view name) {
 }
 
 const FileFormat& format_for_writing(const std::string& path, const Lut& lut) {
-    const std::string extension = extension_of(path);
+    const std::string extension = path == standard_stream ? "cube" : extension_of(path);
     const FileFormat* first = nullptr;
     for (const FileFormat& row : file_formats()) {
         if (row.write && has_extension(row, extension)) {

@@ -43,7 +43,7 @@ const FileFormat& require_file_format(std::string_view name);
 /// What reads these bytes: by content first, then by the extension of `file`. Throws Error.
 const FileFormat& recognise_format(std::string_view bytes, const std::string& file);
 /// What writes a file of this name: of the formats with its extension the first that can hold the
-/// look as it is, else the first. Throws UsageError.
+/// look as it is, else the first. `-` is a .cube. Throws UsageError.
 const FileFormat& format_for_writing(const std::string& path, const Lut& lut);
 
 /// Reads a LUT file, `-` from standard input. `format` empty: recognised. Throws Error, UsageError.

@@ -1,7 +1,5 @@
 #include "lutlib/io/lut_picture.h"
 
-#include "lutlib/recognise.h"
-
 #include <algorithm>
 
 namespace lutlib::io {
@@ -42,17 +40,6 @@ std::optional<std::string> text_entry(const CodeImage& image, std::string_view k
         }
     }
     return std::nullopt;
-}
-
-Lut read_lut_picture(std::string_view bytes, const std::string& file) {
-    const CodeImage image = read_png(bytes, file);
-    const Picture picture = decoded(code_picture(image));
-    const Recognition found = recognise_one(picture, file);
-    Lut out;
-    out.cube = from_picture(picture, *found.layout, found.size);
-    out.title = text_entry(image, "Title").value_or("");
-    out.provenance = file;
-    return out;
 }
 
 } // namespace lutlib::io

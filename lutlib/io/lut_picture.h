@@ -27,8 +27,4 @@ CodePicture code_picture(const CodeImage& image);
 /// A text entry of a PNG, if it has one.
 std::optional<std::string> text_entry(const CodeImage& image, std::string_view key);
 
-/// A LUT picture as a cube over 0..1, its layout recognised from content. Throws Error when it
-/// cannot be told.
-Lut read_lut_picture(std::string_view bytes, const std::string& file);
-
 } // namespace lutlib::io

@@ -1,7 +1,7 @@
 #include "lutlib/io/picture_format.h"
 
 #include "lutlib/error.h"
-#include "lutlib/io/png.h"
+#include "lutlib/io/lut_picture.h"
 #include "lutlib/limits.h"
 #include "lutlib/recognise.h"
 
@@ -14,17 +14,10 @@ namespace {
 constexpr int sniff_score = 60;
 constexpr int made_size = 65;
 
-Picture to_picture(const CodeImage& codes) {
-    Picture out{codes.width, codes.height, {}};
-    const auto channels = static_cast<std::size_t>(codes.channels);
-    const auto maximum = static_cast<float>(codes.maximum());
-    for (std::size_t i = 0; i + channels <= codes.samples.size(); i += channels) {
-        const auto value = [&](std::size_t c) {
-            return static_cast<float>(codes.samples[i + c]) / maximum;
-        };
-        out.pixels.push_back({value(0), value(1), value(2)});
-    }
-    return out;
+Picture picture_of(std::string_view bytes, const std::string& file, std::string& title) {
+    const CodeImage image = read_png(bytes, file);
+    title = text_entry(image, "Title").value_or("");
+    return decoded(code_picture(image));
 }
 
 // The one lattice size whose picture in this layout has these dimensions.
@@ -41,7 +34,7 @@ int size_in_layout(const Picture& picture, const Layout& layout, const std::stri
 }
 
 std::string encode(const Lut& lut, const Layout& layout, const SaveOptions& options) {
-    const Picture picture = lutlib::to_picture(*lut.cube, layout);
+    const Picture picture = to_picture(*lut.cube, layout);
     CodeImage codes;
     codes.width = picture.width;
     codes.height = picture.height;
@@ -92,8 +85,8 @@ FileFormat picture_format(const Layout& layout) {
     out.holds = Holds{.cube = true, .title = true, .integer_bits = 16};
     out.picture = &layout;
     out.read = [&layout](std::string_view bytes, const std::string& file, const ReadOptions&) {
-        const Picture picture = to_picture(read_png(bytes, file));
         Reading reading;
+        const Picture picture = picture_of(bytes, file, reading.lut.title);
         reading.lut.cube = from_picture(picture, layout, size_in_layout(picture, layout, file));
         return reading;
     };
@@ -110,9 +103,9 @@ FileFormat recognised_picture_format() {
     out.extensions = {"png"};
     out.sniff = [](std::string_view bytes) { return is_png(bytes) ? sniff_score : 0; };
     out.read = [](std::string_view bytes, const std::string& file, const ReadOptions&) {
-        const Picture picture = to_picture(read_png(bytes, file));
-        const Recognition found = recognise_one(picture, file);
         Reading reading;
+        const Picture picture = picture_of(bytes, file, reading.lut.title);
+        const Recognition found = recognise_one(picture, file);
         reading.lut.cube = from_picture(picture, *found.layout, found.size);
         if (found.rows > 1) {
             reading.losses.push_back(

@@ -1,4 +1,5 @@
 #include "lutlib/engine.h"
+#include "lutlib/io/file.h"
 #include "lutlib/io/png.h"
 #include "tests/converter/run_program.h"
 
@@ -113,27 +114,39 @@ TEST(Verify, names_the_interpolation_when_that_is_the_difference) {
     EXPECT_NE(result.out.find("trilinear interpolation"), std::string::npos) << result.out;
 }
 
+std::vector<std::filesystem::path> cubes_in(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> out;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (lutlib::io::extension_of(entry.path().string()) == "cube") {
+            out.push_back(entry.path());
+        }
+    }
+    return out;
+}
+
+TEST(SampleLooks, lie_beside_strips_that_verify) {
+    const std::vector<std::filesystem::path> looks = cubes_in(SAMPLE_LOOKS);
+    EXPECT_GE(looks.size(), 4U);
+    for (std::filesystem::path look : looks) {
+        const std::string cube = look.string(), strip = look.replace_extension("png").string();
+        const Result verified = lutconv({"verify", strip, "--against", cube, "--samples", "1000"});
+        EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
+    }
+}
+
 TEST(RealLooks, bake_and_verify_for_every_engine) {
-    const std::filesystem::path folder = std::filesystem::path(EXTRA_DATA) / "luts";
-    if (!std::filesystem::is_directory(folder)) {
-        GTEST_SKIP() << "LUT_EXTRA_DATA names no folder with real looks";
+    if (std::string(EXTRA_DATA).empty()) {
+        GTEST_SKIP() << "the CMake option LUT_EXTRA_DATA names no folder with further looks";
     }
     const Folder scratch;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        std::string extension = entry.path().extension().string();
-        std::transform(extension.begin(), extension.end(), extension.begin(),
-                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        if (extension != ".cube") {
-            continue;
-        }
+    for (const std::filesystem::path& look : cubes_in(std::filesystem::path(EXTRA_DATA) / "luts")) {
         for (const lutlib::Engine& engine : lutlib::engines()) {
             const std::string picture = scratch.path("x.png");
             const std::string name(engine.name);
-            ASSERT_EQ(
-                lutconv({"bake", entry.path().string(), "-o", picture, "--engine", name}).exit_code,
-                0);
-            const Result verified = lutconv(
-                {"verify", picture, "--against", entry.path().string(), "--samples", "1000"});
+            ASSERT_EQ(lutconv({"bake", look.string(), "-o", picture, "--engine", name}).exit_code,
+                      0);
+            const Result verified =
+                lutconv({"verify", picture, "--against", look.string(), "--samples", "1000"});
             EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
         }
     }

@@ -1,13 +1,13 @@
 // Any bytes as a LUT picture: read or refused with an Error; what was read has finite nodes.
 #include "lutlib/error.h"
-#include "lutlib/io/lut_picture.h"
+#include "lutlib/io/formats.h"
 
 #include <cstdint>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     try {
-        validate(lutlib::io::read_lut_picture(bytes, "fuzz.png"));
+        validate(lutlib::io::decode_lut(bytes, "fuzz.png", {}, "png").lut);
     } catch (const lutlib::Error&) {
     }
     return 0;

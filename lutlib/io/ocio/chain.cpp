@@ -155,7 +155,7 @@ std::optional<Domain> domain_of_unit(const ChannelMaps& maps) {
     Domain out;
     for (std::size_t c = 0; c < 3; ++c) {
         const ChannelMap& map = maps[c];
-        const double min = -map.offset / map.scale, max = (1 - map.offset) / map.scale;
+        const double min = (0 - map.offset) / map.scale, max = (1 - map.offset) / map.scale;
         // Readers scale in float, so the clamp and the table's end may differ by some roundings.
         const double slack = 1e-6 * (max - min);
         if (!(map.scale > 0) || !(max - min < std::numeric_limits<float>::max()) ||

@@ -1,0 +1,99 @@
+// lutconv convert: a LUT from any format to any other, saying what the target cannot hold.
+#include "converter/command.h"
+#include "converter/options.h"
+#include "converter/report.h"
+#include "lutlib/error.h"
+#include "lutlib/io/describe.h"
+#include "lutlib/io/file.h"
+#include "lutlib/io/formats.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace converter {
+namespace {
+
+namespace io = lutlib::io;
+
+struct Options {
+    std::string input, output, from, format;
+    io::SaveOptions save;
+    bool strict = false, json = false;
+};
+
+std::string format_list() {
+    std::string out = "Formats:\n";
+    for (const io::FileFormat& row : io::file_formats()) {
+        const char* const ways = !row.write ? "read" : !row.read ? "write" : "read, write";
+        out += fmt::format("  {:<18} {:<12} .{:<7} {}\n", row.name, ways, row.extensions.front(),
+                           row.label);
+    }
+    return out;
+}
+
+nlohmann::ordered_json as_json(const Options& o, const io::FileFormat& format,
+                               const io::Encoded& file) {
+    nlohmann::ordered_json losses = nlohmann::ordered_json::array();
+    for (const lutlib::Loss& loss : file.losses) {
+        losses.push_back({{"what", loss.what}, {"figure", loss.figure}, {"unit", loss.unit}});
+    }
+    return {{"input", io::input_name(o.input)},
+            {"output", io::output_name(o.output)},
+            {"format", format.name},
+            {"holds", io::shape_of(file.lut)},
+            {"domain", domain_text(file.lut.domain())},
+            {"losses", losses}};
+}
+
+std::string as_text(const Options& o, const io::FileFormat& format, const io::Encoded& file) {
+    std::string out = fmt::format("{} -> {}\n  {}\n  {}, input {}\n", io::input_name(o.input),
+                                  io::output_name(o.output), format.label, io::shape_of(file.lut),
+                                  domain_text(file.lut.domain()));
+    for (const lutlib::Loss& loss : file.losses) {
+        out += "  lost: " + loss_text(loss) + '\n';
+    }
+    return out + (file.losses.empty() ? "  nothing was lost\n" : "");
+}
+
+int run(const Options& o) {
+    io::Reading source = io::read_lut(o.input, {o.save.size}, o.from);
+    const io::FileFormat& format = o.format.empty() ? io::format_for_writing(o.output, source.lut)
+                                                    : io::require_file_format(o.format);
+    io::Encoded file = io::encode_lut(source.lut, format, o.save);
+    file.losses.insert(file.losses.begin(), source.losses.begin(), source.losses.end());
+    if (o.strict && !file.losses.empty()) {
+        throw lutlib::Error(
+            "--strict: not written, because this would be lost: " + loss_text(file.losses.front()) +
+                (file.losses.size() > 1 ? fmt::format(" (and {} more)", file.losses.size() - 1)
+                                        : ""),
+            {io::output_name(o.output), 0, {}});
+    }
+    io::write_file(o.output, file.bytes);
+    o.json ? print(as_json(o, format, file), o.output) : print(as_text(o, format, file), o.output);
+    return ok;
+}
+
+} // namespace
+
+Run declare_convert(CLI::App& app) {
+    const auto o = std::make_shared<Options>();
+    app.add_option("input", o->input, "a LUT of any format, or - for standard input")->required();
+    app.add_option("-o,--output", o->output, "the file to write, or - for standard output")
+        ->required();
+    app.add_option("--from", o->from, "the input's format (default: recognised)");
+    app.add_option("--format", o->format, "the output's format (default: by its extension)");
+    app.add_option("--size", o->save.size,
+                   "nodes a side of the cube (default: the input's, or 65 where one is made)");
+    app.add_option("--bits", o->save.bits, "8 or 16 bits a sample of a picture")
+        ->check(CLI::IsMember({8, 16}))
+        ->capture_default_str();
+    app.add_option("--title", o->save.title, "title to write instead of the input's");
+    app.add_flag("--strict", o->strict, "write nothing when anything would be lost");
+    app.add_flag("--json", o->json, "print the figures as JSON");
+    app.footer(format_list());
+    return [o] { return run(*o); };
+}
+
+} // namespace converter

@@ -1,0 +1,29 @@
+# Compiles GLSL to SPIR-V, checks it and embeds it in a target as arrays (preview/gpu/shaders.h).
+# min, max and clamp of NaN are defined as the number (--nan-clamp).
+find_program(GLSLANG glslangValidator REQUIRED)
+find_program(SPIRV_VAL spirv-val REQUIRED)
+
+function(embed_shaders target)
+    set(modules)
+    foreach(source IN LISTS ARGN)
+        get_filename_component(name ${source} NAME)
+        set(module ${CMAKE_CURRENT_BINARY_DIR}/shaders/${name}.spv)
+        add_custom_command(OUTPUT ${module}
+            COMMAND ${GLSLANG} -V --quiet --nan-clamp --target-env vulkan1.3
+                -I${CMAKE_SOURCE_DIR}/shaders --depfile ${module}.d -o ${module} ${source}
+            COMMAND ${SPIRV_VAL} --target-env vulkan1.3 ${module}
+            DEPENDS ${source}
+            DEPFILE ${module}.d
+            COMMENT "Shader ${name}"
+            VERBATIM)
+        list(APPEND modules ${module})
+    endforeach()
+    set(embedded ${CMAKE_CURRENT_BINARY_DIR}/shaders/${target}_shaders.cpp)
+    add_custom_command(OUTPUT ${embedded}
+        COMMAND ${CMAKE_COMMAND} -DOUTPUT=${embedded} "-DMODULES=${modules}"
+            -P ${CMAKE_SOURCE_DIR}/preview/cmake/embed.cmake
+        DEPENDS ${modules} ${CMAKE_SOURCE_DIR}/preview/cmake/embed.cmake
+        COMMENT "Embedding the shaders"
+        VERBATIM)
+    target_sources(${target} PRIVATE ${embedded})
+endfunction()

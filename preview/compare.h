@@ -1,0 +1,39 @@
+// How two looks are shown together, as a table; shaders/common/finish.glsl has the same numbers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace preview {
+
+struct Compare {
+    std::string_view name;
+    std::string_view label;
+    std::uint32_t shader;
+    bool shows_a, shows_b;
+};
+
+inline constexpr std::array<Compare, 5> compares{{
+    {"a", "side A alone", 0, true, false},
+    {"b", "side B alone", 1, false, true},
+    {"split", "A left and B right of a line that can be moved", 2, true, true},
+    {"side", "A and B side by side, each half as wide as the output", 3, true, true},
+    {"diff", "their difference in dE2000 as a heat map with its scale", 4, true, true},
+}};
+inline constexpr const Compare& compare_side = compares[3];
+inline constexpr const Compare& compare_difference = compares[4];
+
+const Compare* compare_named(std::string_view name);
+
+/// The differences of all texels of a picture, in dE2000.
+struct DifferenceFigures {
+    double max = 0, p99 = 0, p95 = 0, mean = 0;
+};
+
+/// From what the finishing pass counted over a picture of so many texels. The maximum is exact,
+/// the others to 0.025; differences above 102 count as 102.
+DifferenceFigures difference_figures(std::span<const std::uint32_t> counted, std::uint64_t texels);
+
+} // namespace preview

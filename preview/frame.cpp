@@ -1,0 +1,201 @@
+#include "preview/frame.h"
+
+#include "lutlib/error.h"
+#include "preview/passes/fxaa.h"
+#include "preview/passes/shadow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace preview {
+
+namespace {
+
+template <class T>
+Handle data_or_nothing(Graph& graph, std::string_view name, const std::vector<T>& blocks) {
+    return blocks.empty() ? Handle{} : graph.data(name, std::as_bytes(std::span(blocks)));
+}
+
+struct DeclaredScene {
+    SceneHandles handles;
+    std::vector<ShadowMap> shadow_maps;
+    std::vector<Draw> visible;
+};
+
+DeclaredScene declare_scene(Graph& graph, const Scene& scene, const GpuScene& gpu_scene,
+                            const FrameSettings& settings, Size size) {
+    DeclaredScene out;
+    const Geometry& geometry = gpu_scene.geometry;
+    std::vector<int> layers;
+    for (std::uint32_t index = 0; index < scene.lights.size(); ++index) {
+        const std::string name = "light " + std::to_string(index);
+        const ShadowCasters casters = shadow_casters(scene, geometry, scene.lights[index]);
+        if (casters.objects.empty()) {
+            graph.withhold("shadow of " + name, casters.reason);
+            layers.push_back(-1);
+        } else {
+            layers.push_back(static_cast<int>(out.shadow_maps.size()));
+            out.shadow_maps.push_back({name, index, draws_of(scene, geometry, casters.objects)});
+        }
+    }
+    const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
+    const ViewBlock view = view_block(settings.orbit, aspect);
+    out.visible = draws_of(scene, geometry, visible_objects(scene, geometry, view.clip));
+
+    SceneHandles& handles = out.handles;
+    handles.vertices = graph.import("vertices", gpu_scene.vertices, gpu_scene.vertices.bytes());
+    handles.indices = graph.import("indices", gpu_scene.indices, gpu_scene.indices.bytes());
+    handles.objects = data_or_nothing(graph, "objects", object_blocks(scene));
+    handles.materials = data_or_nothing(graph, "materials", material_blocks(scene));
+    handles.lights =
+        data_or_nothing(graph, "lights", light_blocks(scene, layers, settings.shadow_size));
+    handles.environment = graph.data_of("environment", environment_block(scene.environment));
+    handles.view = graph.data_of("view", view);
+    handles.light_count = static_cast<std::uint32_t>(scene.lights.size());
+    return out;
+}
+
+/// Radiance of the scene; fills in what it is made of.
+Handle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
+                    Size size, FrameHandles& handles) {
+    const Scene& scene = *inputs.scene;
+    DeclaredScene declared = declare_scene(graph, scene, *inputs.gpu_scene, settings, size);
+    handles.shadow_maps =
+        add_shadows(graph, declared.handles, settings.shadow_size, std::move(declared.shadow_maps));
+    handles.surfaces = add_gbuffer(graph, declared.handles, size, std::move(declared.visible));
+    LightingInputs lighting;
+    lighting.surfaces = handles.surfaces;
+    lighting.shadow_maps = handles.shadow_maps;
+    lighting.emission = settings.force_all || scene.has_emitter();
+    lighting.environment = settings.force_all || !scene.environment.is_black();
+    if (!lighting.emission)
+        graph.withhold("emission", "no material emits light");
+    if (!lighting.environment)
+        graph.withhold("environment", "the surroundings are black");
+    return add_lighting(graph, declared.handles, lighting);
+}
+
+/// Why there is no bloom; empty when there is.
+std::string_view no_bloom_because(const FrameInputs& inputs, const FrameSettings& settings,
+                                  const BloomPlan& plan) {
+    if (settings.tonemap == nullptr)
+        return "the picture is display-encoded already";
+    if (settings.bloom == nullptr || plan.empty())
+        return "it is off, or its strength is 0";
+    if (!settings.force_all && inputs.hdr_maximum &&
+        static_cast<double>(*inputs.hdr_maximum) <= bloom_onset(settings.bloom_settings))
+        return "no light is bright enough to bloom";
+    return {};
+}
+
+BloomLayers bloom_of(Graph& graph, Handle hdr, const FrameInputs& inputs,
+                     const FrameSettings& settings) {
+    const Size size = size_of(graph, hdr);
+    BloomPlan plan;
+    if (settings.bloom != nullptr)
+        plan = bloom_plan(*settings.bloom,
+                          {static_cast<int>(size.width), static_cast<int>(size.height)},
+                          settings.bloom_settings);
+    const std::string_view reason = no_bloom_because(inputs, settings, plan);
+    if (!reason.empty()) {
+        graph.withhold("bloom", reason);
+        return {};
+    }
+    return add_bloom(graph, hdr, plan);
+}
+
+constexpr DebugView views[] = {
+    {"depth", "distance from the camera, near is bright",
+     [](const FrameHandles& h) { return h.surfaces.depth; }, ViewMode::depth},
+    {"normal", "world-space normals as n / 2 + 1/2",
+     [](const FrameHandles& h) { return h.surfaces.normal; }, ViewMode::normal},
+    {"albedo", "surface colour", [](const FrameHandles& h) { return h.surfaces.albedo; },
+     ViewMode::light},
+    {"roughness", "perceptual roughness", [](const FrameHandles& h) { return h.surfaces.material; },
+     ViewMode::red},
+    {"metalness", "metalness", [](const FrameHandles& h) { return h.surfaces.material; },
+     ViewMode::green},
+    {"emission", "light that surfaces emit",
+     [](const FrameHandles& h) { return h.surfaces.emission; }, ViewMode::light},
+    {"shadows", "the shadow maps side by side, near is bright",
+     [](const FrameHandles& h) { return h.shadow_maps; }, ViewMode::shadows},
+    {"lit", "radiance before the HDR resolve", [](const FrameHandles& h) { return h.lit; },
+     ViewMode::light},
+    {"hdr", "exposed light after the HDR resolve", [](const FrameHandles& h) { return h.hdr; },
+     ViewMode::light},
+    {"bloom", "the last level of the bloom, before its composite",
+     [](const FrameHandles& h) { return h.bloom; }, ViewMode::light},
+    {"graded", "the finished picture before antialiasing",
+     [](const FrameHandles& h) { return h.graded; }, ViewMode::codes},
+};
+
+} // namespace
+
+std::span<const DebugView> debug_views() {
+    return views;
+}
+
+const DebugView* debug_view_named(std::string_view name) {
+    const auto* found = std::find_if(std::begin(views), std::end(views),
+                                     [&](const DebugView& view) { return view.name == name; });
+    return found == std::end(views) ? nullptr : found;
+}
+
+FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings) {
+    const Size size = picture_size(settings.output, *settings.compare);
+    FrameHandles handles;
+
+    if (inputs.picture != nullptr) {
+        graph.withhold("scene", "a picture is shown");
+        handles.lit = graph.import("picture", inputs.picture->image, inputs.picture->image.desc());
+    } else {
+        handles.lit = render_scene(graph, inputs, settings, size, handles);
+    }
+
+    const Resolved resolved = add_resolve(graph, handles.lit, size, std::exp2(settings.exposure));
+    handles.hdr = resolved.hdr;
+    handles.hdr_maximum = resolved.maximum;
+
+    const BloomLayers bloom = bloom_of(graph, handles.hdr, inputs, settings);
+    handles.bloom = bloom.images[0];
+
+    if (settings.compare->shows_a && inputs.look_a == nullptr)
+        graph.withhold("look A", "there is none");
+    if (settings.compare->shows_b && inputs.look_b == nullptr)
+        graph.withhold("look B", "there is none");
+    FinishSettings finish;
+    finish.tonemap = settings.tonemap;
+    finish.compare = settings.compare;
+    finish.split = settings.split;
+    finish.heat_scale = settings.heat_scale;
+    const Finished finished =
+        add_finish(graph, handles.hdr, bloom, inputs.look_a, inputs.look_b, finish);
+    handles.graded = finished.picture;
+    handles.figures = finished.figures;
+
+    handles.output = handles.graded;
+    if (settings.fxaa && settings.compare != &compare_difference)
+        handles.output = add_fxaa(graph, handles.graded);
+    else
+        graph.withhold("fxaa", settings.fxaa ? "a heat map has no edges to smooth" : "it is off");
+
+    if (settings.view != nullptr) {
+        const Handle shown = settings.view->handle(handles);
+        if (!shown)
+            throw lutlib::UsageError("this frame has no '" + std::string(settings.view->name) +
+                                     "' to show; --explain says why");
+        handles.output = add_view(graph, shown, settings.view->mode, settings.output);
+        graph.present(handles.output);
+        return handles;
+    }
+    graph.present(handles.output);
+    graph.present(handles.hdr_maximum);
+    if (settings.keep_hdr)
+        graph.present(handles.hdr);
+    if (handles.figures)
+        graph.present(handles.figures);
+    return handles;
+}
+
+} // namespace preview

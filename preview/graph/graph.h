@@ -1,0 +1,260 @@
+// The render graph: a frame as plain data, without a Vulkan header and testable without a GPU.
+//
+// A frame is declared from front to back on a fresh Graph, then planned (plan.h) and executed
+// (execute.h). A pass is declared by a function that takes handles and returns handles:
+//
+//     Handle add_tonemap(Graph& graph, Handle hdr, float exposure) {
+//         const ImageDesc size = graph.image_desc(hdr);
+//         Pass pass = graph.compute("tone map", "tonemap.comp");       // shaders/tonemap.comp
+//         pass.sample(hdr, Sampler::nearest_clamp);                    // binding 0
+//         const Handle out = pass.write(graph.image("tone mapped",     // binding 1
+//                                       {Format::rgba8, size.width, size.height}));
+//         pass.constants({row.index});                                 // constant_id 0
+//         pass.push(exposure);                                         // push constants
+//         pass.dispatch_over(size.width, size.height);                 // 8x8 pixels a group
+//         return out;
+//     }
+//
+// Conventions
+// - Descriptors: set 0 only; the binding number is the order of the calls that name a shader
+//   resource (sample, read, uniform, storage, write, modify). Attachments, index and
+//   indirect buffers take no number.
+// - Shaders: shaders/NAME.comp|vert|frag, looked up by that file name; they may include
+//   "common/x.glsl". Images are written with `writeonly uniform image2D` and no format, so one
+//   shader serves every target format. `read` binds a sampled image without filtering (texelFetch
+//   on a sampler2D/usampler2D), `sample` one with the named sampler. Only r32ui images may be
+//   `modify`-ed from a shader (layout(r32ui)); other read-modify-write takes a second image.
+// - Specialisation constants: 32-bit words, ids 0, 1, 2...; bools as 0 and 1.
+// - Push constants: one trivially copyable struct of up to 128 bytes, laid out as std430.
+// - Compute shaders over images have local_size 8x8 and return outside the size that they ask
+//   imageSize() of their target for.
+// - Names are for people: they appear in --explain, in --timings and in error messages.
+//
+// Handles are versions. Writing an image returns a new handle and retires the old one; reading a
+// retired handle is an error, so the order of declaration is an order of execution. An empty
+// Handle stands for something that the frame withholds: an image binds its neutral stand-in.
+#pragma once
+
+#include "preview/gpu/types.h"
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace preview {
+
+namespace gpu {
+class Image;
+class Buffer;
+} // namespace gpu
+
+/// One version of an image or a buffer.
+struct Handle {
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+    std::uint32_t version = none;
+
+    explicit operator bool() const { return version != none; }
+    friend bool operator==(Handle, Handle) = default;
+};
+
+/// What a pass does with a resource; decides layout, stage and memory access.
+enum class Access : std::uint8_t {
+    compute_sample,  ///< sampled image in a compute shader
+    graphics_sample, ///< sampled image in a vertex or fragment shader
+    compute_read,    ///< storage or uniform buffer read by a compute shader
+    graphics_read,   ///< storage or uniform buffer read by a vertex or fragment shader
+    index_read,
+    indirect_read,
+    compute_write, ///< storage image or buffer
+    color_write,
+    depth_write,
+    transfer_read,
+    transfer_write,
+};
+inline constexpr int access_count = 11;
+using AccessMask = std::uint32_t;
+constexpr AccessMask mask(Access access) {
+    return AccessMask{1} << static_cast<unsigned>(access);
+}
+
+enum class ResourceKind : std::uint8_t { image, buffer };
+enum class Origin : std::uint8_t {
+    transient, ///< lives within the frame, memory is shared with others
+    imported,  ///< owned by somebody else, read only, ready for any read
+    data,      ///< bytes given with the graph; uploaded only when they differ from the last frame's
+};
+
+struct Resource {
+    std::string name;
+    ResourceKind kind = ResourceKind::image;
+    Origin origin = Origin::transient;
+    ImageDesc image;
+    std::uint64_t bytes = 0; ///< of a buffer
+    const gpu::Image* imported_image = nullptr;
+    const gpu::Buffer* imported_buffer = nullptr;
+    std::vector<std::byte> data;
+};
+
+struct Version {
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+    std::uint32_t resource = 0;
+    std::uint32_t producer = none; ///< the pass that writes it
+    std::uint32_t previous = none; ///< the version whose contents it keeps
+    bool retired = false;
+};
+
+/// One appearance of a resource in a pass.
+struct Use {
+    std::uint32_t version = Version::none; ///< read, or written; none: the neutral stand-in
+    Access access = Access::compute_sample;
+    BindingType binding = BindingType::none;
+    Sampler sampler = Sampler::nearest_clamp;
+    Neutral neutral = Neutral::black;
+    std::uint32_t layer = 0; ///< of an attachment
+    bool writes = false;
+    bool clears = false; ///< an attachment that starts from `clear`
+    std::array<float, 4> clear{};
+};
+
+struct Draw {
+    std::uint32_t index_count = 0;
+    std::uint32_t first_index = 0;
+    std::int32_t vertex_offset = 0;
+    std::uint32_t instance_count = 1;
+    std::uint32_t first_instance = 0;
+};
+
+enum class PassKind : std::uint8_t { compute, raster, fill };
+
+struct PassRecord {
+    std::string name;
+    PassKind kind = PassKind::compute;
+    std::string shader;          ///< the compute or vertex shader's file name
+    std::string fragment_shader; ///< empty: depth only
+    std::vector<Use> uses;
+    std::vector<std::uint32_t> constants;
+    std::array<std::byte, 128> push{};
+    std::uint32_t push_bytes = 0;
+    std::array<std::uint32_t, 3> groups{0, 0, 0};
+    std::uint32_t indirect_use = Version::none; ///< index in `uses` of the group counts
+    RasterState raster;
+    std::vector<Draw> draws;
+    std::uint32_t fill_value = 0;
+};
+
+/// Something that the scene or the settings withheld before it became a pass.
+struct Withheld {
+    std::string name;
+    std::string reason;
+};
+
+class Graph;
+
+/// The pass being declared. Valid while its graph lives and until the next pass is added.
+class Pass {
+  public:
+    // Shader resources, in binding order. An empty handle binds the neutral stand-in.
+    void sample(Handle image, Sampler sampler, Neutral stand_in = Neutral::black);
+    void read(Handle image, Neutral stand_in = Neutral::black);
+    void storage(Handle buffer); ///< read-only storage buffer
+    void uniform(Handle buffer);
+    /// Overwrites all that is read later; earlier contents are lost. Returns the new version.
+    Handle write(Handle image_or_buffer);
+    /// Reads and writes; earlier contents count. Returns the new version.
+    Handle modify(Handle image_or_buffer);
+
+    // Raster passes only. `clear` makes the attachment start from that colour or depth; without
+    // it the handle's earlier contents are kept.
+    Handle color(Handle image, std::array<float, 4> clear);
+    Handle depth(Handle image, float clear, std::uint32_t layer = 0);
+    /// Clears and writes one layer, keeping the others.
+    Handle depth_layer(Handle image, float clear, std::uint32_t layer);
+    void index_buffer(Handle buffer);
+    void state(const RasterState& state);
+    void draws(std::vector<Draw> list);
+
+    void constants(std::initializer_list<std::uint32_t> words);
+    template <class T>
+    void push(const T& block) {
+        static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= 128);
+        push_bytes(std::as_bytes(std::span(&block, 1)));
+    }
+    void dispatch(std::uint32_t x, std::uint32_t y = 1, std::uint32_t z = 1);
+    /// As many groups of 8x8 as cover the image.
+    void dispatch_over(std::uint32_t width, std::uint32_t height);
+    /// Group counts are read from the first 12 bytes of the buffer.
+    void dispatch_indirect(Handle buffer);
+
+  private:
+    friend class Graph;
+    Pass(Graph& graph, std::uint32_t index) : graph_(&graph), index_(index) {}
+    PassRecord& record();
+    void add_read(Handle handle, ResourceKind kind, Use use);
+    Handle add_write(Handle handle, Use use, bool keeps);
+    void push_bytes(std::span<const std::byte> bytes);
+
+    Graph* graph_;
+    std::uint32_t index_;
+};
+
+class Graph {
+  public:
+    // Transients: no contents until a pass writes them.
+    Handle image(std::string_view name, const ImageDesc& desc);
+    Handle buffer(std::string_view name, std::uint64_t bytes);
+    // Imported: read only; must outlive the frame.
+    Handle import(std::string_view name, const gpu::Image& image, const ImageDesc& desc);
+    Handle import(std::string_view name, const gpu::Buffer& buffer, std::uint64_t bytes);
+    /// A small buffer with these contents, for uniform() and storage(). `name` identifies it from
+    /// frame to frame: unchanged contents are not uploaded again.
+    Handle data(std::string_view name, std::span<const std::byte> bytes);
+    template <class T>
+    Handle data_of(std::string_view name, const T& block) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        return data(name, std::as_bytes(std::span(&block, 1)));
+    }
+
+    Pass compute(std::string_view name, std::string_view shader);
+    /// `fragment_shader` may be empty for a pass that writes depth alone.
+    Pass raster(std::string_view name, std::string_view vertex_shader,
+                std::string_view fragment_shader);
+    /// Sets every word of a buffer. Returns the new version.
+    Handle fill(std::string_view name, Handle buffer, std::uint32_t word);
+
+    /// Records for explain() that something was not declared at all, and why.
+    void withhold(std::string_view name, std::string_view reason);
+
+    /// Wants this version: its producer lives, and its contents last to the end of the frame.
+    void present(Handle handle);
+
+    const ImageDesc& image_desc(Handle handle) const;
+    std::uint64_t buffer_bytes(Handle handle) const;
+    const Resource& resource(Handle handle) const;
+
+    std::span<const Resource> resources() const { return resources_; }
+    std::span<const Version> versions() const { return versions_; }
+    std::span<const PassRecord> passes() const { return passes_; }
+    std::span<const Withheld> withheld() const { return withheld_; }
+    std::span<const std::uint32_t> presented() const { return presented_; }
+
+  private:
+    friend class Pass;
+    Handle add_resource(Resource resource);
+    const Version& current(Handle handle, std::string_view user) const;
+
+    std::vector<Resource> resources_;
+    std::vector<Version> versions_;
+    std::vector<PassRecord> passes_;
+    std::vector<Withheld> withheld_;
+    std::vector<std::uint32_t> presented_;
+};
+
+} // namespace preview

@@ -1,0 +1,350 @@
+#include "preview/graph/realise.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace preview {
+
+namespace {
+
+using Stage = vk::PipelineStageFlagBits2;
+using Memory = vk::AccessFlagBits2;
+using ImageUsage = vk::ImageUsageFlagBits;
+using BufferUsage = vk::BufferUsageFlagBits;
+
+/// In the order of the enumeration Access.
+const AccessFlags access_flags[] = {
+    {Stage::eComputeShader, Memory::eShaderSampledRead, ImageUsage::eSampled, {}},
+    {Stage::eVertexShader | Stage::eFragmentShader,
+     Memory::eShaderSampledRead,
+     ImageUsage::eSampled,
+     {}},
+    {Stage::eComputeShader,
+     Memory::eShaderStorageRead | Memory::eUniformRead,
+     {},
+     BufferUsage::eStorageBuffer | BufferUsage::eUniformBuffer},
+    {Stage::eVertexShader | Stage::eFragmentShader,
+     Memory::eShaderStorageRead | Memory::eUniformRead,
+     {},
+     BufferUsage::eStorageBuffer | BufferUsage::eUniformBuffer},
+    {Stage::eIndexInput, Memory::eIndexRead, {}, BufferUsage::eIndexBuffer},
+    {Stage::eDrawIndirect, Memory::eIndirectCommandRead, {}, BufferUsage::eIndirectBuffer},
+    {Stage::eComputeShader, Memory::eShaderStorageRead | Memory::eShaderStorageWrite,
+     ImageUsage::eStorage, BufferUsage::eStorageBuffer},
+    {Stage::eColorAttachmentOutput,
+     Memory::eColorAttachmentWrite,
+     ImageUsage::eColorAttachment,
+     {}},
+    {Stage::eEarlyFragmentTests | Stage::eLateFragmentTests,
+     Memory::eDepthStencilAttachmentRead | Memory::eDepthStencilAttachmentWrite,
+     ImageUsage::eDepthStencilAttachment,
+     {}},
+    {Stage::eAllTransfer, Memory::eTransferRead, ImageUsage::eTransferSrc,
+     BufferUsage::eTransferSrc},
+    {Stage::eAllTransfer, Memory::eTransferWrite, ImageUsage::eTransferDst,
+     BufferUsage::eTransferDst},
+};
+static_assert(std::size(access_flags) == access_count);
+
+/// In the order of the enumeration Layout.
+constexpr vk::ImageLayout layouts[] = {
+    vk::ImageLayout::eUndefined,
+    vk::ImageLayout::eGeneral,
+    vk::ImageLayout::eReadOnlyOptimal,
+    vk::ImageLayout::eColorAttachmentOptimal,
+    vk::ImageLayout::eDepthAttachmentOptimal,
+    vk::ImageLayout::eTransferSrcOptimal,
+    vk::ImageLayout::eTransferDstOptimal,
+};
+
+/// Everything of a graph that its Vulkan objects depend on, as bytes to compare.
+class Shape {
+  public:
+    template <class T>
+    void add(const T& value) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        text_.append(reinterpret_cast<const char*>(&value), sizeof(T));
+    }
+    void add_text(const std::string& text) {
+        add(text.size());
+        text_ += text;
+    }
+    std::string take() { return std::move(text_); }
+
+  private:
+    std::string text_;
+};
+
+void add_resource(Shape& shape, const Resource& resource) {
+    shape.add(resource.origin);
+    shape.add(resource.kind);
+    shape.add(resource.image.format);
+    shape.add(resource.image.width);
+    shape.add(resource.image.height);
+    shape.add(resource.image.depth);
+    shape.add(resource.image.layers);
+    shape.add(resource.bytes);
+    if (resource.imported_image != nullptr)
+        shape.add(resource.imported_image->serial());
+    if (resource.imported_buffer != nullptr)
+        shape.add(resource.imported_buffer->serial());
+    if (resource.origin == Origin::data)
+        shape.add_text(resource.name);
+}
+
+gpu::PipelineKey key_of(const Graph& graph, const Plan& plan, const PassRecord& pass) {
+    gpu::PipelineKey key;
+    key.shader = pass.shader;
+    key.fragment_shader = pass.fragment_shader;
+    key.raster = pass.kind == PassKind::raster;
+    key.constants = pass.constants;
+    key.push_bytes = pass.push_bytes;
+    key.state = pass.raster;
+    for (const Use& use : pass.uses) {
+        if (use.binding != BindingType::none)
+            key.bindings.push_back(use.binding);
+        if (use.access == Access::color_write)
+            key.colors.push_back(plan.version_lives[use.version]
+                                     ? std::optional(graph.image_desc({use.version}).format)
+                                     : std::nullopt);
+        if (use.access == Access::depth_write)
+            key.depth = graph.image_desc({use.version}).format;
+    }
+    return key;
+}
+
+std::vector<std::byte> bytes_of(float value) {
+    std::vector<std::byte> bytes(sizeof value);
+    std::memcpy(bytes.data(), &value, sizeof value);
+    return bytes;
+}
+
+} // namespace
+
+AccessFlags flags_of(AccessMask accesses) {
+    if (accesses == 0)
+        return {Stage::eAllCommands, Memory::eMemoryRead | Memory::eMemoryWrite, {}, {}};
+    AccessFlags all;
+    for (unsigned bit = 0; bit < access_count; ++bit) {
+        if ((accesses >> bit & 1U) == 0)
+            continue;
+        all.stages |= access_flags[bit].stages;
+        all.memory |= access_flags[bit].memory;
+        all.image_usage |= access_flags[bit].image_usage;
+        all.buffer_usage |= access_flags[bit].buffer_usage;
+    }
+    return all;
+}
+
+vk::ImageLayout vk_layout(Layout layout) {
+    return layouts[static_cast<std::size_t>(layout)];
+}
+
+std::string shape_of(const Graph& graph, const Plan& plan) {
+    Shape shape;
+    for (const Step& step : plan.steps) {
+        const PassRecord& pass = graph.passes()[step.pass];
+        shape.add(pass.kind);
+        shape.add_text(pass.shader);
+        shape.add_text(pass.fragment_shader);
+        shape.add(pass.push_bytes);
+        for (const std::uint32_t word : pass.constants)
+            shape.add(word);
+        shape.add(pass.raster.cull);
+        shape.add(pass.raster.depth_test);
+        shape.add(pass.raster.depth_write);
+        shape.add(pass.raster.depth_bias_constant);
+        shape.add(pass.raster.depth_bias_slope);
+        for (const Use& use : pass.uses) {
+            shape.add(use.access);
+            shape.add(use.binding);
+            shape.add(use.sampler);
+            shape.add(use.neutral);
+            shape.add(use.layer);
+            shape.add(use.writes);
+            if (use.version == Version::none)
+                continue;
+            shape.add(bool{plan.version_lives[use.version]});
+            const std::uint32_t resource = graph.versions()[use.version].resource;
+            shape.add(resource);
+            add_resource(shape, graph.resources()[resource]);
+        }
+    }
+    for (const std::uint32_t version : graph.presented())
+        shape.add(version);
+    return shape.take();
+}
+
+NeutralResources::NeutralResources(const gpu::Device& device)
+    : buffer(gpu::make_buffer(device, std::vector<std::byte>(256))) {
+    const std::vector<std::byte> zeros(4);
+    const std::vector<std::byte> ones(4, std::byte{0xff});
+    // In the order of the enumeration Neutral.
+    images.push_back(gpu::make_image(device, {Format::rgba8, 1, 1}, zeros));
+    images.push_back(gpu::make_image(device, {Format::rgba8, 1, 1}, ones));
+    images.push_back(gpu::make_image(device, {Format::rgba8, 1, 1, 1}, zeros));
+    images.push_back(gpu::make_image(device, {Format::d32, 1, 1, 0, 1}, bytes_of(1)));
+}
+
+Realised::Realised(const gpu::Device& device, gpu::Pipelines& pipelines,
+                   const NeutralResources& neutral, DataBlocks& data, const Graph& graph,
+                   const Plan& plan)
+    : device_(device), pipelines_(pipelines), neutral_(neutral), data_(data) {
+    allocate(graph, plan);
+    make_data_blocks(graph);
+    std::vector<gpu::PipelineKey> keys;
+    for (const Step& step : plan.steps)
+        keys.push_back(key_of(graph, plan, graph.passes()[step.pass]));
+    make_descriptor_pool(keys);
+    steps_.resize(plan.steps.size());
+    for (std::size_t index = 0; index < plan.steps.size(); ++index) {
+        const PassRecord& pass = graph.passes()[plan.steps[index].pass];
+        if (pass.kind == PassKind::fill)
+            continue;
+        steps_[index].pipeline = &pipelines_.get(keys[index]);
+        if (!keys[index].bindings.empty())
+            write_set(graph, pass, steps_[index]);
+    }
+}
+
+const gpu::Image& Realised::image(const Graph& graph, std::uint32_t version) const {
+    const std::uint32_t id = graph.versions()[version].resource;
+    const Resource& resource = graph.resources()[id];
+    return resource.imported_image != nullptr ? *resource.imported_image : images_[id].value();
+}
+
+const gpu::Buffer& Realised::buffer(const Graph& graph, std::uint32_t version) const {
+    const std::uint32_t id = graph.versions()[version].resource;
+    const Resource& resource = graph.resources()[id];
+    if (resource.origin == Origin::data)
+        return data_.at(resource.name).buffer;
+    return resource.imported_buffer != nullptr ? *resource.imported_buffer : buffers_[id].value();
+}
+
+void Realised::allocate(const Graph& graph, const Plan& plan) {
+    images_.resize(graph.resources().size());
+    buffers_.resize(graph.resources().size());
+    std::vector<vk::ImageUsageFlags> image_usage(graph.resources().size());
+    std::vector<vk::BufferUsageFlags> buffer_usage(graph.resources().size());
+    const auto add_usage = [&](std::uint32_t version, Access access) {
+        const std::uint32_t resource = graph.versions()[version].resource;
+        image_usage[resource] |= flags_of(mask(access)).image_usage;
+        buffer_usage[resource] |= flags_of(mask(access)).buffer_usage;
+    };
+    for (const Step& step : plan.steps)
+        for (const Use& use : graph.passes()[step.pass].uses)
+            if (use.version != Version::none)
+                add_usage(use.version, use.access);
+    for (const Presented& end : plan.presented)
+        add_usage(end.version, Access::transfer_read);
+
+    // One pool for each memory_ type that the transients ask for; nearly always there is one.
+    std::map<std::uint32_t, std::vector<std::size_t>> by_type;
+    std::vector<Extent> extents;
+    for (std::size_t index = 0; index < plan.lifetimes.size(); ++index) {
+        const std::uint32_t id = plan.lifetimes[index].resource;
+        const Resource& resource = graph.resources()[id];
+        vk::MemoryRequirements needs;
+        if (resource.kind == ResourceKind::image) {
+            images_[id] = gpu::Image::unbound(device_, resource.image, image_usage[id]);
+            needs = images_[id]->requirements();
+        } else {
+            buffers_[id] =
+                gpu::Buffer::unbound(device_, (resource.bytes + 3) / 4 * 4, buffer_usage[id]);
+            needs = buffers_[id]->requirements();
+        }
+        extents.push_back(
+            {needs.size, std::max(needs.alignment, device_.limits().bufferImageGranularity)});
+        unshared_bytes_ += needs.size;
+        by_type[device_.memory_type(needs.memoryTypeBits, vk::MemoryPropertyFlagBits::eDeviceLocal)]
+            .push_back(index);
+    }
+    for (const auto& [type, members] : by_type) {
+        std::vector<Lifetime> lifetimes;
+        std::vector<Extent> sizes;
+        for (const std::size_t member : members) {
+            lifetimes.push_back(plan.lifetimes[member]);
+            sizes.push_back(extents[member]);
+        }
+        const Placement placement = place(lifetimes, sizes);
+        pool_bytes_ += placement.bytes;
+        memory_.push_back(device_.allocate({placement.bytes, type}));
+        for (std::size_t index = 0; index < lifetimes.size(); ++index) {
+            const std::uint32_t id = lifetimes[index].resource;
+            if (images_[id])
+                images_[id]->bind(memory_.back(), placement.offsets[index]);
+            else
+                buffers_[id]->bind(memory_.back(), placement.offsets[index]);
+        }
+    }
+}
+
+void Realised::make_data_blocks(const Graph& graph) {
+    for (const Resource& resource : graph.resources()) {
+        if (resource.origin != Origin::data)
+            continue;
+        const auto known = data_.find(resource.name);
+        if (known != data_.end() && known->second.bytes.size() == resource.data.size())
+            continue;
+        if (known != data_.end())
+            data_.erase(known);
+        using Usage = vk::BufferUsageFlagBits;
+        gpu::Buffer buffer(device_, resource.data.size(),
+                           Usage::eStorageBuffer | Usage::eUniformBuffer | Usage::eIndexBuffer |
+                               Usage::eIndirectBuffer | Usage::eTransferDst,
+                           gpu::BufferMemory::device);
+        data_.emplace(resource.name, DataBlock{std::move(buffer), {}});
+    }
+}
+
+void Realised::make_descriptor_pool(const std::vector<gpu::PipelineKey>& keys) {
+    const auto count_of = [&](BindingType type) {
+        std::size_t count = 0;
+        for (const gpu::PipelineKey& key : keys)
+            count += static_cast<std::size_t>(
+                std::count(key.bindings.begin(), key.bindings.end(), type));
+        return static_cast<std::uint32_t>(count);
+    };
+    std::vector<vk::DescriptorPoolSize> sizes;
+    for (const BindingType type : {BindingType::sampled_image, BindingType::storage_image,
+                                   BindingType::storage_buffer, BindingType::uniform_buffer})
+        if (const std::uint32_t count = count_of(type); count > 0)
+            sizes.emplace_back(gpu::descriptor_type(type), count);
+    if (!sizes.empty())
+        descriptors_ = {device_.vk(), vk::DescriptorPoolCreateInfo(
+                                          vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
+                                          static_cast<std::uint32_t>(keys.size()), sizes)};
+}
+
+void Realised::write_set(const Graph& graph, const PassRecord& pass, RealisedStep& step) {
+    vk::raii::DescriptorSets sets(device_.vk(), {*descriptors_, *step.pipeline->set_layout});
+    step.set = std::move(sets.front());
+    std::vector<vk::DescriptorImageInfo> images(pass.uses.size());
+    std::vector<vk::DescriptorBufferInfo> buffers(pass.uses.size());
+    std::vector<vk::WriteDescriptorSet> writes;
+    for (std::size_t index = 0; index < pass.uses.size(); ++index) {
+        const Use& use = pass.uses[index];
+        if (use.binding == BindingType::none)
+            continue;
+        const bool given = use.version != Version::none;
+        vk::WriteDescriptorSet write(**step.set, static_cast<std::uint32_t>(writes.size()), 0, 1,
+                                     gpu::descriptor_type(use.binding));
+        if (use.binding == BindingType::sampled_image ||
+            use.binding == BindingType::storage_image) {
+            const gpu::Image& bound = given
+                                          ? image(graph, use.version)
+                                          : neutral_.images[static_cast<std::size_t>(use.neutral)];
+            images[index] = vk::DescriptorImageInfo(pipelines_.sampler(use.sampler), bound.view(),
+                                                    vk_layout(layout_of(use.access)));
+            write.pImageInfo = &images[index];
+        } else {
+            const gpu::Buffer& bound = given ? buffer(graph, use.version) : neutral_.buffer;
+            buffers[index] = vk::DescriptorBufferInfo(bound.vk(), 0, VK_WHOLE_SIZE);
+            write.pBufferInfo = &buffers[index];
+        }
+        writes.push_back(write);
+    }
+    device_.vk().updateDescriptorSets(writes, {});
+}
+
+} // namespace preview

@@ -1,0 +1,205 @@
+// lutpreview: renders a scene or a picture, finishes it as an engine would and shows two looks.
+// Errors are caught here and nowhere else.
+#include "lutlib/error.h"
+#include "lutlib/io/file.h"
+#include "lutlib/io/image.h"
+#include "lutlib/io/png.h"
+#include "preview/headless.h"
+#include "preview/look_file.h"
+#include "preview/options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <optional>
+
+namespace preview {
+namespace {
+
+enum ExitCode { ok = 0, bad_input = 2, bad_usage = 3 };
+
+/// What is rendered, with everything that must outlive its frames.
+struct Shown {
+    std::optional<Scene> scene;
+    std::optional<GpuScene> gpu_scene;
+    std::optional<GpuPicture> picture;
+    Size picture_size;
+    std::optional<GpuLook> look_a, look_b;
+    std::string skipped; ///< lines of --explain
+
+    FrameInputs inputs() const {
+        FrameInputs out;
+        out.scene = scene ? &*scene : nullptr;
+        out.gpu_scene = gpu_scene ? &*gpu_scene : nullptr;
+        out.picture = picture ? &*picture : nullptr;
+        out.look_a = look_a ? &*look_a : nullptr;
+        out.look_b = look_b ? &*look_b : nullptr;
+        return out;
+    }
+};
+
+void load_input(Shown& shown, const gpu::Device& device, const Options& options) {
+    if (const SceneInfo* info = scene_named(options.input)) {
+        shown.scene = scene_at(*info, options.seconds);
+        shown.gpu_scene.emplace(device, *shown.scene);
+        return;
+    }
+    if (!std::filesystem::exists(options.input)) {
+        std::string names;
+        for (const SceneInfo& info : scenes())
+            names += (names.empty() ? "" : ", ") + std::string(info.name);
+        throw lutlib::UsageError("'" + options.input +
+                                 "' is neither a picture file nor a scene; scenes are: " + names);
+    }
+    const lutlib::io::FloatImage image = lutlib::io::read_image(options.input);
+    shown.picture_size = {static_cast<std::uint32_t>(image.width),
+                          static_cast<std::uint32_t>(image.height)};
+    shown.picture.emplace(device, shown.picture_size, image.rgba,
+                          lutlib::io::info_of(image.depth).integer);
+}
+
+std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& path,
+                                 const Options& options, std::string& skipped, const char* side) {
+    const Lookup* lookup = nullptr;
+    if (!options.engine.empty()) {
+        lookup = lookup_named(options.engine);
+        if (lookup == nullptr)
+            throw lutlib::UsageError("no lookup is named '" + options.engine +
+                                     "'; --list names them");
+    }
+    const LoadedLook look = load_look(path, lookup);
+    if (look.skip_reason.empty() || (options.force_all && path != "none" && !path.empty()))
+        return std::optional<GpuLook>(std::in_place, device, look.data);
+    if (path != "none" && !path.empty())
+        skipped += "left out  look " + std::string(side) + ": " + look.skip_reason + "\n";
+    return std::nullopt;
+}
+
+void write_picture(const std::string& path, const Rendered& rendered) {
+    lutlib::io::CodeImage image;
+    image.width = static_cast<int>(rendered.size.width);
+    image.height = static_cast<int>(rendered.size.height);
+    image.srgb_tag = true;
+    for (std::size_t at = 0; at < rendered.rgba.size(); at += 4)
+        image.samples.insert(image.samples.end(), rendered.rgba.begin() + static_cast<long>(at),
+                             rendered.rgba.begin() + static_cast<long>(at) + 3);
+    if (path == lutlib::io::standard_stream || lutlib::io::extension_of(path) == "png") {
+        lutlib::io::write_file(path, lutlib::io::write_png(image));
+        return;
+    }
+    lutlib::io::FloatImage floats{image.width, image.height, {}, 3, false, {}};
+    for (const std::uint8_t code : rendered.rgba)
+        floats.rgba.push_back(static_cast<float>(code) / 255);
+    lutlib::io::write_image(path, floats, {lutlib::io::Depth::uint8, false, {}});
+}
+
+bool writes_light(const std::string& path) {
+    const std::string extension = lutlib::io::extension_of(path);
+    return extension == "exr" || extension == "hdr";
+}
+
+void write_light(const std::string& path, const Rendered& rendered) {
+    const lutlib::io::FloatImage image{static_cast<int>(rendered.hdr_size.width),
+                                       static_cast<int>(rendered.hdr_size.height),
+                                       rendered.hdr,
+                                       3,
+                                       false,
+                                       lutlib::io::Depth::half};
+    lutlib::io::write_image(path, image, {lutlib::io::Depth::half, false, {}});
+}
+
+void print_list() {
+    std::fputs(listing().c_str(), stdout);
+    std::puts("Devices (--device)");
+    std::size_t number = 0;
+    for (const gpu::DeviceInfo& device : gpu::list_devices()) {
+        std::printf("  %-20zu %s, %s%s%s\n", number, device.name.c_str(), device.kind.c_str(),
+                    device.usable ? "" : "; lacks ", device.missing.c_str());
+        ++number;
+    }
+}
+
+int run(const Options& options) {
+    if (options.list) {
+        print_list();
+        return ok;
+    }
+    if (!options.headless && !options.explain && !options.timings)
+        throw lutlib::UsageError("give --headless and -o FILE to render into a file, or --timings, "
+                                 "--explain or --list");
+    if (options.headless && options.output.empty() && !options.explain && !options.timings)
+        throw lutlib::UsageError("--headless needs -o FILE, --timings or --explain");
+
+    gpu::DeviceOptions device_options;
+    device_options.wanted = options.device;
+    device_options.validation = options.validate;
+    const gpu::Device device(device_options);
+    Shown shown;
+    load_input(shown, device, options);
+    FrameSettings settings = settings_of(options, shown.picture_size);
+    if (shown.scene) {
+        settings.exposure += shown.scene->exposure;
+        settings.orbit = shown.scene->orbit;
+        settings.orbit.azimuth += options.azimuth;
+        settings.orbit.elevation += options.elevation;
+        settings.orbit.distance += options.distance;
+        settings.orbit.field_of_view += options.field_of_view;
+    } else if (shown.picture->display_encoded) {
+        settings.tonemap = nullptr;
+    }
+    settings.keep_hdr = writes_light(options.output);
+    shown.look_a = load_side(device, options.look_a, options, shown.skipped, "A");
+    shown.look_b = load_side(device, options.look_b, options, shown.skipped, "B");
+
+    Executor executor(device);
+    if (!options.output.empty() || options.explain) {
+        const Rendered rendered = render_frame(executor, shown.inputs(), settings);
+        if (options.explain)
+            std::printf("%s%s", rendered.explanation.c_str(), shown.skipped.c_str());
+        if (rendered.figures)
+            std::printf("dE2000  mean %.3f  p95 %.3f  p99 %.3f  max %.3f\n", rendered.figures->mean,
+                        rendered.figures->p95, rendered.figures->p99, rendered.figures->max);
+        if (!options.output.empty() && settings.keep_hdr && settings.view == nullptr)
+            write_light(options.output, rendered);
+        else if (!options.output.empty())
+            write_picture(options.output, rendered);
+    }
+    if (options.timings) {
+        const Timings timings = time_frames(executor, shown.inputs(), settings, options.frames);
+        std::fputs(options.json ? to_json(timings, device.name(), settings.output).c_str()
+                                : to_table(timings).c_str(),
+                   stdout);
+    }
+    for (const std::string& message : device.validation_messages())
+        std::fprintf(stderr, "lutpreview: %s\n", message.c_str());
+    return ok;
+}
+
+int complain(const char* message, int code) {
+    std::fprintf(stderr, "lutpreview: %s\n", message);
+    return code;
+}
+
+} // namespace
+} // namespace preview
+
+int main(int argc, char** argv) {
+    CLI::App app("Renders a scene or a picture, finishes it in an engine's order (bloom, tone map, "
+                 "LUT, antialiasing) and shows two looks side by side.\n"
+                 "Exit codes: 0 ok, 2 bad input, 3 bad usage.",
+                 "lutpreview");
+    preview::Options options;
+    preview::declare(app, options);
+    try {
+        app.parse(argc, argv);
+        return preview::run(options);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? preview::ok : preview::bad_usage;
+    } catch (const lutlib::UsageError& error) {
+        return preview::complain(error.what(), preview::bad_usage);
+    } catch (const std::exception& error) {
+        return preview::complain(error.what(), preview::bad_input);
+    }
+}

@@ -1,0 +1,145 @@
+#include "preview/options.h"
+
+#include "lutlib/error.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace preview {
+
+namespace {
+
+constexpr std::uint32_t largest_side = 16384;
+
+/// The row of that name, or a UsageError that lists the table's names.
+template <class Rows>
+const auto* require_row(const Rows& rows, const std::string& name, std::string_view what) {
+    std::string names;
+    for (const auto& row : rows) {
+        if (row.name == name)
+            return &row;
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", row.name);
+    }
+    throw lutlib::UsageError(fmt::format("no {} is named '{}'; there are: {}", what, name, names));
+}
+
+Size parse_size(const std::string& text) {
+    Size size;
+    const char* const end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.width);
+    if (width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x') {
+        const auto height = std::from_chars(width.ptr + 1, end, size.height);
+        if (height.ec == std::errc{} && height.ptr == end && size.width > 0 && size.height > 0 &&
+            size.width <= largest_side && size.height <= largest_side)
+            return size;
+    }
+    throw lutlib::UsageError(fmt::format(
+        "--size is WIDTHxHEIGHT with sides of 1 to {}, and not '{}'", largest_side, text));
+}
+
+template <class Rows, class Text>
+std::string section(std::string_view title, const Rows& rows, Text text) {
+    std::string out = fmt::format("{}\n", title);
+    for (const auto& row : rows)
+        out += fmt::format("  {:<20} {}\n", row.name, text(row));
+    return out;
+}
+
+} // namespace
+
+void declare(CLI::App& app, Options& options) {
+    app.add_option("input", options.input,
+                   "A built-in scene (--list) or a picture file, which stands for the scene");
+    app.add_option("--a", options.look_a, "Look of side A: none, or any LUT file or picture")
+        ->type_name("LOOK");
+    app.add_option("--b", options.look_b, "Look of side B")->type_name("LOOK");
+    app.add_option("--compare", options.compare,
+                   "a, b, split, side or diff; by default a, or split when --b is given");
+    app.add_option("--split", options.split, "Where the line stands, of the width")
+        ->check(CLI::Range(0.0, 1.0));
+    app.add_option("--heat-scale", options.heat_scale, "dE2000 at the end of the heat map")
+        ->check(CLI::Range(4.0, 96.0));
+    app.add_option("--engine", options.engine,
+                   "The lookup that reads the looks: an engine's or another of --list");
+    app.add_option("--tonemap", options.tonemap, "Tone map, from --list");
+    app.add_option("--bloom", options.bloom, "Bloom, from --list");
+    app.add_option("--bloom-strength", options.bloom_settings.strength,
+                   "Share of the light that blooms; by default the method's own")
+        ->check(CLI::Range(0.0, 1.0));
+    app.add_option("--bloom-threshold", options.bloom_settings.threshold,
+                   "Brightness above which light blooms; 0: all light")
+        ->check(CLI::Range(0.0, 65504.0));
+    app.add_option("--bloom-radius", options.bloom_settings.radius, "Scales the bloom's width")
+        ->check(CLI::Range(0.05, 8.0));
+    app.add_option("--exposure", options.exposure, "Stops")->check(CLI::Range(-20.0, 20.0));
+    app.add_option("--time", options.seconds, "The moment of the scene, in seconds");
+    app.add_option("--azimuth", options.azimuth, "Turns the camera to the right, degrees");
+    app.add_option("--elevation", options.elevation, "Raises the camera, degrees");
+    app.add_option("--distance", options.distance, "Moves the camera away, metres");
+    app.add_option("--fov", options.field_of_view, "Widens the field of view, degrees");
+    app.add_flag("--fxaa,!--no-fxaa", options.fxaa,
+                 "Antialiasing; by default on for scenes and off for pictures")
+        ->each([&options](const std::string&) { options.fxaa_given = true; });
+    app.add_option("--shadow-size", options.shadow_size, "Texels of a shadow map's side")
+        ->check(CLI::Range(16U, 8192U));
+    app.add_flag("--headless", options.headless, "Render without a window");
+    app.add_option("--size", options.size,
+                   "Size of the output; by default the picture's own or "
+                   "1280x720")
+        ->type_name("WxH");
+    app.add_option("-o,--output", options.output,
+                   "Picture file; .exr and .hdr get the light before tone mapping");
+    app.add_option("--debug-view", options.debug_view, "Show an intermediate, from --list");
+    app.add_flag("--explain", options.explain, "Print each pass: kept or left out, and why");
+    app.add_flag("--force-all", options.force_all, "Leave out nothing that could be done");
+    app.add_flag("--timings", options.timings, "Print the median GPU time of each pass");
+    app.add_option("--frames", options.frames, "Frames that --timings measures")
+        ->check(CLI::Range(1, 100000));
+    app.add_flag("--json", options.json, "Timings as JSON");
+    app.add_flag("--list", options.list,
+                 "Print scenes, tone maps, blooms, lookups, views, devices");
+    app.add_option("--device", options.device, "Part of a GPU's name, or its number in --list");
+    app.add_flag("--validate", options.validate, "Run under Vulkan's validation layers");
+}
+
+FrameSettings settings_of(const Options& options, Size input_size) {
+    const bool is_picture = input_size != Size{};
+    FrameSettings settings;
+    const std::string compare = !options.compare.empty() ? options.compare
+                                : options.look_b.empty() ? "a"
+                                                         : "split";
+    settings.compare = require_row(compares, compare, "comparison");
+    settings.tonemap = require_row(tonemaps(), options.tonemap, "tone map");
+    settings.bloom = require_row(blooms(), options.bloom, "bloom");
+    if (!options.debug_view.empty())
+        settings.view = require_row(debug_views(), options.debug_view, "debug view");
+    settings.bloom_settings = options.bloom_settings;
+    settings.split = options.split;
+    settings.heat_scale = options.heat_scale;
+    settings.exposure = options.exposure;
+    settings.fxaa = options.fxaa_given ? options.fxaa : !is_picture;
+    settings.shadow_size = options.shadow_size;
+    settings.force_all = options.force_all;
+    if (!options.size.empty()) {
+        settings.output = parse_size(options.size);
+    } else if (is_picture) {
+        settings.output = input_size;
+        if (settings.compare == &compare_side)
+            settings.output.width *= 2;
+    }
+    return settings;
+}
+
+std::string listing() {
+    const auto help = [](const auto& row) { return row.help; };
+    const auto label = [](const auto& row) { return row.label; };
+    return section("Scenes", scenes(), help) + section("Tone maps (--tonemap)", tonemaps(), label) +
+           section("Blooms (--bloom)", blooms(), label) +
+           section("Lookups (--engine)", lookups(), label) +
+           section("Comparisons (--compare)", compares, label) +
+           section("Views (--debug-view)", debug_views(), help);
+}
+
+} // namespace preview

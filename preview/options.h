@@ -1,0 +1,40 @@
+// The command line of lutpreview.
+#pragma once
+
+#include "preview/frame.h"
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace preview {
+
+struct Options {
+    std::string input = "sample"; ///< a built-in scene or a picture file
+    std::string look_a = "none", look_b;
+    std::string compare, engine, tonemap = "agx", bloom = "glare", size, debug_view, device;
+    float split = 0.5F, heat_scale = 8, exposure = 0;
+    double seconds = 0;
+    float azimuth = 0, elevation = 0, distance = 0, field_of_view = 0; ///< added to the scene's
+    BloomSettings bloom_settings;
+    bool fxaa = true, fxaa_given = false;
+    std::uint32_t shadow_size = 1024;
+    bool headless = false, explain = false, timings = false, json = false, list = false;
+    bool force_all = false, validate = false;
+    int frames = 50;
+    std::string output;
+};
+
+/// Declares every option on `app`; parsing fills `options`, which must outlive it.
+void declare(CLI::App& app, Options& options);
+
+/// What the options say of the frame; `input_size` is a picture's own size, or {} for a scene.
+/// Throws lutlib::UsageError for names that no table has, with those that it has.
+FrameSettings settings_of(const Options& options, Size input_size);
+
+/// The tables: scenes, tone maps, blooms, lookups, comparisons and views.
+std::string listing();
+
+} // namespace preview

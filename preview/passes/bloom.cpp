@@ -1,0 +1,52 @@
+#include "preview/passes/bloom.h"
+
+#include <string>
+
+namespace preview {
+
+namespace {
+
+Handle taps_block(Graph& graph, const std::string& name, const std::vector<BloomTap>& taps) {
+    std::array<std::array<float, 4>, BloomPlan::max_taps> block{};
+    for (std::size_t i = 0; i < taps.size(); ++i)
+        block[i] = {taps[i].x, taps[i].y, taps[i].weight, 0};
+    return graph.data_of(name + " taps", block);
+}
+
+} // namespace
+
+BloomLayers add_bloom(Graph& graph, Handle hdr, const BloomPlan& plan, Format work) {
+    BloomLayers out{plan, {}};
+    std::vector<Handle> images(plan.images.size());
+    const auto image = [&](int i) {
+        return i == BloomPlan::picture_image ? hdr : images[static_cast<std::size_t>(i)];
+    };
+    for (const BloomStep& step : plan.steps) {
+        const BloomExtent extent = plan.images[static_cast<std::size_t>(step.target)];
+        const auto width = static_cast<std::uint32_t>(extent.width);
+        const auto height = static_cast<std::uint32_t>(extent.height);
+        const auto count = static_cast<std::uint32_t>(step.taps.size());
+        const std::string name = "bloom " + std::to_string(step.target);
+        const bool separable = step.axis != BloomStep::Axis::both;
+        const Handle target = graph.image(name, {work, width, height});
+
+        Pass pass = graph.compute(name, separable ? "bloom_gaussian.comp" : "bloom_filter.comp");
+        pass.sample(image(step.source), Sampler::linear_clamp);
+        if (!separable)
+            pass.read(step.own < 0 ? Handle{} : image(step.own));
+        pass.uniform(taps_block(graph, name, step.taps));
+        images[static_cast<std::size_t>(step.target)] = pass.write(target);
+        if (separable) {
+            pass.constants({count, step.axis == BloomStep::Axis::x});
+        } else {
+            pass.constants({count, step.prefilter, step.karis, step.own >= 0});
+            pass.push(std::array{step.scale, step.keep, plan.threshold, plan.knee});
+        }
+        pass.dispatch_over(width, height);
+    }
+    for (std::size_t i = 0; i < plan.layers.size(); ++i)
+        out.images[i] = image(plan.layers[i].image);
+    return out;
+}
+
+} // namespace preview

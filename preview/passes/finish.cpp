@@ -1,0 +1,126 @@
+#include "preview/passes/finish.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace preview {
+
+namespace {
+
+constexpr std::uint64_t figures_bytes = 4 * (1 + 4096);
+
+// As many groups of finish_shared.comp as the largest GPUs hold at once: more would only copy the
+// lattice more often.
+constexpr std::uint32_t most_groups = 1056;
+constexpr std::uint32_t tile_width = 32, tile_height = 8;
+
+struct FilterBlock {
+    std::array<std::array<float, 4>, BloomPlan::max_layers> layers{};
+    std::array<std::array<float, 4>, BloomPlan::max_final_taps> taps{};
+};
+
+FilterBlock filter_block(const BloomPlan& plan) {
+    FilterBlock block;
+    for (std::size_t i = 0; i < plan.layers.size(); ++i)
+        block.layers[i] = {plan.layers[i].scale, plan.layers[i].taps[0].weight, 0, 0};
+    if (plan.layers.size() == 1) {
+        const std::vector<BloomTap>& taps = plan.layers[0].taps;
+        for (std::size_t i = 0; i < taps.size(); ++i)
+            block.taps[i] = {taps[i].x, taps[i].y, taps[i].weight, 0};
+    }
+    return block;
+}
+
+struct Push {
+    float exposure, strength, threshold, knee, split, heat_scale;
+};
+
+std::optional<gpu::Image> upload(const gpu::Device& device, const Texels& texels) {
+    if (texels.bytes.empty())
+        return std::nullopt;
+    return gpu::make_image(device, texels.desc, texels.bytes);
+}
+
+Handle imported(Graph& graph, const std::string& name, const std::optional<gpu::Image>& image) {
+    return image ? graph.import(name, *image, image->desc()) : Handle{};
+}
+
+void bind_look(Graph& graph, Pass& pass, const std::string& side, const GpuLook* look) {
+    const std::string name = "look " + side;
+    const std::optional<gpu::Image> nothing;
+    pass.sample(imported(graph, name + " picture", look ? look->picture : nothing),
+                Sampler::linear_clamp);
+    pass.sample(imported(graph, name + " volume", look ? look->volume : nothing),
+                Sampler::linear_clamp, Neutral::black_3d);
+    pass.read(imported(graph, name + " shaper", look ? look->shaper : nothing));
+    pass.uniform(graph.data_of(name, look ? look->block : LookBlock{}));
+}
+
+std::uint32_t shader_of(const GpuLook* look) {
+    return look ? static_cast<std::uint32_t>(look->lookup->shader) : 0;
+}
+
+bool is_shared(const GpuLook* look) {
+    return look && look->lookup->shared;
+}
+
+} // namespace
+
+GpuLook::GpuLook(const gpu::Device& device, const LookData& data)
+    : lookup(data.lookup), block(data.block), picture(upload(device, data.picture)),
+      volume(upload(device, data.volume)), shaper(upload(device, data.shaper)) {}
+
+Finished add_finish(Graph& graph, Handle picture, const BloomLayers& bloom, const GpuLook* a,
+                    const GpuLook* b, const FinishSettings& settings) {
+    const Compare& compare = *settings.compare;
+    const BloomPlan& plan = bloom.plan;
+    a = compare.shows_a ? a : nullptr;
+    b = compare.shows_b ? b : nullptr;
+    const Size size = size_of(graph, picture);
+    const bool side = &compare == &compare_side;
+    const bool difference = &compare == &compare_difference;
+    const bool shared = is_shared(a) || is_shared(b);
+
+    Finished out;
+    Handle figures = graph.buffer("figures", difference ? figures_bytes : 8);
+    if (difference)
+        figures = graph.fill("clear figures", figures, 0);
+    const Handle target =
+        graph.image("finished", {settings.format, side ? 2 * size.width : size.width, size.height});
+
+    Pass pass = graph.compute("finish", shared ? "finish_shared.comp" : "finish.comp");
+    pass.read(picture);
+    for (const Handle layer : bloom.images)
+        pass.sample(layer, Sampler::linear_clamp);
+    pass.uniform(graph.data_of("bloom final filter", filter_block(plan)));
+    bind_look(graph, pass, "A", a);
+    bind_look(graph, pass, "B", b);
+    out.picture = pass.write(target);
+    figures = difference ? pass.modify(figures) : pass.write(figures);
+    if (difference)
+        out.figures = figures;
+
+    const auto layers = static_cast<std::uint32_t>(plan.layers.size());
+    const auto taps =
+        layers == 1 ? static_cast<std::uint32_t>(plan.layers[0].taps.size()) : std::uint32_t{1};
+    const int tonemap = settings.tonemap ? settings.tonemap->shader : -1;
+    pass.constants({static_cast<std::uint32_t>(tonemap), layers, taps, plan.threshold > 0,
+                    shader_of(a), shader_of(b), compare.shader});
+    pass.push(Push{std::exp2(settings.exposure), plan.strength, plan.threshold, plan.knee,
+                   settings.split, settings.heat_scale});
+    if (shared) {
+        const std::uint32_t tiles = ((size.width + tile_width - 1) / tile_width) *
+                                    ((size.height + tile_height - 1) / tile_height);
+        pass.dispatch(std::min(tiles, most_groups));
+    } else {
+        pass.dispatch_over(size.width, size.height);
+    }
+    return out;
+}
+
+Size picture_size(Size output, const Compare& compare) {
+    return &compare == &compare_side ? Size{std::max(output.width / 2, 1u), output.height} : output;
+}
+
+} // namespace preview

@@ -1,0 +1,47 @@
+// The finishing pass: the bloom's last filter, exposure, tone map, the looks of both sides and
+// their comparison, fused into one trip through memory.
+#pragma once
+
+#include "preview/compare.h"
+#include "preview/gpu/memory.h"
+#include "preview/lookups.h"
+#include "preview/passes/bloom.h"
+#include "preview/tonemaps.h"
+
+#include <optional>
+
+namespace preview {
+
+/// A look on the GPU.
+struct GpuLook {
+    GpuLook(const gpu::Device& device, const LookData& data);
+
+    const Lookup* lookup;
+    LookBlock block;
+    std::optional<gpu::Image> picture, volume, shaper;
+};
+
+struct FinishSettings {
+    const Tonemap* tonemap = nullptr; ///< null: the picture is display-encoded already
+    float exposure = 0;               ///< stops
+    const Compare* compare = &compares[0];
+    float split = 0.5f;   ///< where the line stands, of the width
+    float heat_scale = 8; ///< dE2000 at the heat map's end, a multiple of 4 up to 96
+    Format format = Format::rgba8;
+};
+
+struct Finished {
+    Handle picture;
+    /// For difference_figures(), after presenting it; empty unless the comparison is `diff`.
+    Handle figures;
+};
+
+/// `a` and `b` may be null: no look. They must outlive the frame. The comparison `side` makes a
+/// picture twice as wide as `picture`.
+Finished add_finish(Graph& graph, Handle picture, const BloomLayers& bloom, const GpuLook* a,
+                    const GpuLook* b, const FinishSettings& settings);
+
+/// The size at which a scene is rendered so that its finished picture is `output` wide and high.
+Size picture_size(Size output, const Compare& compare);
+
+} // namespace preview

@@ -1,0 +1,14 @@
+#include "preview/passes/fxaa.h"
+
+namespace preview {
+
+Handle add_fxaa(Graph& graph, Handle picture) {
+    const ImageDesc desc = graph.image_desc(picture);
+    Pass pass = graph.compute("fxaa", "fxaa.comp");
+    pass.read(picture);
+    const Handle out = pass.write(graph.image("antialiased", desc));
+    pass.dispatch_over(desc.width, desc.height);
+    return out;
+}
+
+} // namespace preview

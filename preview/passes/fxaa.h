@@ -1,0 +1,11 @@
+// Fast approximate antialiasing of the finished picture.
+#pragma once
+
+#include "preview/passes/pass.h"
+
+namespace preview {
+
+/// A picture of the same size and format. Takes display-encoded values.
+Handle add_fxaa(Graph& graph, Handle picture);
+
+} // namespace preview

@@ -1,0 +1,19 @@
+// Deferred lighting: GGX and Lambert under every point light with its shadow, the surroundings,
+// emission, and the background where there is no surface.
+#pragma once
+
+#include "preview/passes/gbuffer.h"
+
+namespace preview {
+
+struct LightingInputs {
+    GBuffer surfaces;
+    Handle shadow_maps; ///< empty: no light casts
+    bool emission = true;
+    bool environment = true;
+};
+
+/// Radiance, rgba16f. May hold anything that the inputs make of it; the HDR resolve comes next.
+Handle add_lighting(Graph& graph, const SceneHandles& scene, const LightingInputs& inputs);
+
+} // namespace preview

@@ -1,0 +1,45 @@
+// How a pass is written.
+//
+// One pass is a pair passes/NAME.h/.cpp and a shader shaders/NAME.comp (shaders/NAME.vert and
+// .frag where geometry is rasterised). Its header declares one function of the form
+//
+//     Handle add_NAME(Graph& graph, Handle input, ..., const NameSettings& settings);
+//
+// which declares the pass on the graph and returns what it writes. A pass knows neither Vulkan nor
+// who made its inputs: those are handles, and an empty handle is an input that the frame withholds
+// (the shader sees the neutral stand-in, or a specialisation constant tells it not to look).
+// passes/copy.cpp with shaders/copy.comp is the smallest example; graph/graph.h has the conventions
+// for bindings, push constants and specialisation constants; frame.cpp joins the passes.
+//
+// Rules that keep a frame fast and its numbers right:
+// - Full-screen work is compute; only geometry is rasterised.
+// - Work images are Format::rgba16f, displayed ones Format::rgba8 unless the settings name another.
+//   Pyramids are one transient image a level; the graph shares memory between what does not meet.
+// - No pass keeps state between frames. What changes each frame goes through push constants or
+//   graph.data(); what does not is imported.
+// - Values are finite after the HDR resolve; before it a pass may meet anything.
+// - The order of texels is rows from the top; texel centres are at half-integers.
+#pragma once
+
+#include "preview/graph/graph.h"
+
+#include <array>
+
+namespace preview {
+
+struct Size {
+    std::uint32_t width = 0, height = 0;
+    friend bool operator==(const Size&, const Size&) = default;
+};
+
+inline Size size_of(const Graph& graph, Handle image) {
+    const ImageDesc& desc = graph.image_desc(image);
+    return {desc.width, desc.height};
+}
+
+/// Half of a size, rounded up: the next level of a pyramid.
+constexpr Size half(Size size) {
+    return {(size.width + 1) / 2, (size.height + 1) / 2};
+}
+
+} // namespace preview

@@ -1,0 +1,16 @@
+// The HDR resolve: the one place where a picture is exposed, made finite and measured.
+#pragma once
+
+#include "preview/passes/pass.h"
+
+namespace preview {
+
+struct Resolved {
+    Handle hdr;     ///< rgba16f in 0..65504, alpha 1
+    Handle maximum; ///< buffer of one float: the largest value of any channel
+};
+
+/// `exposure` multiplies. A source of another size than `size` is filtered by area.
+Resolved add_resolve(Graph& graph, Handle source, Size size, float exposure);
+
+} // namespace preview

@@ -1,0 +1,102 @@
+// A scene in the form that the shaders read (shaders/common/scene.glsl): flat arrays, and for each
+// view the objects that it can see. Plain data.
+#pragma once
+
+#include "preview/passes/pass.h"
+#include "preview/scene/scene.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace preview {
+
+/// All meshes of a scene, one after the other. They stay while a scene stands.
+struct Geometry {
+    struct Vertex {
+        glm::vec3 position{0};
+        std::uint32_t normal = 0; ///< octahedral, two signed 16-bit numbers
+    };
+    struct Range {
+        std::uint32_t first_index = 0, index_count = 0;
+        std::int32_t vertex_offset = 0;
+        Bounds bounds;
+    };
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    std::vector<Range> meshes;
+};
+
+Geometry geometry_of(const Scene& scene);
+
+/// A unit vector as two signed numbers of 16 bits. Cigolle et al. 2014, "A survey of efficient
+/// representations for independent unit vectors".
+std::uint32_t encode_octahedral(glm::vec3 unit);
+
+struct ObjectBlock {
+    glm::vec4 model[3];  ///< rows of the affine transform
+    glm::vec4 normal[3]; ///< rows of its cofactors, which carry normals
+    glm::uvec4 material{0};
+};
+
+struct MaterialBlock {
+    glm::vec4 albedo_roughness{0};
+    glm::vec4 emission_metalness{0};
+};
+
+struct LightBlock {
+    glm::vec4 position_layer{0, 0, 0, -1}; ///< w: layer of the shadow maps, -1 for none
+    glm::vec4 intensity_texel{0};          ///< w: size of a shadow texel at distance 1
+    glm::mat4 clip{1};                     ///< world to the light's clip space, depth 0..1
+};
+
+struct EnvironmentBlock {
+    glm::vec4 zenith{0}, horizon{0}, ground{0}; ///< ground.w: how many soft boxes
+    glm::vec4 soft_boxes[2 * Environment::max_soft_boxes];
+};
+
+struct ViewBlock {
+    glm::mat4 clip{1}; ///< world to clip space
+    glm::vec4 position_near{0};
+    /// A pixel's ray is forward + x right + y up with x, y in -1..1, y down; its length is such
+    /// that position + z ray has the view depth z.
+    glm::vec4 forward{0}, right{0}, up{0};
+};
+
+std::vector<ObjectBlock> object_blocks(const Scene& scene);
+std::vector<MaterialBlock> material_blocks(const Scene& scene);
+EnvironmentBlock environment_block(const Environment& environment);
+ViewBlock view_block(const Orbit& orbit, float aspect);
+
+/// World to clip space of a light's shadow map; y points down, depth runs from 0 to 1.
+glm::mat4 shadow_clip(const PointLight& light);
+
+/// What a shadow map would show, or why there is none.
+struct ShadowCasters {
+    std::vector<std::uint32_t> objects;
+    std::string reason; ///< empty when `objects` is not
+};
+ShadowCasters shadow_casters(const Scene& scene, const Geometry& geometry, const PointLight& light);
+
+/// The objects whose boxes meet the frustum of `clip`.
+std::vector<std::uint32_t> visible_objects(const Scene& scene, const Geometry& geometry,
+                                           const glm::mat4& clip);
+
+/// One draw for each object, with the object's number as its instance.
+std::vector<Draw> draws_of(const Scene& scene, const Geometry& geometry,
+                           const std::vector<std::uint32_t>& objects);
+
+/// The light blocks; light i has the shadow layer layers[i].
+std::vector<LightBlock> light_blocks(const Scene& scene, const std::vector<int>& layers,
+                                     std::uint32_t map_size);
+
+/// The scene on the graph.
+struct SceneHandles {
+    Handle vertices, indices, objects, materials, lights, environment, view;
+    std::uint32_t light_count = 0;
+};
+
+} // namespace preview

@@ -1,0 +1,73 @@
+// What there is to see, as plain data: meshes, materials, objects, lights, surroundings, a camera.
+// No Vulkan; nothing here owns or knows a GPU object.
+//
+// Colours are linear with sRGB primaries, radiance in units in which 1 is diffuse white at
+// exposure 0. A light of intensity I (radiance units times m^2) gives a surface at distance d, seen
+// under the angle t, the irradiance I cos(t) / d^2; a Lambert surface answers with albedo / pi.
+#pragma once
+
+#include "preview/scene/camera.h"
+#include "preview/scene/environment.h"
+#include "preview/scene/mesh.h"
+
+#include <glm/mat4x4.hpp>
+#include <string>
+#include <vector>
+
+namespace preview {
+
+struct Material {
+    glm::vec3 albedo{0.5f}; ///< 0..1; a metal's reflectance at normal incidence
+    float roughness = 0.5f; ///< perceptual, 0..1; alpha = roughness^2
+    float metalness = 0;    ///< 0..1
+    glm::vec3 emission{0};  ///< radiance, >= 0
+};
+
+struct Object {
+    std::uint32_t mesh = 0, material = 0;
+    glm::mat4 transform{1}; ///< may scale unevenly
+    bool casts_shadow = true;
+};
+
+/// A point that shines in all directions. Its shadow, if it casts one, falls inside the cone-like
+/// frustum from `position` towards `aim`; outside of it the light is unshadowed.
+struct PointLight {
+    glm::vec3 position{0};
+    glm::vec3 intensity{0};
+    bool casts_shadow = false;
+    glm::vec3 aim{0};
+    float shadow_angle = 60; ///< full angle of the square shadow frustum, degrees
+    float shadow_near = 0.1f, shadow_far = 20;
+};
+
+struct Scene {
+    std::vector<Mesh> meshes;
+    std::vector<Material> materials;
+    std::vector<Object> objects;
+    std::vector<PointLight> lights;
+    Environment environment;
+    Orbit orbit;
+    float exposure = 0; ///< stops, added to the command line's
+
+    bool has_casting_light() const;
+    bool has_emitter() const;
+    Bounds bounds() const; ///< of every object, in world space
+};
+
+/// One built-in scene. `make` gives it as it stands at time 0; `animate` moves it to `seconds`: it
+/// changes transforms, lights and emission only (never a mesh, never a count), depends on nothing
+/// but its arguments, and is null where nothing moves.
+struct SceneInfo {
+    std::string_view name;
+    std::string_view help;
+    Scene (*make)();
+    void (*animate)(Scene& scene, double seconds) = nullptr;
+};
+
+std::span<const SceneInfo> scenes();
+const SceneInfo* scene_named(std::string_view name);
+
+/// The scene as it stands at `seconds`.
+Scene scene_at(const SceneInfo& info, double seconds);
+
+} // namespace preview

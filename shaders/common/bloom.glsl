@@ -1,0 +1,10 @@
+// Which share of its light a colour gives to bloom: none below threshold - knee, the excess over the
+// threshold above threshold + knee, a parabola between. preview/blooms.cpp has the same.
+float bloom_share(float brightness, float threshold, float knee) {
+    float over = brightness - threshold;
+    if (!(over > -knee))
+        return 0.0;
+    float soft = min(over + knee, 2.0 * knee);
+    float light = over < knee ? soft * soft / (4.0 * knee) : over;
+    return light / brightness;
+}

@@ -1,0 +1,122 @@
+// The last pass over a picture: the bloom's last filter, exposure, tone map, both looks and their
+// comparison, in one trip through memory. finish.comp and finish_shared.comp are its two forms.
+#include "common/sanitise.glsl"
+#include "common/tonemap.glsl"
+#include "common/difference.glsl"
+#include "common/lookup.glsl"
+
+layout(constant_id = 0) const int tonemap_row = 0; // -1: the picture is display-encoded already
+layout(constant_id = 1) const int bloom_layers = 0;
+layout(constant_id = 2) const int bloom_taps = 1; // of the only layer
+layout(constant_id = 3) const bool bloom_threshold = false;
+layout(constant_id = 4) const int lookup_a = 0;
+layout(constant_id = 5) const int lookup_b = 0;
+layout(constant_id = 6) const int compare = 0;
+
+const int compare_a = 0;
+const int compare_b = 1;
+const int compare_split = 2;
+const int compare_side = 3;
+const int compare_difference = 4;
+
+layout(binding = 0) uniform sampler2D picture;
+layout(binding = 1) uniform sampler2D layer_0;
+layout(binding = 2) uniform sampler2D layer_1;
+layout(binding = 3) uniform sampler2D layer_2;
+layout(binding = 4) uniform sampler2D layer_3;
+layout(binding = 5) uniform Filter {
+    vec4 layers[4]; // scale, weight
+    vec4 taps[9];   // of the only layer: offset, weight
+} final_filter;
+layout(binding = 6) uniform sampler2D picture_a;
+layout(binding = 7) uniform sampler3D volume_a;
+layout(binding = 8) uniform sampler2D shaper_a;
+layout(binding = 9) uniform LookA { Look look_a; };
+layout(binding = 10) uniform sampler2D picture_b;
+layout(binding = 11) uniform sampler3D volume_b;
+layout(binding = 12) uniform sampler2D shaper_b;
+layout(binding = 13) uniform LookB { Look look_b; };
+layout(binding = 14) writeonly uniform image2D target;
+layout(binding = 15) buffer Figures {
+    uint largest; // bits of the largest difference
+    uint bins[];  // counts of differences, figure_bins of them; the first is left out
+} figures_out;
+
+const uint figure_bins = 4096;
+const float bins_per_unit = 40.0;
+
+layout(push_constant) uniform Push {
+    float exposure; // factor
+    float strength, threshold, knee;
+    float split; // of the width, 0..1
+    float heat_scale;
+} push;
+
+vec3 bloom_at(vec2 at, sampler2D layer, vec4 scale_weight) {
+    vec2 uv = at * scale_weight.x / vec2(textureSize(layer, 0));
+    return textureLod(layer, uv, 0.0).rgb * scale_weight.y;
+}
+
+vec3 bloomed(ivec2 at) {
+    vec3 light = texelFetch(picture, at, 0).rgb;
+    if (bloom_layers == 0)
+        return light;
+    vec2 centre = vec2(at) + 0.5;
+    vec3 glow = vec3(0.0);
+    if (bloom_layers == 1) {
+        vec2 texel = 1.0 / vec2(textureSize(layer_0, 0));
+        vec2 from = centre * final_filter.layers[0].x;
+        for (int i = 0; i < bloom_taps; ++i) {
+            vec4 tap = final_filter.taps[i];
+            glow += textureLod(layer_0, (from + tap.xy) * texel, 0.0).rgb * tap.z;
+        }
+    } else {
+        glow = bloom_at(centre, layer_0, final_filter.layers[0]);
+        if (bloom_layers > 1)
+            glow += bloom_at(centre, layer_1, final_filter.layers[1]);
+        if (bloom_layers > 2)
+            glow += bloom_at(centre, layer_2, final_filter.layers[2]);
+        if (bloom_layers > 3)
+            glow += bloom_at(centre, layer_3, final_filter.layers[3]);
+    }
+    vec3 own = light;
+    if (bloom_threshold)
+        own *= bloom_share(max(light.r, max(light.g, light.b)), push.threshold, push.knee);
+    return light + push.strength * (glow - own);
+}
+
+vec3 display_encoded(ivec2 at) {
+    if (tonemap_row < 0)
+        return texelFetch(picture, at, 0).rgb;
+    return tonemap(tonemap_row, bloomed(at) * push.exposure);
+}
+
+// A line two texels wide at 1080 lines, at least one.
+bool on_split_line(int x, ivec2 size) {
+    float half_width = max(float(size.y) / 1080.0, 0.5);
+    return abs(float(x) + 0.5 - push.split * float(size.x)) <= half_width;
+}
+
+void finish_texel(ivec2 at, ivec2 size) {
+    vec3 c = display_encoded(at);
+    if (compare == compare_a) {
+        imageStore(target, at, vec4(graded_a(c), 1.0));
+    } else if (compare == compare_b) {
+        imageStore(target, at, vec4(graded_b(c), 1.0));
+    } else if (compare == compare_split) {
+        vec3 side = float(at.x) + 0.5 < push.split * float(size.x) ? graded_a(c) : graded_b(c);
+        imageStore(target, at, vec4(on_split_line(at.x, size) ? vec3(1.0) : side, 1.0));
+    } else if (compare == compare_side) {
+        imageStore(target, at, vec4(graded_a(c), 1.0));
+        imageStore(target, at + ivec2(size.x, 0), vec4(graded_b(c), 1.0));
+    } else {
+        float difference = delta_e_2000(saturate(graded_a(c)), saturate(graded_b(c)));
+        uint bin = min(uint(difference * bins_per_unit), figure_bins - 1u);
+        if (bin > 0u)
+            atomicAdd(figures_out.bins[bin], 1u);
+        if (floatBitsToUint(difference) > figures_out.largest)
+            atomicMax(figures_out.largest, floatBitsToUint(difference));
+        vec3 color = with_scale(heat(difference / push.heat_scale), at, size, push.heat_scale);
+        imageStore(target, at, vec4(color, 1.0));
+    }
+}

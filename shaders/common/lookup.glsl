@@ -1,0 +1,275 @@
+// Every way of reading a look, by the number of its row in preview/lookups.cpp. The engines' own are
+// those of lutlib/engine.cpp and the float .cube that of lutlib/interpolation.cpp, operation for
+// operation and without contraction where a rounding of a coordinate would show, so that they agree
+// to float rounding; only the rows that say so leave the filtering to the texture unit and its few
+// bits of fraction.
+#include "common/sanitise.glsl"
+
+struct Look {
+    vec4 shaper_min, shaper_max;
+    vec4 cube_min, cube_max;
+    int size;        // of the lattice; 0: no lattice
+    int shaper_size; // 0: no shaper
+    int shaper_row;  // entries in a row of the shaper's image
+    int unused;
+};
+
+const int lookup_none = 0;
+const int lookup_strip_texels = 1;
+const int lookup_strip_bilinear = 2;
+const int lookup_volume = 3;
+const int lookup_nearest = 4;
+const int lookup_trilinear = 5;
+const int lookup_tetrahedral = 6;
+const int lookup_shared_trilinear = 7;
+const int lookup_shared_tetrahedral = 8;
+const int lookup_piccolo = 16;
+const int lookup_unreal = 17;
+const int lookup_unity = 18;
+const int lookup_godot = 19;
+const int lookup_reshade = 20;
+const int lookup_obs = 21;
+const int lookup_hald = 22;
+const int lookup_ocio = 23;
+
+const int layout_strip = 0;
+const int layout_tiles = 1;
+const int layout_hald = 2;
+const int layout_ocio = 3;
+
+// Two products: t = 1 gives b exactly.
+vec3 blend(vec3 a, vec3 b, float t) {
+    return a * (1.0 - t) + b * t;
+}
+
+// The lower node of the cell and the fraction in it, from one clamped value. `x` may lie half a node
+// outside of 0..n-1.
+struct Axis {
+    int low, high;
+    float f;
+};
+
+Axis axis_at(float x, int n) {
+    float whole = floor(x);
+    int i = int(whole);
+    return Axis(clamp(i, 0, n - 1), clamp(i + 1, 0, n - 1), x - whole);
+}
+
+// The same of a value that lies within 0..n-1; the last node belongs to the last cell.
+Axis axis_within(float x, int n) {
+    int i = min(int(x), n - 2);
+    return Axis(i, i + 1, x - float(i));
+}
+
+ivec2 texel_of(int arrangement, int n, ivec3 node) {
+    if (arrangement == layout_strip)
+        return ivec2(node.b * n + node.r, node.g);
+    if (arrangement == layout_ocio) {
+        int width = min(n * n, 2048);
+        int i = node.r + n * (node.g + n * node.b);
+        return ivec2(i % width, i / width);
+    }
+    int per_row = int(sqrt(float(n)) + 0.5);
+    if (arrangement == layout_tiles)
+        return ivec2(node.b % per_row * n + node.r, node.b / per_row * n + node.g);
+    return ivec2(node.g % per_row * n + node.r, node.b * per_row + node.g / per_row);
+}
+
+vec3 node_at(sampler2D picture, int arrangement, int n, int r, int g, int b) {
+    return texelFetch(picture, texel_of(arrangement, n, ivec3(r, g, b)), 0).rgb;
+}
+
+vec3 trilinear_picture(sampler2D picture, int arrangement, int n, vec3 x) {
+    Axis r = axis_at(x.r, n), g = axis_at(x.g, n), b = axis_at(x.b, n);
+    vec3 row[4];
+    for (int i = 0; i < 4; ++i) {
+        int gi = (i & 1) == 0 ? g.low : g.high, bi = i < 2 ? b.low : b.high;
+        row[i] = blend(node_at(picture, arrangement, n, r.low, gi, bi),
+                       node_at(picture, arrangement, n, r.high, gi, bi), r.f);
+    }
+    return blend(blend(row[0], row[1], g.f), blend(row[2], row[3], g.f), b.f);
+}
+
+// The corners of the cell that a tetrahedral walk visits between its dark and its bright one, and
+// the fractions in falling order.
+struct Walk {
+    ivec3 first, second;
+    vec3 f;
+};
+
+Walk walk_of(vec3 f) {
+    bool rg = f.r > f.g, gb = f.g > f.b, rb = f.r > f.b;
+    ivec3 first, last;
+    if (rg)
+        first = rb ? ivec3(1, 0, 0) : ivec3(0, 0, 1);
+    else
+        first = f.b > f.g ? ivec3(0, 0, 1) : ivec3(0, 1, 0);
+    if (rg)
+        last = gb ? ivec3(0, 0, 1) : ivec3(0, 1, 0);
+    else
+        last = f.b > f.r ? ivec3(1, 0, 0) : ivec3(0, 0, 1);
+    float high = max(f.r, max(f.g, f.b)), low = min(f.r, min(f.g, f.b));
+    float middle = max(min(f.r, f.g), min(max(f.r, f.g), f.b));
+    return Walk(first, ivec3(1) - last, vec3(high, middle, low));
+}
+
+vec3 tetrahedral_picture(sampler2D picture, int arrangement, int n, vec3 x) {
+    Axis r = axis_at(x.r, n), g = axis_at(x.g, n), b = axis_at(x.b, n);
+    ivec3 low = ivec3(r.low, g.low, b.low), high = ivec3(r.high, g.high, b.high);
+    Walk walk = walk_of(vec3(r.f, g.f, b.f));
+    ivec3 first = low + (high - low) * walk.first, second = low + (high - low) * walk.second;
+    return node_at(picture, arrangement, n, low.r, low.g, low.b) * (1.0 - walk.f.x) +
+           node_at(picture, arrangement, n, first.r, first.g, first.b) * (walk.f.x - walk.f.y) +
+           node_at(picture, arrangement, n, second.r, second.g, second.b) * (walk.f.y - walk.f.z) +
+           node_at(picture, arrangement, n, high.r, high.g, high.b) * walk.f.z;
+}
+
+// A linear sampler with clamped addressing, by hand.
+vec3 bilinear_picture(sampler2D picture, float u, float v) {
+    ivec2 size = textureSize(picture, 0);
+    precise float x = u * float(size.x) - 0.5, y = v * float(size.y) - 0.5;
+    Axis h = axis_at(x, size.x), w = axis_at(y, size.y);
+    return blend(blend(texelFetch(picture, ivec2(h.low, w.low), 0).rgb,
+                       texelFetch(picture, ivec2(h.high, w.low), 0).rgb, h.f),
+                 blend(texelFetch(picture, ivec2(h.low, w.high), 0).rgb,
+                       texelFetch(picture, ivec2(h.high, w.high), 0).rgb, h.f),
+                 w.f);
+}
+
+vec3 unreal_picture(sampler2D picture, int n, vec3 c) {
+    float size = float(n);
+    precise vec3 uvw = c * ((size - 1.0) / size) + 0.5 * (1.0 / size);
+    precise float z = uvw.b * size - 0.5;
+    float slice = floor(z);
+    precise float u = (uvw.r + slice) / size;
+    return blend(bilinear_picture(picture, u, uvw.g),
+                 bilinear_picture(picture, u + 1.0 / size, uvw.g), z - slice);
+}
+
+vec3 unity_picture(sampler2D picture, int n, vec3 c) {
+    float width = float(textureSize(picture, 0).x), height = float(n);
+    vec3 scaled = c * (height - 1.0);
+    float slice = floor(scaled.b);
+    precise float u = scaled.r / width + 0.5 / width + slice / height;
+    precise float v = 1.0 - (scaled.g / height + 0.5 / height);
+    return blend(bilinear_picture(picture, u, v), bilinear_picture(picture, u + 1.0 / height, v),
+                 scaled.b - slice);
+}
+
+vec3 reshade_picture(sampler2D picture, int n, vec3 c) {
+    float size = float(n);
+    float texel_x = 1.0 / size / size, texel_y = 1.0 / size;
+    precise float z = c.b * size - c.b;
+    float share = z - floor(z);
+    precise float u = (c.r * size - c.r + 0.5) * texel_x + (z - share) * texel_y;
+    precise float v = (c.g * size - c.g + 0.5) * texel_y;
+    return blend(bilinear_picture(picture, u, v), bilinear_picture(picture, u + texel_y, v), share);
+}
+
+// The texture unit filters two slices; half a texel in keeps each fetch inside its own.
+vec3 strip_bilinear(sampler2D picture, int n, vec3 c) {
+    float size = float(n);
+    vec3 x = c * (size - 1.0);
+    float slice = min(floor(x.b), size - 2.0);
+    vec2 uv = vec2((slice * size + x.r + 0.5) / (size * size), (x.g + 0.5) / size);
+    return mix(textureLod(picture, uv, 0.0).rgb,
+               textureLod(picture, uv + vec2(1.0 / size, 0.0), 0.0).rgb, x.b - slice);
+}
+
+vec3 volume_filtered(sampler3D volume, int n, vec3 c) {
+    float size = float(n);
+    return textureLod(volume, (c * (size - 1.0) + 0.5) / size, 0.0).rgb;
+}
+
+// Where a value stands among n nodes over lowest..highest; outside it is clamped, NaN is lowest.
+float lattice_coordinate(float value, float lowest, float highest, int n) {
+    return saturate((value - lowest) / (highest - lowest)) * float(n - 1);
+}
+
+vec3 lattice_coordinates(vec3 c, vec3 lowest, vec3 highest, int n) {
+    return vec3(lattice_coordinate(c.r, lowest.r, highest.r, n),
+                lattice_coordinate(c.g, lowest.g, highest.g, n),
+                lattice_coordinate(c.b, lowest.b, highest.b, n));
+}
+
+vec3 shape(sampler2D shaper, Look look, vec3 c) {
+    vec3 x = lattice_coordinates(c, look.shaper_min.rgb, look.shaper_max.rgb, look.shaper_size);
+    vec3 shaped;
+    for (int channel = 0; channel < 3; ++channel) {
+        Axis axis = axis_within(x[channel], look.shaper_size);
+        ivec2 low = ivec2(axis.low % look.shaper_row, axis.low / look.shaper_row);
+        ivec2 high = ivec2(axis.high % look.shaper_row, axis.high / look.shaper_row);
+        shaped[channel] = texelFetch(shaper, low, 0)[channel] * (1.0 - axis.f) +
+                          texelFetch(shaper, high, 0)[channel] * axis.f;
+    }
+    return shaped;
+}
+
+vec3 cube_lookup(int row, sampler3D cube, sampler2D shaper, Look look, vec3 c) {
+    if (look.shaper_size > 0)
+        c = shape(shaper, look, c);
+    if (look.size == 0)
+        return c;
+    vec3 x = lattice_coordinates(c, look.cube_min.rgb, look.cube_max.rgb, look.size);
+    if (row == lookup_nearest)
+        return texelFetch(cube, ivec3(x + 0.5), 0).rgb;
+    Axis r = axis_within(x.r, look.size), g = axis_within(x.g, look.size),
+         b = axis_within(x.b, look.size);
+    ivec3 low = ivec3(r.low, g.low, b.low);
+    if (row == lookup_trilinear) {
+        vec3 line[4];
+        for (int i = 0; i < 4; ++i) {
+            ivec3 start = low + ivec3(0, i & 1, i >> 1);
+            line[i] = blend(texelFetch(cube, start, 0).rgb,
+                            texelFetch(cube, start + ivec3(1, 0, 0), 0).rgb, r.f);
+        }
+        return blend(blend(line[0], line[1], g.f), blend(line[2], line[3], g.f), b.f);
+    }
+    Walk walk = walk_of(vec3(r.f, g.f, b.f));
+    return texelFetch(cube, low, 0).rgb * (1.0 - walk.f.x) +
+           texelFetch(cube, low + walk.first, 0).rgb * (walk.f.x - walk.f.y) +
+           texelFetch(cube, low + walk.second, 0).rgb * (walk.f.y - walk.f.z) +
+           texelFetch(cube, low + ivec3(1), 0).rgb * walk.f.z;
+}
+
+vec3 picture_lookup(int row, sampler2D picture, int n, vec3 c) {
+    float last = float(n - 1);
+    switch (row) {
+    case lookup_strip_texels:
+    case lookup_piccolo:
+        return trilinear_picture(picture, layout_strip, n, c * last);
+    case lookup_obs:
+        return trilinear_picture(picture, layout_tiles, n, c * last);
+    case lookup_godot:
+        return trilinear_picture(picture, layout_tiles, n, c * float(n) - 0.5);
+    case lookup_hald:
+        return tetrahedral_picture(picture, layout_hald, n, c * last);
+    case lookup_ocio:
+        return tetrahedral_picture(picture, layout_ocio, n, c * last);
+    case lookup_unreal:
+        return unreal_picture(picture, n, c);
+    case lookup_unity:
+        return unity_picture(picture, n, c);
+    case lookup_reshade:
+        return reshade_picture(picture, n, c);
+    default:
+        return strip_bilinear(picture, n, c);
+    }
+}
+
+/// `row` is a specialisation constant wherever this is called, so one branch remains.
+vec3 apply_lookup(int row, sampler2D picture, sampler3D volume, sampler2D shaper, Look look,
+                  vec3 c) {
+    switch (row) {
+    case lookup_none:
+        return c;
+    case lookup_nearest:
+    case lookup_trilinear:
+    case lookup_tetrahedral:
+        return cube_lookup(row, volume, shaper, look, c);
+    case lookup_volume:
+        return volume_filtered(volume, look.size, saturate(c));
+    default:
+        return picture_lookup(row, picture, look.size, saturate(c));
+    }
+}

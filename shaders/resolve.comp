@@ -1,0 +1,55 @@
+// The one place where a picture becomes finite: exposure, sanitising, and the largest value. A
+// picture of another size is filtered by the area that a pixel covers.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "common/sanitise.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(constant_id = 0) const bool resized = false;
+layout(binding = 0) uniform sampler2D source;
+layout(binding = 1) writeonly uniform image2D target;
+layout(std430, binding = 2) buffer Maximum { uint maximum; };
+layout(push_constant) uniform Push { float exposure; };
+
+shared uint group_maximum;
+
+vec3 light_at(ivec2 at) {
+    return sanitise(texelFetch(source, at, 0).rgb * exposure);
+}
+
+/// The mean over the pixel's area in the source, which is at least one texel wide.
+vec3 filtered(ivec2 at, ivec2 size) {
+    ivec2 source_size = textureSize(source, 0);
+    vec2 scale = vec2(source_size) / vec2(size);
+    vec2 centre = (vec2(at) + 0.5) * scale;
+    vec2 extent = max(scale, vec2(1.0)) * 0.5;
+    ivec2 first = ivec2(floor(centre - extent));
+    ivec2 last = ivec2(ceil(centre + extent)) - 1;
+    vec3 sum = vec3(0.0);
+    float weights = 0.0;
+    for (int y = first.y; y <= last.y; ++y)
+        for (int x = first.x; x <= last.x; ++x) {
+            vec2 low = max(vec2(x, y), centre - extent);
+            vec2 high = min(vec2(x, y) + 1.0, centre + extent);
+            float weight = max(high.x - low.x, 0.0) * max(high.y - low.y, 0.0);
+            sum += weight * light_at(clamp(ivec2(x, y), ivec2(0), source_size - 1));
+            weights += weight;
+        }
+    return sum / max(weights, 1e-20);
+}
+
+void main() {
+    if (gl_LocalInvocationIndex == 0)
+        group_maximum = 0u;
+    barrier();
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 size = imageSize(target);
+    if (all(lessThan(at, size))) {
+        vec3 light = round_to_half(resized ? filtered(at, size) : light_at(at));
+        imageStore(target, at, vec4(light, 1.0));
+        // Non-negative floats order like their bits.
+        atomicMax(group_maximum, floatBitsToUint(max(light.r, max(light.g, light.b))));
+    }
+    barrier();
+    if (gl_LocalInvocationIndex == 0)
+        atomicMax(maximum, group_maximum);
+}

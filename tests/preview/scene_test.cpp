@@ -1,0 +1,212 @@
+// The built-in scenes and what they are made of, without a GPU.
+#include "preview/scene/builtin.h"
+#include "preview/scene/swatches.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+#include <gtest/gtest.h>
+#include <set>
+
+namespace preview {
+namespace {
+
+std::vector<Mesh> every_generator() {
+    std::vector<Mesh> meshes{sphere(16, 24),
+                             torus(0.3f, 32, 12),
+                             torus_knot(2, 3, 0.42f, 0.2f, 128, 16),
+                             box({1, 2, 0.5f}, 0.1f),
+                             box({1, 2, 0.5f}, 0),
+                             cylinder(24),
+                             plane()};
+    return meshes;
+}
+
+TEST(Mesh, faces_wind_counter_clockwise_about_their_outward_normals) {
+    for (const Mesh& mesh : every_generator()) {
+        ASSERT_EQ(mesh.indices.size() % 3, 0u) << mesh.name;
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            const Vertex& a = mesh.vertices.at(mesh.indices[i]);
+            const Vertex& b = mesh.vertices.at(mesh.indices[i + 1]);
+            const Vertex& c = mesh.vertices.at(mesh.indices[i + 2]);
+            const glm::vec3 face = glm::cross(b.position - a.position, c.position - a.position);
+            // The triangles at a pole have no area.
+            if (glm::length(face) > 1e-7f) {
+                ASSERT_GT(glm::dot(face, a.normal + b.normal + c.normal), 0) << mesh.name;
+            }
+        }
+        for (const Vertex& vertex : mesh.vertices)
+            ASSERT_NEAR(glm::length(vertex.normal), 1, 1e-5) << mesh.name;
+    }
+}
+
+// By the divergence theorem a closed mesh encloses the sum of its triangles' signed volumes.
+double enclosed_volume(const Mesh& mesh) {
+    double sum = 0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const auto corner = [&](std::size_t k) {
+            return mesh.vertices[mesh.indices[i + k]].position;
+        };
+        sum += static_cast<double>(glm::dot(corner(0), glm::cross(corner(1), corner(2)))) / 6;
+    }
+    return sum;
+}
+
+TEST(Mesh, closed_shapes_enclose_their_volume) {
+    constexpr double pi = 3.14159265358979;
+    // Inscribed facets lose a little: the tolerance is the loss at these tessellations.
+    EXPECT_NEAR(enclosed_volume(sphere(64, 128)), 4 * pi / 3, 0.01);
+    EXPECT_NEAR(enclosed_volume(torus(0.3f, 128, 64)), 2 * pi * pi * 0.09, 0.01);
+    EXPECT_NEAR(enclosed_volume(cylinder(256)), 2 * pi, 0.01);
+    EXPECT_NEAR(enclosed_volume(box({1, 2, 0.5f}, 0)), 8, 1e-5);
+    const double rounded = enclosed_volume(box({1, 2, 0.5f}, 0.1f, 16));
+    EXPECT_LT(rounded, 8);
+    EXPECT_GT(rounded, 7.8);
+}
+
+TEST(Camera, puts_the_target_in_the_middle_and_up_on_top) {
+    const Orbit orbit{{1, 2, 3}, 4, 30, 20, 40, 0.1f};
+    const Camera camera = camera_of(orbit, 2);
+    const auto project = [&](glm::vec3 p) {
+        const glm::vec4 clip = camera.projection * camera.view * glm::vec4{p, 1};
+        return glm::vec3{clip} / clip.w;
+    };
+    const glm::vec3 centre = project(orbit.target);
+    EXPECT_NEAR(centre.x, 0, 1e-5);
+    EXPECT_NEAR(centre.y, 0, 1e-5);
+    EXPECT_NEAR(centre.z, 1 - orbit.near_plane / orbit.distance, 1e-5);
+    EXPECT_LT(project(orbit.target + glm::vec3{0, 0.1f, 0}).y, 0);
+    EXPECT_NEAR(glm::length(camera.position - orbit.target), orbit.distance, 1e-4);
+}
+
+TEST(Camera, survives_any_orbit) {
+    for (const float wild : {0.0f, 90.0f, -90.0f, 1e6f, -1e6f}) {
+        const Camera camera = camera_of({{0, 0, 0}, wild, wild, wild, wild, 0.1f}, 1);
+        const glm::vec4 clip = camera.projection * camera.view * glm::vec4{0, 0, 0, 1};
+        EXPECT_TRUE(std::isfinite(clip.x + clip.y + clip.z + clip.w)) << wild;
+    }
+}
+
+class EveryScene : public testing::TestWithParam<const SceneInfo*> {};
+
+TEST_P(EveryScene, refers_only_to_what_it_has_and_holds_finite_values) {
+    const Scene scene = scene_at(*GetParam(), 1.5);
+    ASSERT_FALSE(scene.objects.empty());
+    for (const Object& object : scene.objects) {
+        ASSERT_LT(object.mesh, scene.meshes.size());
+        ASSERT_LT(object.material, scene.materials.size());
+    }
+    for (const Material& material : scene.materials) {
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_GE(material.albedo[c], 0);
+            EXPECT_LE(material.albedo[c], 1);
+            EXPECT_GE(material.emission[c], 0);
+            // Half floats end at 65504; what is seen must stay below after any usual exposure.
+            EXPECT_LE(material.emission[c], 4096);
+        }
+    }
+    const Bounds bounds = scene.bounds();
+    EXPECT_TRUE(std::isfinite(glm::length(bounds.max - bounds.min)));
+    EXPECT_LE(scene.environment.soft_box_count, Environment::max_soft_boxes);
+}
+
+TEST_P(EveryScene, moves_with_time_without_changing_its_counts_and_repeats_itself) {
+    const Scene at_rest = scene_at(*GetParam(), 0);
+    const Scene later = scene_at(*GetParam(), 2.25), again = scene_at(*GetParam(), 2.25);
+    const Scene made = GetParam()->make();
+    ASSERT_EQ(at_rest.objects.size(), later.objects.size());
+    ASSERT_EQ(at_rest.lights.size(), later.lights.size());
+    bool moved = false;
+    for (std::size_t i = 0; i < later.objects.size(); ++i) {
+        EXPECT_EQ(later.objects[i].transform, again.objects[i].transform);
+        EXPECT_EQ(at_rest.objects[i].transform, made.objects[i].transform);
+        moved = moved || later.objects[i].transform != at_rest.objects[i].transform;
+    }
+    EXPECT_EQ(moved, GetParam()->animate != nullptr);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, EveryScene, testing::ValuesIn([] {
+                             std::vector<const SceneInfo*> rows;
+                             for (const SceneInfo& row : scenes())
+                                 rows.push_back(&row);
+                             return rows;
+                         }()),
+                         [](const auto& row) { return std::string(row.param->name); });
+
+TEST(Scenes, have_names_of_their_own) {
+    std::set<std::string_view> names;
+    for (const SceneInfo& info : scenes())
+        EXPECT_TRUE(names.insert(info.name).second) << info.name;
+    EXPECT_EQ(scene_named("sample"), &scenes().front());
+    EXPECT_EQ(scene_named("nowhere"), nullptr);
+}
+
+TEST(Scenes, sample_has_everything_and_plain_has_neither_caster_nor_emitter) {
+    EXPECT_TRUE(sample_scene().has_casting_light());
+    EXPECT_TRUE(sample_scene().has_emitter());
+    EXPECT_FALSE(plain_scene().has_casting_light());
+    EXPECT_FALSE(plain_scene().has_emitter());
+}
+
+TEST(Swatches, decode_as_srgb) {
+    EXPECT_EQ(linear_of(0xffffff), glm::vec3{1});
+    EXPECT_EQ(linear_of(0x000000), glm::vec3{0});
+    // Neutral 5 of the ColorChecker reflects 19.8 %.
+    EXPECT_NEAR(linear_of(color_checker[21]).g, 0.195, 0.005);
+}
+
+// The integral of radiance(d) cos over the hemisphere, by a regular grid of directions.
+glm::dvec3 integrated_irradiance(const Environment& environment, glm::vec3 normal) {
+    constexpr int rows = 256, columns = 512;
+    constexpr double pi = 3.14159265358979;
+    glm::dvec3 sum{0};
+    for (int i = 0; i < rows; ++i) {
+        const double polar = pi * (i + 0.5) / rows;
+        for (int j = 0; j < columns; ++j) {
+            const double angle = 2 * pi * j / columns;
+            const glm::dvec3 d{std::sin(polar) * std::cos(angle), std::cos(polar),
+                               std::sin(polar) * std::sin(angle)};
+            const double cosine = std::max(0.0, glm::dot(d, glm::dvec3{normal}));
+            const double area = std::sin(polar) * (pi / rows) * (2 * pi / columns);
+            sum += glm::dvec3{radiance(environment, glm::vec3{d}, 0)} * cosine * area;
+        }
+    }
+    return sum;
+}
+
+TEST(Environment, irradiance_is_the_integral_of_radiance) {
+    const glm::vec3 normals[]{{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {0.6f, 0.8f, 0}, {0, -0.6f, 0.8f}};
+    for (const SceneInfo& info : scenes()) {
+        const Environment environment = info.make().environment;
+        for (const glm::vec3 normal : normals) {
+            const glm::dvec3 exact = integrated_irradiance(environment, normal);
+            const glm::dvec3 fast = irradiance(environment, normal);
+            // The gradient's shares are fits, and the Gaussian cosine does not quite reach zero for
+            // light from behind.
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(fast[c], exact[c], 0.10 * exact[c] + 0.04)
+                    << info.name << " normal " << normal.x << ' ' << normal.y << ' ' << normal.z;
+        }
+    }
+}
+
+TEST(Environment, blur_keeps_the_light_of_a_soft_box) {
+    Environment environment;
+    environment.soft_boxes[0] = {{0, 0, 1}, 30, {1, 1, 1}};
+    environment.soft_box_count = 1;
+    const auto total = [&](float roughness) {
+        double sum = 0;
+        constexpr int steps = 4000;
+        for (int i = 0; i < steps; ++i) {
+            const float z = -1 + 2 * (static_cast<float>(i) + 0.5f) / steps;
+            sum += radiance(environment, {std::sqrt(1 - z * z), 0, z}, roughness).r;
+        }
+        return sum / steps;
+    };
+    // Gaussians wider than the sphere wrap: 1 - e^(-2s) of the light is left.
+    EXPECT_NEAR(total(0.2f) / total(0), 1, 1e-3);
+    EXPECT_NEAR(total(0.5f) / total(0), 1, 1e-3);
+}
+
+} // namespace
+} // namespace preview

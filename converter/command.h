@@ -33,6 +33,7 @@ Run declare_edit(CLI::App& app);
 Run declare_eval(CLI::App& app);
 Run declare_identity(CLI::App& app);
 Run declare_info(CLI::App& app);
+Run declare_report(CLI::App& app);
 Run declare_verify(CLI::App& app);
 
 } // namespace converter

@@ -88,6 +88,7 @@ plot::Scatter scatter(const Survey& survey, const Metric& metric, const Cost& co
         const SurveyRow& row = survey.rows[i];
         out.marks.push_back({points[i][0], points[i][1], lookup_index(*row.what.lookup),
                              row.what.fitted, by[i] == lutlib::not_dominated, i == recommended,
+                             by[i] != lutlib::not_dominated && i != recommended,
                              fmt::format("{}: {} {:.3g}, {:.4g} {}", to_text(row.what), metric.name,
                                          points[i][1], points[i][0], cost.label),
                              i});
@@ -182,17 +183,17 @@ std::string stiff_label(const lutlib::StiffRow& row) {
 
 } // namespace
 
-std::string recommendation_text(const Survey& survey, double promise) {
-    const lutlib::Recommendation r = recommend(survey.rows, promise);
+std::string recommendation_text(const Survey& survey) {
+    const lutlib::Recommendation& r = survey.recommendation;
+    const double promise = survey.settings.promise;
     const SurveyRow& best = survey.rows[r.row];
     if (!r.kept) {
-        return fmt::format("No combination stays within dE2000 {:g} everywhere; {} comes nearest: "
-                           "{}.",
+        return fmt::format("No combination stays within dE2000 {:g}; {} comes nearest: {}.",
                            promise, to_text(best.what), figures(best));
     }
-    std::string out = fmt::format("Take {}, the smallest that stays within dE2000 {:g} everywhere: "
-                                  "{}",
-                                  to_text(best.what), promise, figures(best));
+    std::string out = fmt::format("Take {}, the smallest that stays within dE2000 {:g} (also on {} "
+                                  "other colours and uphill from the worst of them): {}",
+                                  to_text(best.what), promise, survey.checked, figures(best));
     const SurveyRow& fastest = survey.rows[r.fastest];
     return out + (r.fastest == r.row ? "; nothing faster does so either."
                                      : fmt::format("; the fastest that does so is {} ({:.3g} ns a "
@@ -201,11 +202,11 @@ std::string recommendation_text(const Survey& survey, double promise) {
                                                    1e9 * fastest.pixel.median, fastest.bytes));
 }
 
-std::string survey_html(const Survey& survey, const std::string& look, double promise) {
+std::string survey_html(const Survey& survey, const std::string& look) {
     plot::Page page;
-    const std::size_t recommended = recommend(survey.rows, promise).row;
+    const std::size_t recommended = survey.recommendation.row;
     page.title = "Error against run time: " + look;
-    page.summary = recommendation_text(survey, promise);
+    page.summary = recommendation_text(survey);
     page.paragraphs = method(survey);
     for (const std::size_t i : plotted) {
         plot::View view{metrics[i].name, {}};
@@ -218,17 +219,18 @@ std::string survey_html(const Survey& survey, const std::string& look, double pr
     return html(page);
 }
 
-nlohmann::ordered_json survey_json(const Survey& survey, const std::string& look, double promise) {
-    const lutlib::Recommendation r = recommend(survey.rows, promise);
+nlohmann::ordered_json survey_json(const Survey& survey, const std::string& look) {
+    const lutlib::Recommendation& r = survey.recommendation;
     nlohmann::ordered_json out{{"look", look},
                                {"machine", lutlib::machine_text()},
                                {"colours", survey.colours},
                                {"timed_pixels", survey.settings.pixels},
                                {"notes", survey.notes},
                                {"recommendation",
-                                {{"words", recommendation_text(survey, promise)},
+                                {{"words", recommendation_text(survey)},
                                  {"row", r.row},
-                                 {"promise_delta_e_2000", promise},
+                                 {"promise_delta_e_2000", survey.settings.promise},
+                                 {"checked_colours", survey.checked},
                                  {"kept", r.kept}}}};
     const std::vector<std::size_t> by = dominators_of(survey);
     for (std::size_t i = 0; i < survey.rows.size(); ++i) {
@@ -286,8 +288,8 @@ std::string stiff_html(const lutlib::StiffSurvey& survey) {
             "Each look of the suite of stiff and extreme looks, read in double, against its "
             "resampling in floats; {} colours a look. An error is a share of the look's "
             "output range (of its magnitude, where it is constant). Stiffness is the "
-            "steepest edge between neighbouring nodes, in output per width of the domain: "
-            "1 is the identity's.",
+            "steepest edge between neighbouring nodes, in output ranges per width of the "
+            "domain: 1 is the identity's.",
             survey.colours),
         fmt::format("Machine: {}.", lutlib::machine_text())};
     const std::array<std::pair<const char*, double (*)(const lutlib::ErrorStats&)>, 3> shown{{
@@ -305,14 +307,15 @@ std::string stiff_html(const lutlib::StiffSurvey& survey) {
             scatter.series = lookup_series();
             scatter.circle_name = "point-sampled";
             scatter.diamond_name = "fitted";
+            scatter.y_floor = 1e-6;
             for (std::size_t i = 0; i < survey.rows.size(); ++i) {
                 const lutlib::StiffRow& row = survey.rows[i];
                 if (row.size == size) {
                     scatter.marks.push_back(
-                        {row.look->stiffness, value(row.error), lookup_index(*row.lookup),
-                         row.fitted, false, false,
+                        {row.stiffness, value(row.error), lookup_index(*row.lookup), row.fitted,
+                         false, false, false,
                          fmt::format("{}: {} {:.3g}, stiffness {:.3g}", stiff_label(row), name,
-                                     value(row.error), row.look->stiffness),
+                                     value(row.error), row.stiffness),
                          i});
                 }
             }
@@ -326,7 +329,7 @@ std::string stiff_html(const lutlib::StiffSurvey& survey) {
         plot::Row cells;
         cells.cells = {plot::text_cell(std::string(row.look->name)),
                        plot::text_cell(std::string(row.look->help)),
-                       plot::number_cell(row.look->stiffness),
+                       plot::number_cell(row.stiffness),
                        {std::to_string(row.size), static_cast<double>(row.size), true},
                        plot::text_cell(std::string(row.lookup->label)),
                        plot::text_cell(row.fitted ? "fitted" : "point-sampled"),
@@ -342,7 +345,7 @@ nlohmann::ordered_json stiff_json(const lutlib::StiffSurvey& survey) {
     nlohmann::ordered_json out{{"machine", lutlib::machine_text()}, {"colours", survey.colours}};
     for (const lutlib::StiffRow& row : survey.rows) {
         out["rows"].push_back({{"look", row.look->name},
-                               {"stiffness", row.look->stiffness},
+                               {"stiffness", row.stiffness},
                                {"size", row.size},
                                {"lookup", row.lookup->name},
                                {"filling", row.fitted ? "fitted" : "point-sampled"},
@@ -356,7 +359,7 @@ std::string stiff_csv(const lutlib::StiffSurvey& survey) {
         csv_line({"look", "stiffness", "size", "lookup", "filling", "max", "p99", "mean"});
     for (const lutlib::StiffRow& row : survey.rows) {
         out +=
-            csv_line({std::string(row.look->name), fmt::format("{:.9g}", row.look->stiffness),
+            csv_line({std::string(row.look->name), fmt::format("{:.9g}", row.stiffness),
                       std::to_string(row.size), std::string(row.lookup->name),
                       row.fitted ? "fitted" : "point-sampled", fmt::format("{:.9g}", row.error.max),
                       fmt::format("{:.9g}", row.error.p99), fmt::format("{:.9g}", row.error.mean)});

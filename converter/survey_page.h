@@ -10,14 +10,12 @@
 
 namespace converter {
 
-/// `promise` is the largest dE2000 that the recommendation must keep.
-std::string survey_html(const lutlib::Survey& survey, const std::string& look, double promise);
-nlohmann::ordered_json survey_json(const lutlib::Survey& survey, const std::string& look,
-                                   double promise);
+std::string survey_html(const lutlib::Survey& survey, const std::string& look);
+nlohmann::ordered_json survey_json(const lutlib::Survey& survey, const std::string& look);
 std::string survey_csv(const lutlib::Survey& survey);
 
 /// One sentence.
-std::string recommendation_text(const lutlib::Survey& survey, double promise);
+std::string recommendation_text(const lutlib::Survey& survey);
 
 std::string stiff_html(const lutlib::StiffSurvey& survey);
 nlohmann::ordered_json stiff_json(const lutlib::StiffSurvey& survey);

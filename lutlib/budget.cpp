@@ -3,6 +3,7 @@
 #include "lutlib/color/difference.h"
 #include "lutlib/error.h"
 #include "lutlib/fit.h"
+#include "lutlib/peak.h"
 #include "lutlib/samples.h"
 
 #include <tbb/blocked_range.h>
@@ -11,8 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 namespace lutlib {
 namespace {
@@ -26,9 +25,6 @@ constexpr SampleCounts checking{
 
 // A fit lowers the largest difference by less than this factor on any look seen.
 constexpr double hopeless = 3;
-
-constexpr std::size_t climbers = 32;
-constexpr int climbing_steps = 48;
 
 struct Combination {
     int size, bits;
@@ -91,37 +87,12 @@ class Examiner {
                             saturate(look_(to_double(in))));
     }
 
-    // From the worst colours on, ever smaller steps uphill: a maximum over samples alone misses
-    // the peaks between them.
     void climb(const Bake& bake, const std::vector<Rgb>& inputs, LookupError& error) const {
         const Picture picture = decoded(bake.picture);
-        std::vector<std::pair<double, std::size_t>> worst(inputs.size());
-        tbb::parallel_for(std::size_t{0}, inputs.size(), [&](std::size_t i) {
-            worst[i] = {-difference(picture, bake.size, inputs[i]), i};
-        });
-        const std::size_t count = std::min(climbers, worst.size());
-        std::partial_sort(worst.begin(), worst.begin() + static_cast<std::ptrdiff_t>(count),
-                          worst.end());
-        std::vector<double> peaks(count);
-        const std::vector<Rgb> directions =
-            sample_colors(2, {.neutral = 2, .random = climbing_steps, .lattice = false});
-        tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
-            Rgb at = inputs[worst[k].second];
-            peaks[k] = -worst[k].first;
-            float step = 1.0F / static_cast<float>(bake.size - 1);
-            for (const Rgb& direction : directions) {
-                const Rgb next = saturate(at + (direction - Rgb{0.5F, 0.5F, 0.5F}) * step);
-                const double found = difference(picture, bake.size, next);
-                if (found > peaks[k]) {
-                    peaks[k] = found;
-                    at = next;
-                } else {
-                    step *= 0.93F;
-                }
-            }
-        });
         error.delta_e.max =
-            std::max(error.delta_e.max, *std::max_element(peaks.begin(), peaks.end()));
+            std::max(error.delta_e.max,
+                     peak_error(inputs, {}, 1.0F / static_cast<float>(bake.size - 1),
+                                [&](Rgb in) { return difference(picture, bake.size, in); }));
     }
 
     LookupError examine(const Bake& bake, const Questions& questions) const {

@@ -39,6 +39,7 @@ class StiffSurveyor {
         std::transform(inputs_.begin(), inputs_.end(), expected_.begin(),
                        [this](Rgb c) { return evaluate_exact(source_, to_double(c)); });
         extent_ = extent(expected_);
+        stiffness_ = look.stiffness / extent_;
     }
 
     std::vector<StiffRow> run() const {
@@ -50,7 +51,8 @@ class StiffSurveyor {
             const std::vector<RgbD> nodes =
                 point_samples(exact, reader_of(lattice, Interpolation::tetrahedral));
             for (const Lookup& lookup : lookups()) {
-                rows.push_back({&look_, size, &lookup, false, error_of(lattice, nodes, lookup)});
+                rows.push_back(
+                    {&look_, size, &lookup, false, stiffness_, error_of(lattice, nodes, lookup)});
             }
             if (size > largest_fitted) {
                 continue;
@@ -61,8 +63,8 @@ class StiffSurveyor {
                     std::find_if(lookups().begin(), lookups().end(),
                                  [how](const Lookup& l) { return l.weights == how; });
                 if (fit.fitted) {
-                    rows.push_back(
-                        {&look_, size, &*lookup, true, error_of(lattice, fit.nodes, *lookup)});
+                    rows.push_back({&look_, size, &*lookup, true, stiffness_,
+                                    error_of(lattice, fit.nodes, *lookup)});
                 }
             }
         }
@@ -89,7 +91,7 @@ class StiffSurveyor {
     Lut source_;
     std::vector<Rgb> inputs_;
     std::vector<RgbD> expected_;
-    double extent_ = 1;
+    double extent_ = 1, stiffness_ = 0;
 };
 
 } // namespace

@@ -15,6 +15,7 @@ struct StiffRow {
     int size = 0;
     const Lookup* lookup = nullptr;
     bool fitted = false;
+    double stiffness = 0; ///< the look's, in output ranges per width of the domain
     /// Largest channel difference as a share of the look's output range; of its largest magnitude
     /// where it is constant.
     ErrorStats error;

@@ -2,9 +2,11 @@
 
 #include "lutlib/bake_recipe.h"
 #include "lutlib/budget.h"
+#include "lutlib/color/difference.h"
 #include "lutlib/edit.h"
 #include "lutlib/error.h"
 #include "lutlib/fit.h"
+#include "lutlib/peak.h"
 #include "lutlib/samples.h"
 
 #include <tbb/blocked_range.h>
@@ -17,6 +19,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 
 namespace lutlib {
 namespace {
@@ -98,6 +101,7 @@ class Surveyor {
         time();
         fit();
         examine();
+        settle();
         progress_(1, "done");
         return std::move(out_);
     }
@@ -295,6 +299,48 @@ class Surveyor {
                               static_cast<double>(so_far) / static_cast<double>(out_.rows.size())),
                     "measuring errors");
             }
+        });
+    }
+
+    // Recommends, looks closer at what is recommended, and again until that holds.
+    void settle() {
+        SampleCounts counts{.neutral = 997, .random = 20000, .lattice = false};
+        counts.skipped = out_.settings.colours;
+        std::vector<Rgb> others = sample_colors(2, counts);
+        for (Rgb& c : others) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                c[i] = std::lerp(domain_.min[i], domain_.max[i], c[i]);
+            }
+        }
+        out_.checked = others.size();
+        std::set<std::size_t> seen;
+        const auto holds = [&](std::size_t i) {
+            double& largest = out_.rows[i].error.delta_e_2000.max;
+            if (seen.insert(i).second) {
+                largest = std::max(largest, peak(i, others));
+            }
+            return largest <= out_.settings.promise;
+        };
+        do {
+            out_.recommendation = recommend(out_.rows, out_.settings.promise);
+        } while (out_.recommendation.kept &&
+                 !(holds(out_.recommendation.row) && holds(out_.recommendation.fastest)));
+    }
+
+    double peak(std::size_t index, const std::vector<Rgb>& colours) const {
+        const Combination& what = out_.rows[index].what;
+        const StoredLut stored(work_[index].filled->lut, *work_[index].nodes, *what.storage);
+        const Encoding& output = recipe_.output_encoding();
+        const Matrix3 to_rec709 = rgb_to_rgb(output.primaries, rec709);
+        const auto lab = [&](RgbD c) {
+            return lab_from_linear(
+                to_rec709 * RgbD{output.decode(c.r), output.decode(c.g), output.decode(c.b)});
+        };
+        return peak_error(colours, domain_, 1.0F / static_cast<float>(what.size - 1), [&](Rgb in) {
+            Rgb got;
+            stored.apply({&in, 1}, {&got, 1}, *what.lookup);
+            return delta_e_2000(lab(to_double(held_ ? saturate(got) : got)),
+                                lab(edit_(to_double(in))));
         });
     }
 

@@ -48,29 +48,33 @@ struct SurveySettings {
     int colours = 6000; ///< spread evenly, on which errors are measured; 1024 neutrals besides
     int pixels = 16384; ///< of a timed run
     int repetitions = 15;
+    double promise = 1; ///< largest dE2000 of the recommendation
 };
 
-struct Survey {
-    std::vector<SurveyRow> rows;
-    std::vector<std::string> notes; ///< what was left out, and why
-    std::size_t colours = 0;
-    SurveySettings settings;
-};
-
-/// From 0 to 1, and what is being done.
-using Progress = std::function<void(double share, const std::string& doing)>;
-
-/// The reference is the recipe, evaluated exactly. Where that lies within 0..1, results are held to
-/// 0..1 as displays do.
-Survey survey(const Recipe& recipe, const SurveySettings& settings, const Progress& progress);
-
-/// Index of the row to take: the smallest whose largest dE2000 is within the promise, the faster of
-/// equally small ones; else the one whose largest is least, with `kept` false.
+/// Indices of rows. The smallest whose largest dE2000 is within the promise, the faster of equally
+/// small ones; else the one whose largest is least, with `kept` false.
 struct Recommendation {
     std::size_t row = 0;
     std::size_t fastest = 0; ///< the fastest that keeps the promise
     bool kept = false;
 };
 Recommendation recommend(const std::vector<SurveyRow>& rows, double max_delta_e);
+
+struct Survey {
+    std::vector<SurveyRow> rows;
+    std::vector<std::string> notes; ///< what was left out, and why
+    std::size_t colours = 0;
+    SurveySettings settings;
+    Recommendation recommendation;
+    std::size_t checked = 0; ///< further colours on which the recommendation holds, and uphill
+};
+
+/// From 0 to 1, and what is being done.
+using Progress = std::function<void(double share, const std::string& doing)>;
+
+/// The reference is the recipe, evaluated exactly. Where that lies within 0..1, results are held to
+/// 0..1 as displays do. What is recommended has been checked on colours other than the table's, and
+/// uphill from the worst of them; where that found more, the row's largest dE2000 says so.
+Survey survey(const Recipe& recipe, const SurveySettings& settings, const Progress& progress);
 
 } // namespace lutlib

@@ -27,7 +27,8 @@ svg .title { font-weight: 600; font-size: 13px; }
 input.view { margin-left: 1.2em; }
 table { border-collapse: collapse; font-size: 13px; margin-top: 1em; }
 th, td { padding: .15em .6em; text-align: right; border-bottom: 1px solid #eee; white-space: nowrap; }
-th:first-child, td:first-child { text-align: left; }
+td:not([data-v]) { text-align: left; }
+td:last-child { white-space: normal; min-width: 14em; }
 th { position: sticky; top: 0; background: #f5f5f5; vertical-align: bottom; }
 th[role=button] { cursor: pointer; }
 tr.dominated { color: #999; }

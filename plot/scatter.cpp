@@ -10,8 +10,8 @@
 namespace plot {
 namespace {
 
-constexpr double width = 760, height = 470;
-constexpr double left = 74, right = 12, top = 34, bottom = 50;
+constexpr double width = 860, height = 470;
+constexpr double left = 74, right = 160, top = 34, bottom = 50;
 
 // Okabe and Ito's palette, which the colour-blind can tell apart.
 constexpr std::array<const char*, 6> colours{"#999999", "#D55E00", "#0072B2",
@@ -27,7 +27,9 @@ struct Axis {
         const double t = std::isnan(power) ? 1 : (power - low) / (high - low);
         return start + std::clamp(t, 0.0, 1.0) * (end - start);
     }
-    bool shows(double value) const { return value > 0 && std::isfinite(value); }
+    bool shows(double value) const {
+        return value > 0 && std::isfinite(value) && std::log10(value) >= low;
+    }
 };
 
 template <class Get>
@@ -106,11 +108,10 @@ std::string front_line(const Scatter& s, const Axis& x, const Axis& y) {
 }
 
 std::string mark_svg(const Mark& mark, const Axis& x, const Axis& y) {
-    const double px = x.at(mark.x), py = y.at(mark.y), r = mark.on_front ? 4.5 : 3;
-    const char* const kind = mark.recommended ? "mark best" : mark.on_front ? "mark top" : "mark";
+    const double px = x.at(mark.x), py = y.at(mark.y), r = mark.pale ? 3 : 4.5;
+    const char* const kind = mark.recommended ? "mark best" : mark.pale ? "mark" : "mark top";
     const std::string colour = colours[mark.series % colours.size()];
-    const std::string beyond =
-        x.shows(mark.x) && y.shows(mark.y) ? "" : " (beyond the axis: 0 or not finite)";
+    const std::string beyond = x.shows(mark.x) && y.shows(mark.y) ? "" : " (beyond the axis)";
     const std::string attributes =
         fmt::format(" class=\"{}\" fill=\"{}\" data-row=\"{}\"><title>{}</title>", kind, colour,
                     mark.row, escaped(mark.label + beyond));
@@ -127,7 +128,7 @@ std::string mark_svg(const Mark& mark, const Axis& x, const Axis& y) {
 std::string legend(const Scatter& s) {
     std::string out;
     double y = top + 12;
-    const double x = width - right - 150;
+    const double x = width - right + 16;
     const auto line = [&](const std::string& symbol, const std::string& name) {
         out += symbol +
                fmt::format("<text x=\"{:g}\" y=\"{:g}\">{}</text>\n", x + 12, y + 4, escaped(name));
@@ -176,15 +177,18 @@ std::string escaped(const std::string& text) {
 
 std::string svg(const Scatter& s) {
     const Axis x = axis_of(s.marks, left, width - right, [](const Mark& m) { return m.x; });
-    const Axis y = axis_of(s.marks, height - bottom, top, [](const Mark& m) { return m.y; });
+    Axis y = axis_of(s.marks, height - bottom, top, [](const Mark& m) { return m.y; });
+    if (s.y_floor > 0) {
+        y.low = std::clamp(std::log10(s.y_floor), y.low, y.high - 0.1);
+    }
     std::string out =
         fmt::format("<svg viewBox=\"0 0 {:g} {:g}\" role=\"img\" aria-label=\"{}\">\n", width,
                     height, escaped(s.title));
     out += frame(s, x, y) + front_line(s, x, y);
     // What matters lies on top.
-    for (const bool front : {false, true}) {
+    for (const bool strong : {false, true}) {
         for (const Mark& mark : s.marks) {
-            if ((mark.on_front || mark.recommended) == front) {
+            if (mark.pale != strong) {
                 out += mark_svg(mark, x, y);
             }
         }

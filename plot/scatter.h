@@ -16,8 +16,9 @@ struct Mark {
     double x = 0, y = 0;
     std::size_t series = 0;
     bool diamond = false;  ///< else a circle
-    bool on_front = false; ///< joined by the front's line; others are drawn pale
+    bool on_front = false; ///< joined by the front's line
     bool recommended = false;
+    bool pale = false;
     std::string label;   ///< shown on hover
     std::size_t row = 0; ///< of the page's table, to which a click leads
 };
@@ -28,6 +29,7 @@ struct Scatter {
     std::string circle_name, diamond_name; ///< for the legend; empty: not in it
     std::vector<Series> series;
     std::vector<Mark> marks;
+    double y_floor = 0; ///< the axis starts no lower
 };
 
 /// An <svg> element. A value that a logarithmic axis cannot show (0, or not finite) is drawn at the

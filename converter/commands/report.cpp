@@ -11,8 +11,11 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <vector>
 
 namespace converter {
 namespace {
@@ -21,6 +24,7 @@ namespace io = lutlib::io;
 
 struct Options {
     std::string input, suite, output, json, csv, input_encoding, output_encoding;
+    std::vector<int> sizes;
     double promise = 1;
 };
 
@@ -71,13 +75,18 @@ Report report_on_look(const Options& o) {
         recipe.output = &encoding_of(o.output_encoding, "--output-encoding");
     }
     ProgressBar bar;
+    lutlib::SurveySettings settings;
+    settings.promise = o.promise;
+    if (!o.sizes.empty()) {
+        settings.sizes = o.sizes;
+        std::for_each(o.sizes.begin(), o.sizes.end(), lutlib::check_cube_size);
+    }
     const lutlib::Survey survey = lutlib::survey(
-        recipe, {}, [&](double share, const std::string& doing) { bar.draw(share, doing); });
-    const std::string name = io::input_name(o.input);
-    return {survey_html(survey, name, o.promise), survey_csv(survey),
-            fmt::format("{} combinations\n{}\n", survey.rows.size(),
-                        recommendation_text(survey, o.promise)),
-            survey_json(survey, name, o.promise)};
+        recipe, settings, [&](double share, const std::string& doing) { bar.draw(share, doing); });
+    const std::string name = std::filesystem::path(io::input_name(o.input)).filename().string();
+    return {survey_html(survey, name), survey_csv(survey),
+            fmt::format("{} combinations\n{}\n", survey.rows.size(), recommendation_text(survey)),
+            survey_json(survey, name)};
 }
 
 Report report_on_suite() {
@@ -119,6 +128,8 @@ Run declare_report(CLI::App& app) {
     app.add_option("-o,--output", o->output, "the HTML page, or - for standard output")->required();
     app.add_option("--json", o->json, "every figure as JSON, into this file");
     app.add_option("--csv", o->csv, "every figure as CSV, into this file");
+    app.add_option("--sizes", o->sizes,
+                   "only these lattice sizes (default: 8 16 17 25 32 33 49 64 65)");
     app.add_option("--max-delta-e", o->promise, "what the recommendation must keep, in dE2000")
         ->capture_default_str();
     app.add_option("--input-encoding", o->input_encoding,

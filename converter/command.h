@@ -28,12 +28,18 @@ std::span<const Command> commands();
 
 Run declare_apply(CLI::App& app);
 Run declare_bake(CLI::App& app);
+Run declare_blend(CLI::App& app);
+Run declare_compare(CLI::App& app);
+Run declare_compose(CLI::App& app);
+Run declare_check(CLI::App& app);
 Run declare_convert(CLI::App& app);
 Run declare_edit(CLI::App& app);
 Run declare_eval(CLI::App& app);
 Run declare_identity(CLI::App& app);
 Run declare_info(CLI::App& app);
+Run declare_invert(CLI::App& app);
 Run declare_report(CLI::App& app);
+Run declare_resample(CLI::App& app);
 Run declare_verify(CLI::App& app);
 
 } // namespace converter

@@ -4,6 +4,7 @@
 #include "lutlib/bake_recipe.h"
 #include "lutlib/edit.h"
 #include "lutlib/error.h"
+#include "lutlib/formats/cube.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/recipe_file.h"
@@ -79,7 +80,21 @@ lutlib::Lut read_lut(const std::string& path) {
 }
 
 lutlib::Lut read_look(const std::string& path) {
+    lutlib::io::Reading reading = read_look(path, {}, {});
+    complain_of(reading.losses, lutlib::io::input_name(path));
+    return std::move(reading.lut);
+}
+
+lutlib::io::Reading read_look(const std::string& path, const lutlib::io::ReadOptions& options,
+                              const std::string& format) {
     const std::string bytes = lutlib::io::read_file(path);
+    if (format.empty() && lutlib::io::is_recipe(bytes)) {
+        return {bake_recipe(lutlib::io::recipe_from(bytes, path, read_lut)), {}};
+    }
+    return lutlib::io::decode_lut(bytes, lutlib::io::input_name(path), options, format);
+}
+
+lutlib::Lut look_from(const std::string& bytes, const std::string& path) {
     return lutlib::io::is_recipe(bytes)
                ? bake_recipe(lutlib::io::recipe_from(bytes, path, read_lut))
                : lut_from(bytes, path);
@@ -99,7 +114,11 @@ Look open_look(const std::string& path, lutlib::Interpolation how) {
 }
 
 void write_look(const lutlib::Lut& lut, const std::string& path) {
-    complain_of(lutlib::io::write_lut(path, lut).losses, lutlib::io::output_name(path));
+    const std::string_view format =
+        path == lutlib::io::standard_stream
+            ? (best_dialect(lut) == lutlib::CubeDialect::resolve ? "cube-resolve" : "cube")
+            : "";
+    complain_of(lutlib::io::write_lut(path, lut, {}, format).losses, lutlib::io::output_name(path));
 }
 
 std::string domain_text(const lutlib::Domain& domain) {

@@ -4,10 +4,12 @@
 #include "lutlib/bake.h"
 #include "lutlib/engine.h"
 #include "lutlib/interpolation.h"
+#include "lutlib/io/ocio.h"
 
 #include <CLI/App.hpp>
 
 #include <string>
+#include <vector>
 
 namespace converter {
 
@@ -41,6 +43,11 @@ lutlib::Lut read_lut(const std::string& path);
 
 /// The same, and a recipe, baked as its own settings say.
 lutlib::Lut read_look(const std::string& path);
+/// The same with the losses handed back; an empty `format` is recognised.
+lutlib::io::Reading read_look(const std::string& path, const lutlib::io::ReadOptions& options,
+                              const std::string& format);
+/// The same of bytes that have been read from `path`.
+lutlib::Lut look_from(const std::string& bytes, const std::string& path);
 
 /// A look to be sampled: a recipe, evaluated exactly, or a LUT read through an interpolation.
 struct Look {
@@ -50,7 +57,8 @@ struct Look {
 };
 Look open_look(const std::string& path, lutlib::Interpolation how);
 
-/// Writes a LUT in the format of the path's extension. What it cannot hold goes to standard error.
+/// Writes a LUT in the format of the path's extension, a .cube to standard output. What the format
+/// cannot hold goes to standard error.
 void write_look(const lutlib::Lut& lut, const std::string& path);
 
 /// "0..1", or "0..4, -1..1, 0..1" where the channels differ.

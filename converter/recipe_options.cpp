@@ -1,9 +1,6 @@
 #include "converter/recipe_options.h"
 
-#include "converter/options.h"
 #include "lutlib/error.h"
-#include "lutlib/io/file.h"
-#include "lutlib/io/recipe_file.h"
 
 #include <fmt/core.h>
 
@@ -55,12 +52,13 @@ void OperatorFlags::declare(CLI::App& app) {
     for (const lutlib::Op* op : lutlib::ops()) {
         for (std::size_t i = 0; i < op->parameters.size(); ++i) {
             const Parameter& parameter = op->parameters[i];
-            CLI::Option* const option = app.add_option("--" + std::string(parameter.flag))
-                                            ->type_name("")
-                                            ->description(help_of(parameter))
-                                            ->expected(1)
-                                            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-                                            ->group(std::string(op->label));
+            CLI::Option* const option =
+                app.add_option("--" + std::string(parameter.flag))
+                    ->type_name("")
+                    ->description(help_of(parameter))
+                    ->expected(1)
+                    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+                    ->group(fmt::format("{} (in {})", op->label, name_of(op->space)));
             flags_.push_back({option, op, i});
         }
     }
@@ -88,13 +86,14 @@ std::vector<Operation> OperatorFlags::operations() const {
     return out;
 }
 
-void SamplingOptions::declare(CLI::App& app, bool shaper_of_look) {
+void SamplingOptions::declare(CLI::App& app, bool recipe) {
+    recipe_ = recipe;
     app.add_option("--size", size_, "nodes a side of the result");
     app.add_option("--domain", domain_, "input range of the result: minimum and maximum")
         ->expected(2);
     app.add_option("--shaper", shaper_,
                    fmt::format("1D table before the cube: none, base, {}or the curve of one of {}",
-                               shaper_of_look ? "tone, " : "", encoding_names()));
+                               recipe ? "tone, " : "", encoding_names()));
     app.add_option("--shaper-size", shaper_size_, "entries of the 1D table");
 }
 
@@ -109,7 +108,7 @@ void SamplingOptions::apply_to(lutlib::BakeSettings& settings) const {
         lutlib::check_domain(*settings.domain);
     }
     if (!shaper_.empty()) {
-        if (shaper_ != "none" && shaper_ != "base" && shaper_ != "tone") {
+        if (shaper_ != "none" && shaper_ != "base" && !(recipe_ && shaper_ == "tone")) {
             encoding_of(shaper_, "--shaper");
         }
         settings.shaper = shaper_;
@@ -118,6 +117,37 @@ void SamplingOptions::apply_to(lutlib::BakeSettings& settings) const {
         lutlib::check_shaper_size(shaper_size_);
         settings.shaper_size = shaper_size_;
     }
+}
+
+lutlib::Sampling SamplingOptions::sampling() const {
+    lutlib::BakeSettings settings;
+    apply_to(settings);
+    lutlib::Sampling out;
+    out.size = settings.size;
+    out.domain = settings.domain;
+    out.shaper = settings.shaper;
+    out.shaper_size = settings.shaper_size;
+    // Codes of a look that lacks a recipe are taken for light where a curve is to shape them.
+    out.input = lutlib::encoding_named("linear");
+    return out;
+}
+
+void MethodOption::declare(CLI::App& app) {
+    std::string names;
+    for (const lutlib::ResamplingMethod& row : lutlib::resampling_methods()) {
+        names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", row.name, row.help);
+    }
+    app.add_option("--interpolation", name_, "how looks are read between their nodes: " + names)
+        ->capture_default_str();
+}
+
+const lutlib::ResamplingMethod& MethodOption::get() const {
+    const lutlib::ResamplingMethod* const found = lutlib::resampling_method_named(name_);
+    if (!found) {
+        throw lutlib::UsageError("there is no interpolation '" + name_ +
+                                 "'; there are trilinear, tetrahedral, tricubic");
+    }
+    return *found;
 }
 
 const lutlib::Encoding& encoding_of(const std::string& name, const std::string& flag) {
@@ -135,16 +165,6 @@ std::string encoding_names() {
         out += (out.empty() ? "" : ", ") + std::string(row.name);
     }
     return out;
-}
-
-lutlib::Recipe read_as_recipe(const std::string& path) {
-    if (path != lutlib::io::standard_stream && lutlib::io::is_recipe(lutlib::io::read_file(path))) {
-        return lutlib::io::read_recipe(path, read_lut);
-    }
-    lutlib::Recipe recipe;
-    lutlib::io::set_base(recipe, path, read_lut);
-    recipe.title = recipe.base_lut->title;
-    return recipe;
 }
 
 } // namespace converter

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lutlib/recipe.h"
+#include "lutlib/resample.h"
 
 #include <CLI/App.hpp>
 
@@ -29,25 +30,35 @@ class OperatorFlags {
     std::vector<Flag> flags_;
 };
 
-/// How a LUT is sampled: --size, --domain, --shaper, --shaper-size.
+/// The lattice of the result: --size, --domain, --shaper, --shaper-size.
 class SamplingOptions {
   public:
-    void declare(CLI::App& app, bool shaper_of_look);
+    /// `recipe`: the 1D table may follow the recipe's tones.
+    void declare(CLI::App& app, bool recipe);
     /// Overwrites what was given.
     void apply_to(lutlib::BakeSettings& settings) const;
+    lutlib::Sampling sampling() const;
 
   private:
     int size_ = 0, shaper_size_ = 0;
     std::vector<float> domain_;
     std::string shaper_;
+    bool recipe_ = false;
+};
+
+/// --interpolation of the looks that are sampled, with every row of resampling_methods().
+class MethodOption {
+  public:
+    void declare(CLI::App& app);
+    const lutlib::ResamplingMethod& get() const;
+
+  private:
+    std::string name_ = "tetrahedral";
 };
 
 /// A row of lutlib::encodings(). Throws UsageError naming the flag.
 const lutlib::Encoding& encoding_of(const std::string& name, const std::string& flag);
 /// The names of all rows, for help.
 std::string encoding_names();
-
-/// A recipe file with its base, or a LUT file wrapped in a recipe.
-lutlib::Recipe read_as_recipe(const std::string& path);
 
 } // namespace converter

@@ -8,7 +8,9 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 
 namespace converter {
@@ -176,6 +178,34 @@ nlohmann::ordered_json row_json(const SurveyRow& row) {
               {"repetitions", row.pixel.repetitions}}}};
 }
 
+// The middle look's mean error of a lookup at 16 nodes, over the looks of a range of stiffness.
+double typical_error(const lutlib::StiffSurvey& survey, const lutlib::Lookup& lookup, double low,
+                     double high) {
+    std::vector<double> means;
+    for (const lutlib::StiffRow& row : survey.rows) {
+        if (row.size == 16 && row.lookup == &lookup && !row.fitted && row.stiffness >= low &&
+            row.stiffness < high) {
+            means.push_back(row.error.mean);
+        }
+    }
+    std::sort(means.begin(), means.end());
+    return means.empty() ? 0 : means[means.size() / 2];
+}
+
+std::string stiff_summary(const lutlib::StiffSurvey& survey) {
+    std::string out = "Mean error of the middle look at 16 nodes, for stiffness above 1 to 4, 4 to "
+                      "40, and beyond";
+    const char* separator = ": ";
+    for (const lutlib::Lookup& lookup : lutlib::lookups()) {
+        out += fmt::format("{}{} {:.2g} %, {:.2g} %, {:.2g} %", separator, lookup.label,
+                           100 * typical_error(survey, lookup, 1.01, 4),
+                           100 * typical_error(survey, lookup, 4, 40),
+                           100 * typical_error(survey, lookup, 40, INFINITY));
+        separator = "; ";
+    }
+    return out + ".";
+}
+
 std::string stiff_label(const lutlib::StiffRow& row) {
     return fmt::format("{}: {} nodes, {}{}", row.look->name, row.size, row.lookup->label,
                        row.fitted ? ", fitted" : "");
@@ -279,10 +309,7 @@ std::string survey_csv(const Survey& survey) {
 std::string stiff_html(const lutlib::StiffSurvey& survey) {
     plot::Page page;
     page.title = "Error against stiffness";
-    page.summary =
-        "The steeper a look, the more a lattice loses between its nodes; nearest loses "
-        "most on smooth looks, and no interpolation helps once a step is narrower than a "
-        "cell.";
+    page.summary = stiff_summary(survey);
     page.paragraphs = {
         fmt::format(
             "Each look of the suite of stiff and extreme looks, read in double, against its "
@@ -308,6 +335,7 @@ std::string stiff_html(const lutlib::StiffSurvey& survey) {
             scatter.circle_name = "point-sampled";
             scatter.diamond_name = "fitted";
             scatter.y_floor = 1e-6;
+            scatter.series_gap = 4;
             for (std::size_t i = 0; i < survey.rows.size(); ++i) {
                 const lutlib::StiffRow& row = survey.rows[i];
                 if (row.size == size) {

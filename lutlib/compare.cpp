@@ -14,8 +14,10 @@ namespace {
 
 constexpr double diffuse_white_nits = 100;
 
+// std::max would drop a NaN.
 double largest_channel(RgbD d) {
-    return std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)});
+    const double largest = std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)});
+    return std::isnan(d.r + d.g + d.b) ? INFINITY : largest;
 }
 
 } // namespace

@@ -127,7 +127,7 @@ constexpr std::array<StiffLook, 33> table{{
      [] { return look_of(65, each_channel([](double x) { return shoulder(x, 64); })); }},
     {"shoulder_luma_8", "every channel scaled by a shoulder of slope 8 of luma", 5.71,
      [] { return look_of(65, [](RgbD c) { return shoulder(luma(c), 8) * c; }); }},
-    {"shoulder_1000", "logistic shoulder of slope 1000 as a 1D table", 980.2,
+    {"shoulder_1000", "logistic shoulder of slope 1000 as a 1D table", 980.585,
      [] {
          Lut lut;
          lut.shaper = curve_of(4096, [](double x) { return shoulder(x, 1000); });

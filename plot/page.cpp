@@ -25,10 +25,11 @@ svg .title { font-weight: 600; font-size: 13px; }
 .mark:hover { opacity: 1; stroke: #000; stroke-width: 1.5; }
 .outline { fill: none; stroke: #333; }
 input.view { margin-left: 1.2em; }
-table { border-collapse: collapse; font-size: 13px; margin-top: 1em; }
-th, td { padding: .15em .6em; text-align: right; border-bottom: 1px solid #eee; white-space: nowrap; }
+table { border-collapse: collapse; font-size: 12px; margin-top: 1em; }
+th, td { padding: .15em .45em; text-align: right; border-bottom: 1px solid #eee; white-space: nowrap; }
 td:not([data-v]) { text-align: left; }
-td:last-child { white-space: normal; min-width: 14em; }
+th:first-child, th:last-child { text-align: left; }
+td:last-child { white-space: normal; min-width: 12em; }
 th { position: sticky; top: 0; background: #f5f5f5; vertical-align: bottom; }
 th[role=button] { cursor: pointer; }
 tr.dominated { color: #999; }

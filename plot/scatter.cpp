@@ -107,8 +107,10 @@ std::string front_line(const Scatter& s, const Axis& x, const Axis& y) {
     return path.empty() ? "" : "<path class=\"front\" d=\"" + path + "\"/>\n";
 }
 
-std::string mark_svg(const Mark& mark, const Axis& x, const Axis& y) {
-    const double px = x.at(mark.x), py = y.at(mark.y), r = mark.pale ? 3 : 4.5;
+std::string mark_svg(const Scatter& s, const Mark& mark, const Axis& x, const Axis& y) {
+    const double middle = (static_cast<double>(s.series.size()) - 1) / 2;
+    const double aside = s.series_gap * (static_cast<double>(mark.series) - middle);
+    const double px = x.at(mark.x) + aside, py = y.at(mark.y), r = mark.pale ? 3 : 4.5;
     const char* const kind = mark.recommended ? "mark best" : mark.pale ? "mark" : "mark top";
     const std::string colour = colours[mark.series % colours.size()];
     const std::string beyond = x.shows(mark.x) && y.shows(mark.y) ? "" : " (beyond the axis)";
@@ -189,7 +191,7 @@ std::string svg(const Scatter& s) {
     for (const bool strong : {false, true}) {
         for (const Mark& mark : s.marks) {
             if (mark.pale != strong) {
-                out += mark_svg(mark, x, y);
+                out += mark_svg(s, mark, x, y);
             }
         }
     }

@@ -29,7 +29,8 @@ struct Scatter {
     std::string circle_name, diamond_name; ///< for the legend; empty: not in it
     std::vector<Series> series;
     std::vector<Mark> marks;
-    double y_floor = 0; ///< the axis starts no lower
+    double y_floor = 0;    ///< the axis starts no lower
+    double series_gap = 0; ///< pixels between series of equal x, which would hide each other
 };
 
 /// An <svg> element. A value that a logarithmic axis cannot show (0, or not finite) is drawn at the

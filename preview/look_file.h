@@ -1,17 +1,11 @@
 // LOOK of the command line: a LUT file or picture, made ready for the lookup that shall read it.
 #pragma once
 
-#include "preview/lookups.h"
+#include "preview/look_bake.h"
 
 #include <string>
 
 namespace preview {
-
-struct LoadedLook {
-    LookData data;
-    /// Why it may as well be left out; empty when it does something.
-    std::string skip_reason;
-};
 
 /// Reads `path`: `none`, a LUT picture, or any LUT file that lutlib reads. `lookup` null: the float
 /// table tetrahedrally, a strip through its own texels. A lookup that reads a picture gets a

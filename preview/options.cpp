@@ -71,6 +71,9 @@ void declare(CLI::App& app, Options& options) {
     app.add_option("--bloom-threshold", options.bloom_settings.threshold,
                    "Brightness above which light blooms; 0: all light")
         ->check(CLI::Range(0.0, 65504.0));
+    app.add_option("--bloom-knee", options.bloom_settings.knee,
+                   "Half width of the soft step about the threshold")
+        ->check(CLI::Range(0.0, 65504.0));
     app.add_option("--bloom-radius", options.bloom_settings.radius, "Scales the bloom's width")
         ->check(CLI::Range(0.05, 8.0));
     app.add_option("--exposure", options.exposure, "Stops")->check(CLI::Range(-20.0, 20.0));

@@ -18,7 +18,7 @@ struct Options {
     float split = 0.5F, heat_scale = 8, exposure = 0;
     double seconds = 0;
     float azimuth = 0, elevation = 0, distance = 0, field_of_view = 0; ///< added to the scene's
-    BloomSettings bloom_settings;
+    BloomSettings bloom_settings{-1, 1, 0.2F, 1};
     bool fxaa = true, fxaa_given = false;
     std::uint32_t shadow_size = 1024;
     bool headless = false, explain = false, timings = false, json = false, list = false;

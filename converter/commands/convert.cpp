@@ -58,7 +58,7 @@ std::string as_text(const Options& o, const io::FileFormat& format, const io::En
 }
 
 int run(const Options& o) {
-    io::Reading source = io::read_lut(o.input, {o.save.size}, o.from);
+    io::Reading source = read_look(o.input, {o.save.size}, o.from);
     const io::FileFormat& format = o.format.empty() ? io::format_for_writing(o.output, source.lut)
                                                     : io::require_file_format(o.format);
     io::Encoded file = io::encode_lut(source.lut, format, o.save);
@@ -79,7 +79,8 @@ int run(const Options& o) {
 
 Run declare_convert(CLI::App& app) {
     const auto o = std::make_shared<Options>();
-    app.add_option("input", o->input, "a LUT of any format, or - for standard input")->required();
+    app.add_option("input", o->input, "a LUT of any format or a recipe, or - for standard input")
+        ->required();
     app.add_option("-o,--output", o->output, "the file to write, or - for standard output")
         ->required();
     app.add_option("--from", o->from, "the input's format (default: recognised)");

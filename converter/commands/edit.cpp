@@ -3,9 +3,8 @@
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/recipe_options.h"
-#include "converter/report.h"
+#include "converter/result.h"
 #include "lutlib/bake_recipe.h"
-#include "lutlib/compare.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/recipe_file.h"
@@ -30,11 +29,17 @@ struct Options {
 // The recipe file, then IN as its base, then the flags.
 lutlib::Recipe assemble(const Options& o, std::string& base) {
     lutlib::Recipe recipe;
-    if (!o.recipe.empty()) {
-        recipe = io::read_recipe(o.recipe, read_lut);
-        base = io::base_path(recipe, o.recipe);
+    const bool input_is_recipe = io::extension_of(o.input) == "json";
+    if (input_is_recipe && !o.recipe.empty()) {
+        throw lutlib::UsageError("there are two recipes, '" + o.input + "' and '" + o.recipe +
+                                 "'; edit one");
     }
-    if (!o.input.empty() && o.input != "identity") {
+    const std::string& path = input_is_recipe ? o.input : o.recipe;
+    if (!path.empty()) {
+        recipe = io::read_recipe(path, read_lut);
+        base = io::base_path(recipe, path);
+    }
+    if (!o.input.empty() && !input_is_recipe && o.input != "identity") {
         io::set_base(recipe, o.input, read_lut);
         base = o.input;
     }
@@ -54,28 +59,10 @@ lutlib::Recipe assemble(const Options& o, std::string& base) {
     return recipe;
 }
 
-void report(const Options& o, const lutlib::Recipe& recipe, const lutlib::Lut& lut) {
-    const lutlib::Edit exact(recipe);
-    const lutlib::Difference error =
-        compare([&exact](std::span<lutlib::RgbD> colours) { exact(colours); },
-                transform_of(lut, lutlib::Interpolation::tetrahedral),
-                samples_over(lut.domain(), lut.cube->size), recipe.output_encoding());
-    if (o.json) {
-        print(nlohmann::ordered_json{{"output", o.output},
-                                     {"size", lut.cube->size},
-                                     {"operators", recipe.operations.size()},
-                                     {"absolute_error", to_json(error.absolute)},
-                                     {"delta_e_2000", to_json(error.delta_e_2000)}},
-              o.output);
-        return;
-    }
-    print(fmt::format("{} <- {} operators, {} nodes a side{}\n"
-                      "  error of the bake against the recipe, {} colours: {}\n"
-                      "  as dE2000: {}\n",
-                      io::output_name(o.output), recipe.operations.size(), lut.cube->size,
-                      lut.shaper ? fmt::format(", 1D table of {}", lut.shaper->size()) : "",
-                      error.absolute.count, to_text(error.absolute), to_text(error.delta_e_2000)),
-          o.output);
+std::string made_of(const Options& o, const lutlib::Recipe& recipe) {
+    const std::string base = o.input.empty() ? o.recipe : o.input;
+    return fmt::format("{}, {} operator{}", base, recipe.operations.size(),
+                       recipe.operations.size() == 1 ? "" : "s");
 }
 
 int run(const Options& o) {
@@ -92,8 +79,14 @@ int run(const Options& o) {
     }
     if (!o.output.empty()) {
         const lutlib::Lut lut = bake_recipe(recipe);
-        write_look(lut, o.output);
-        report(o, recipe, lut);
+        write_and_report(
+            {lut,
+             o.output,
+             made_of(o, recipe),
+             [exact = lutlib::Edit(recipe)](std::span<lutlib::RgbD> colours) { exact(colours); },
+             recipe.output_encoding(),
+             {}},
+            o.json, {{"operators", recipe.operations.size()}});
     }
     return ok;
 }
@@ -102,7 +95,7 @@ int run(const Options& o) {
 
 Run declare_edit(CLI::App& app) {
     const auto o = std::make_shared<Options>();
-    app.add_option("LUT", o->input, "a LUT file to edit, or the word identity");
+    app.add_option("LUT", o->input, "a LUT or recipe file to edit, or the word identity");
     app.add_option("-o,--output", o->output, "the baked LUT, or - for standard output");
     app.add_option("--recipe", o->recipe, "operators to start from");
     app.add_option("--save-recipe", o->save_recipe, "write the operators and their base here");

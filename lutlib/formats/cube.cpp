@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <limits>
 #include <optional>
 
 namespace lutlib {
@@ -20,7 +21,8 @@ struct Range {
 
 class CubeReader {
   public:
-    CubeReader(std::string_view bytes, const std::string& file) : lines_(bytes), file_(file) {
+    CubeReader(std::string_view bytes, const std::string& file, bool keep_non_finite = false)
+        : lines_(bytes), file_(file), keep_non_finite_(keep_non_finite) {
         if (bytes.empty()) {
             throw Error("the file is empty; a .cube needs at least LUT_3D_SIZE or LUT_1D_SIZE",
                         {file_, 0, {}});
@@ -121,7 +123,7 @@ class CubeReader {
         }
         Rgb row;
         for (std::size_t c = 0; c < 3; ++c) {
-            row[c] = read_float(words.items[c], line);
+            row[c] = read_value(words.items[c], line);
         }
         if (!table_) {
             if (!shaper_size_ && !cube_size_) {
@@ -226,6 +228,12 @@ class CubeReader {
         last_range_text_ = line;
     }
 
+    float read_value(std::string_view word, std::string_view line) {
+        float value = 0;
+        const bool keep = keep_non_finite_ && parse_float(word, value) == NumberStatus::not_finite;
+        return keep ? std::numeric_limits<float>::quiet_NaN() : read_float(word, line);
+    }
+
     float read_float(std::string_view word, std::string_view line) {
         float value = 0;
         switch (parse_float(word, value)) {
@@ -316,6 +324,7 @@ class CubeReader {
 
     LineScanner lines_;
     const std::string& file_;
+    bool keep_non_finite_;
     Lut lut_;
     std::optional<int> shaper_size_, cube_size_;
     std::vector<Rgb>* table_ = nullptr; // being filled; null before the sizes and after the last
@@ -329,6 +338,10 @@ class CubeReader {
 
 Lut read_cube(std::string_view bytes, const std::string& file) {
     return CubeReader(bytes, file).read();
+}
+
+Lut read_broken_cube(std::string_view bytes, const std::string& file) {
+    return CubeReader(bytes, file, true).read();
 }
 
 } // namespace lutlib

@@ -34,6 +34,9 @@ enum class CubeDialect { adobe, resolve };
 /// missing, truncated, overlong or out of limits.h, a value that is not a finite number, a domain
 /// that is empty or inverted, a binary or empty file.
 Lut read_cube(std::string_view bytes, const std::string& file);
+/// The same, but a row's values that are infinite or no number are read as NaN: for examining and
+/// repairing. What it returns may fail validate().
+Lut read_broken_cube(std::string_view bytes, const std::string& file);
 
 /// The shortest decimals that read back bit-identically. Throws Error for what the dialect cannot
 /// say (formats/cube.cpp's table, Holds): fit the Lut first.

@@ -171,8 +171,7 @@ PendingFile::PendingFile(const std::string& target) : target_(follow_links(targe
         fail("cannot replace the file", target, errno);
     }
     std::string name = temporary_name(target_);
-    const Descriptor file(
-        ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR | 0066));
+    const Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (file.get() < 0) {
         fail("cannot create a file in " + directory_of(target_), target, errno);
     }

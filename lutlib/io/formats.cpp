@@ -91,10 +91,13 @@ std::vector<FileFormat> make_table() {
     return out;
 }
 
-std::string names(bool written) {
+enum class Which { read, written, all };
+
+std::string names(Which which) {
     std::string out;
     for (const FileFormat& row : file_formats()) {
-        if (written ? row.write != nullptr : row.read != nullptr) {
+        if (which == Which::all || (which == Which::read && row.read) ||
+            (which == Which::written && row.write)) {
             out += (out.empty() ? "" : ", ") + row.name;
         }
     }
@@ -138,7 +141,7 @@ const FileFormat& require_file_format(std::string_view name) {
     const FileFormat* const row = file_format_named(name);
     if (!row) {
         throw UsageError("there is no format '" + std::string(name) + "'; there are " +
-                         names(false) + ", " + names(true));
+                         names(Which::all));
     }
     return *row;
 }
@@ -156,7 +159,7 @@ const FileFormat& format_for_writing(const std::string& path, const Lut& lut) {
     }
     if (!first) {
         throw UsageError("no format that can be written has the extension of " + output_name(path) +
-                         "; choose one with --format: " + names(true));
+                         "; choose one with --format: " + names(Which::written));
     }
     return *first;
 }
@@ -179,7 +182,7 @@ const FileFormat& recognise_format(std::string_view bytes, const std::string& fi
     if (!best) {
         throw Error(
             "no known LUT format by content or extension; name one of these with --format: " +
-                names(false),
+                names(Which::read),
             {file, 0, {}});
     }
     return *best;

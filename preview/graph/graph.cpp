@@ -67,6 +67,10 @@ Handle Graph::data(std::string_view name, std::span<const std::byte> bytes) {
     if (bytes.empty() || bytes.size() % 4 != 0)
         fault(fmt::format("data '{}' has {} bytes, not a positive multiple of 4", name,
                           bytes.size()));
+    for (const Resource& other : resources_)
+        if (other.origin == Origin::data && other.name == name &&
+            !std::equal(bytes.begin(), bytes.end(), other.data.begin(), other.data.end()))
+            fault(fmt::format("two data blocks are named '{}' and differ", name));
     Resource resource;
     resource.name = name;
     resource.kind = ResourceKind::buffer;

@@ -126,7 +126,7 @@ TEST(ExtensionOf, is_lower_case_and_only_of_the_file_name) {
     EXPECT_EQ(extension_of("a.b/look"), "");
 }
 
-// The child replaces a large file over and over until it is killed at a random moment.
+// The child replaces a large file over and over; it is killed as soon as its temporary file shows.
 TEST(WriteFile, killed_in_the_middle_leaves_the_old_or_the_whole_new_file) {
     const ScratchFolder folder;
     const std::string path = folder.file("big");
@@ -141,7 +141,10 @@ TEST(WriteFile, killed_in_the_middle_leaves_the_old_or_the_whole_new_file) {
                 write_file(path, std::string(size, c));
             }
         }
-        ::usleep(static_cast<useconds_t>(3000 + 1700 * round));
+        for (int wait = 0; folder.count() < 2 && wait < 100000; ++wait) {
+            ::usleep(100);
+        }
+        ::usleep(static_cast<useconds_t>(100 * round));
         ASSERT_EQ(::kill(child, SIGKILL), 0);
         int status = 0;
         ASSERT_EQ(::waitpid(child, &status, 0), child);

@@ -42,15 +42,14 @@ double largest_difference(const Lut& lut, const OcioTransform& oracle, Interpola
     return worst;
 }
 
-class Oracle : public testing::TestWithParam<std::tuple<NamedLut, Interpolation, Optimization>> {};
+class Oracle : public testing::TestWithParam<std::tuple<Interpolation, Optimization>> {};
 INSTANTIATE_TEST_SUITE_P(
     Ocio, Oracle,
-    testing::Combine(testing::ValuesIn(looks_of_every_shape(33)),
-                     testing::Values(Interpolation::trilinear, Interpolation::tetrahedral),
+    testing::Combine(testing::Values(Interpolation::trilinear, Interpolation::tetrahedral),
                      testing::Values(Optimization::none, Optimization::lossless)),
     [](const auto& row) {
-        return std::get<0>(row.param).name + "_" + std::string(name_of(std::get<1>(row.param))) +
-               (std::get<2>(row.param) == Optimization::none ? "_as_is" : "_lossless");
+        return std::string(name_of(std::get<0>(row.param))) +
+               (std::get<1>(row.param) == Optimization::none ? "_as_is" : "_lossless");
     });
 
 // The two compute a cell's fraction from products that differ by a rounding of the coordinate,
@@ -58,16 +57,20 @@ INSTANTIATE_TEST_SUITE_P(
 constexpr double agreement = 5e-7;
 
 TEST_P(Oracle, agrees_with_our_evaluation_of_a_look_in_memory) {
-    const auto& [look, how, optimization] = GetParam();
-    const auto oracle = ocio().from_lut(look.lut, {how, optimization});
-    EXPECT_LT(largest_difference(look.lut, *oracle, how), agreement);
+    const auto& [how, optimization] = GetParam();
+    for (const auto& [name, lut] : looks_of_every_shape(33)) {
+        const auto oracle = ocio().from_lut(lut, {how, optimization});
+        EXPECT_LT(largest_difference(lut, *oracle, how), agreement) << name;
+    }
 }
 
 TEST_P(Oracle, agrees_with_our_evaluation_of_a_file_that_it_parses_itself) {
-    const auto& [look, how, optimization] = GetParam();
-    const std::string bytes = write_cube(look.lut, best_dialect(look.lut));
-    const auto oracle = ocio().parse(bytes, "cube", "x.cube", {how, optimization});
-    EXPECT_LT(largest_difference(look.lut, *oracle, how), agreement);
+    const auto& [how, optimization] = GetParam();
+    for (const auto& [name, lut] : looks_of_every_shape(33)) {
+        const std::string bytes = write_cube(lut, best_dialect(lut));
+        const auto oracle = ocio().parse(bytes, "cube", "x.cube", {how, optimization});
+        EXPECT_LT(largest_difference(lut, *oracle, how), agreement) << name;
+    }
 }
 
 TEST(Ocio, opens_files_with_upper_case_suffixes_blanks_and_variables_in_their_names) {

@@ -139,6 +139,13 @@ TEST(GraphTest, imported_and_data_resources_cannot_be_written) {
     EXPECT_THROW(pass.write(data), std::logic_error);
 }
 
+TEST(GraphTest, data_blocks_of_one_name_have_one_content) {
+    Graph graph;
+    graph.data_of("numbers", 1.0F);
+    EXPECT_NO_THROW(graph.data_of("numbers", 1.0F));
+    EXPECT_THROW(graph.data_of("numbers", 2.0F), std::logic_error);
+}
+
 TEST(GraphTest, a_buffer_is_not_an_image) {
     Graph graph;
     const Handle data = graph.data_of("numbers", 1.0F);

@@ -9,6 +9,17 @@
 namespace lutlib::io {
 namespace {
 
+// Corrections of a .ccc or .cdl collection; 0 for other files.
+std::size_t corrections_in(std::string_view bytes) {
+    constexpr std::string_view opening = "<ColorCorrection ";
+    std::size_t count = 0;
+    for (std::size_t at = bytes.find(opening); at != std::string_view::npos;
+         at = bytes.find(opening, at + opening.size())) {
+        ++count;
+    }
+    return count;
+}
+
 class Library final : public Ocio {
   public:
     Library() {
@@ -48,14 +59,22 @@ class Library final : public Ocio {
 
     Reading read(std::string_view bytes, const std::string& extension, const std::string& file,
                  const ReadOptions& options) const override {
-        try {
-            return guarded(file, [&] {
-                return look_of_processor(
-                    processor_of_file(bytes, extension, file, Interpolation::tetrahedral), options);
-            });
-        } catch (const Error& e) {
-            throw e.where().file.empty() ? e.in_file(file) : e;
+        Reading out = [&] {
+            try {
+                return guarded(file, [&] {
+                    return look_of_processor(
+                        processor_of_file(bytes, extension, file, Interpolation::tetrahedral),
+                        options);
+                });
+            } catch (const Error& e) {
+                throw e.where().file.empty() ? e.in_file(file) : e;
+            }
+        }();
+        if (const std::size_t count = corrections_in(bytes); count > 1) {
+            out.losses.push_back({"only the first colour correction is read, of",
+                                  static_cast<double>(count), "corrections"});
         }
+        return out;
     }
 
     std::string write(const Lut& lut, const std::string& ocio_name,

@@ -88,6 +88,7 @@ OCIO::ConstProcessorRcPtr processor_of_file(std::string_view bytes, const std::s
     const TemporaryFile copy(bytes, extension);
     const OCIO::FileTransformRcPtr transform = OCIO::FileTransform::Create();
     transform->setSrc(copy.path().c_str());
+    transform->setCCCId("0"); // collections hold several corrections; other formats ignore it
     transform->setInterpolation(ocio_interpolation(interpolation));
     try {
         OCIO::ConstProcessorRcPtr processor = processor_of_transform(transform);

@@ -1,0 +1,62 @@
+// lutconv blend: a mixture of two looks, as one LUT.
+#include "converter/command.h"
+#include "converter/options.h"
+#include "converter/recipe_options.h"
+#include "converter/result.h"
+#include "lutlib/combine.h"
+#include "lutlib/error.h"
+#include "lutlib/io/file.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <memory>
+
+namespace converter {
+namespace {
+
+struct Options {
+    std::string a, b, output, encoding = "srgb";
+    double amount = 0.5;
+    SamplingOptions sampling;
+    MethodOption method;
+    bool json = false;
+};
+
+int run(const Options& o) {
+    if (!(std::abs(o.amount) <= 100)) {
+        throw lutlib::UsageError("--amount must be a number from -100 to 100; 0 is the first look, "
+                                 "1 the second");
+    }
+    const lutlib::Encoding& encoding = encoding_of(o.encoding, "--encoding");
+    const lutlib::ResamplingMethod& method = o.method.get();
+    const lutlib::Lut a = o.a == "identity" ? lutlib::Lut{} : read_look(o.a);
+    const lutlib::Lut b = o.b == "identity" ? lutlib::Lut{} : read_look(o.b);
+    const lutlib::Lut lut = blend(a, b, o.amount, o.sampling.sampling(), method);
+    const std::string made_of = fmt::format("{} and {:.4g} of {}", lutlib::io::input_name(o.a),
+                                            o.amount, lutlib::io::input_name(o.b));
+    write_and_report({lut, o.output, made_of, mixture(a, b, o.amount, method), encoding, {}},
+                     o.json, {{"a", o.a}, {"b", o.b}, {"amount", o.amount}});
+    return ok;
+}
+
+} // namespace
+
+Run declare_blend(CLI::App& app) {
+    const auto o = std::make_shared<Options>();
+    app.add_option("A", o->a, "the look at amount 0, or the word identity")->required();
+    app.add_option("B", o->b, "the look at amount 1, or the word identity")->required();
+    app.add_option("--amount", o->amount, "share of B; beyond 0..1 extrapolates")
+        ->capture_default_str();
+    app.add_option("-o,--output", o->output, "the new LUT, or - for standard output")->required();
+    o->sampling.declare(app, false);
+    o->method.declare(app);
+    app.add_option("--encoding", o->encoding,
+                   "what the results are, for colour differences: " + encoding_names())
+        ->capture_default_str();
+    app.add_flag("--json", o->json, "print the figures as JSON");
+    return [o] { return run(*o); };
+}
+
+} // namespace converter

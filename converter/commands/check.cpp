@@ -1,0 +1,167 @@
+// lutconv check: what is broken, folded, steep or flat in a look, and what can be repaired.
+#include "converter/command.h"
+#include "converter/options.h"
+#include "converter/report.h"
+#include "lutlib/error.h"
+#include "lutlib/formats/cube.h"
+#include "lutlib/health.h"
+#include "lutlib/io/describe.h"
+#include "lutlib/io/file.h"
+#include "lutlib/io/formats.h"
+#include "lutlib/io/recipe_file.h"
+#include "lutlib/repair.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace converter {
+namespace {
+
+namespace io = lutlib::io;
+using lutlib::Severity;
+
+struct Options {
+    std::string input, output;
+    bool strict = false, repair = false, json = false;
+    lutlib::RepairOptions repairs;
+};
+
+// As every verb reads a look, except that a .cube may hold values that are no numbers: they are
+// what is looked for.
+lutlib::Lut read_to_check(const std::string& path) {
+    const std::string bytes = io::read_file(path);
+    const std::string name = io::input_name(path);
+    if (!io::is_recipe(bytes) && io::recognise_format(bytes, name).name.starts_with("cube")) {
+        return lutlib::read_broken_cube(bytes, name);
+    }
+    return look_from(bytes, path);
+}
+
+std::string place_text(const std::optional<lutlib::Rgb>& where) {
+    return where ? fmt::format(", at {:.4g} {:.4g} {:.4g}", where->r, where->g, where->b) : "";
+}
+
+std::string verdict_text(const lutlib::Health& health) {
+    int faults = 0, warnings = 0;
+    for (const lutlib::HealthCheck& check : lutlib::health_checks()) {
+        const Severity severity = check.judge(health).severity;
+        faults += severity == Severity::fault;
+        warnings += severity == Severity::warning;
+    }
+    const auto count = [](int n, const char* what) {
+        return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+    };
+    return (faults ? "unhealthy: " + count(faults, "fault") + ", " : "healthy: ") +
+           count(warnings, "warning");
+}
+
+std::string findings_text(const lutlib::Health& health) {
+    std::string out;
+    for (const lutlib::HealthCheck& check : lutlib::health_checks()) {
+        const lutlib::Finding finding = check.judge(health);
+        out += fmt::format("  {:<8} {:<18} {}{}\n", name_of(finding.severity), check.name,
+                           finding.words, place_text(finding.where));
+    }
+    return out + verdict_text(health) + "\n";
+}
+
+nlohmann::ordered_json findings_json(const lutlib::Health& health) {
+    nlohmann::ordered_json checks = nlohmann::ordered_json::array();
+    for (const lutlib::HealthCheck& check : lutlib::health_checks()) {
+        const lutlib::Finding finding = check.judge(health);
+        nlohmann::ordered_json row{{"check", check.name},
+                                   {"severity", name_of(finding.severity)},
+                                   {"figure", finding.figure},
+                                   {"unit", check.unit},
+                                   {"words", finding.words}};
+        if (finding.where) {
+            row["at"] = {finding.where->r, finding.where->g, finding.where->b};
+        }
+        checks.push_back(row);
+    }
+    nlohmann::ordered_json expected = nlohmann::ordered_json::array();
+    for (const lutlib::ExpectedError& e : health.expected) {
+        expected.push_back({{"nodes", e.nodes}, {"error", e.error}, {"reliable", e.reliable}});
+    }
+    return {{"verdict", verdict_text(health)},
+            {"healthy", verdict(health) < Severity::fault},
+            {"expected_error", expected},
+            {"checks", checks}};
+}
+
+std::string repair_text(const lutlib::Repaired& repaired) {
+    std::string out;
+    for (const lutlib::RepairStep& step : repaired.steps) {
+        out += fmt::format("  repaired: {}: {} values, changed by {:.4g} at most\n", step.words,
+                           step.changed, step.largest);
+    }
+    return out.empty() ? "  nothing to repair\n" : out;
+}
+
+nlohmann::ordered_json repair_json(const lutlib::Repaired& repaired) {
+    nlohmann::ordered_json out = nlohmann::ordered_json::array();
+    for (const lutlib::RepairStep& step : repaired.steps) {
+        out.push_back({{"repair", step.name},
+                       {"words", step.words},
+                       {"changed_values", step.changed},
+                       {"largest_change", step.largest}});
+    }
+    return out;
+}
+
+int run(const Options& o) {
+    if (o.repair == o.output.empty()) {
+        throw lutlib::UsageError(o.repair ? "--repair needs -o LUT, the file to write"
+                                          : "-o is for what --repair makes");
+    }
+    const lutlib::Lut lut = read_to_check(o.input);
+    lutlib::Health health = examine(lut);
+    std::string text =
+        fmt::format("{}: {}, input {}\n{}", io::input_name(o.input), io::shape_of(lut),
+                    domain_text(lut.domain()), findings_text(health));
+    nlohmann::ordered_json json{{"input", o.input}};
+    json.update(findings_json(health));
+    if (o.repair) {
+        const lutlib::Repaired repaired = repair(lut, o.repairs);
+        write_look(repaired.lut, o.output);
+        health = examine(repaired.lut);
+        text += fmt::format("{}\n{}{}", io::output_name(o.output), repair_text(repaired),
+                            findings_text(health));
+        json["output"] = o.output;
+        json["repairs"] = repair_json(repaired);
+        json["after"] = findings_json(health);
+    }
+    o.json ? print(json, o.output) : print(text, o.output);
+    const bool healthy = verdict(health) < Severity::fault;
+    return o.strict && !healthy ? verification_failed : ok;
+}
+
+std::string check_list() {
+    std::string out = "Checks:\n";
+    for (const lutlib::HealthCheck& check : lutlib::health_checks()) {
+        out += fmt::format("  {:<18} {} ({})\n", check.name, check.help, check.unit);
+    }
+    out += "Repairs:\n";
+    for (const lutlib::RepairInfo& row : lutlib::repairs()) {
+        out += fmt::format("  {:<18} {}\n", row.name, row.help);
+    }
+    return out;
+}
+
+} // namespace
+
+Run declare_check(CLI::App& app) {
+    const auto o = std::make_shared<Options>();
+    app.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input")->required();
+    app.add_flag("--strict", o->strict, "exit with 1 when there is a fault");
+    app.add_flag("--repair", o->repair, "repair what can be repaired, into -o");
+    app.add_flag("--clamp", o->repairs.clamp, "with --repair: clamp outputs to 0..1");
+    app.add_option("-o,--output", o->output, "the repaired LUT, or - for standard output");
+    app.add_flag("--json", o->json, "print the figures as JSON");
+    app.footer(check_list());
+    return [o] { return run(*o); };
+}
+
+} // namespace converter

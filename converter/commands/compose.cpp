@@ -1,0 +1,73 @@
+// lutconv compose: looks one after the other, as one LUT.
+#include "converter/command.h"
+#include "converter/options.h"
+#include "converter/recipe_options.h"
+#include "converter/result.h"
+#include "lutlib/combine.h"
+#include "lutlib/error.h"
+#include "lutlib/io/file.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace converter {
+namespace {
+
+struct Options {
+    std::vector<std::string> inputs;
+    std::string output, encoding = "srgb";
+    SamplingOptions sampling;
+    MethodOption method;
+    bool json = false;
+};
+
+int run(const Options& o) {
+    if (o.inputs.size() < 2) {
+        throw lutlib::UsageError("compose takes two looks or more, the first to apply first");
+    }
+    const lutlib::Encoding& encoding = encoding_of(o.encoding, "--encoding");
+    const lutlib::ResamplingMethod& method = o.method.get();
+    std::vector<lutlib::Lut> looks;
+    std::string order;
+    for (const std::string& path : o.inputs) {
+        looks.push_back(read_look(path));
+        order += (order.empty() ? "" : ", then ") + lutlib::io::input_name(path);
+    }
+    std::vector<const lutlib::Lut*> chain;
+    for (const lutlib::Lut& look : looks) {
+        chain.push_back(&look);
+    }
+    const lutlib::Lut lut = compose(chain, o.sampling.sampling(), method);
+    const double clamped = clamped_share(chain, method);
+    std::vector<std::string> notes;
+    if (clamped > 0) {
+        notes.push_back(fmt::format("lost: {:.3g} % of the input's colours leave a later look's "
+                                    "domain and are clamped to it",
+                                    100 * clamped));
+    }
+    write_and_report({lut, o.output, order, composition(chain, method), encoding, notes}, o.json,
+                     {{"inputs", o.inputs}, {"clamped_share", clamped}});
+    return ok;
+}
+
+} // namespace
+
+Run declare_compose(CLI::App& app) {
+    const auto o = std::make_shared<Options>();
+    app.add_option("LUT", o->inputs, "the looks; the first gets the input")
+        ->required()
+        ->expected(1, -1);
+    app.add_option("-o,--output", o->output, "the new LUT, or - for standard output")->required();
+    o->sampling.declare(app, false);
+    o->method.declare(app);
+    app.add_option("--encoding", o->encoding,
+                   "what the results are, for colour differences: " + encoding_names())
+        ->capture_default_str();
+    app.add_flag("--json", o->json, "print the figures as JSON");
+    app.footer("compose A B -o C: C(x) = B(A(x)), on A's domain, with the largest size of all.");
+    return [o] { return run(*o); };
+}
+
+} // namespace converter

@@ -1,0 +1,84 @@
+#include "converter/result.h"
+
+#include "converter/options.h"
+#include "converter/report.h"
+#include "lutlib/io/file.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+namespace converter {
+namespace {
+
+nlohmann::ordered_json color_json(lutlib::RgbD c) {
+    return {c.r, c.g, c.b};
+}
+
+nlohmann::ordered_json to_json(const lutlib::WorstColour& worst) {
+    return {{"in", color_json(to_double(worst.in))},
+            {"a", color_json(worst.a)},
+            {"b", color_json(worst.b)}};
+}
+
+std::string to_text(const lutlib::WorstColour& worst) {
+    return fmt::format("{} -> {} and {}", color_text(to_double(worst.in)), color_text(worst.a),
+                       color_text(worst.b));
+}
+
+std::string tables_text(const lutlib::Lut& lut) {
+    std::string out =
+        fmt::format("{} nodes a side, input {}", lut.cube->size, domain_text(lut.domain()));
+    if (lut.shaper) {
+        out += fmt::format(", a 1D table of {} before them", lut.shaper->size());
+    }
+    return out;
+}
+
+} // namespace
+
+std::string color_text(lutlib::RgbD c) {
+    return fmt::format("({:.4g}, {:.4g}, {:.4g})", c.r, c.g, c.b);
+}
+
+nlohmann::ordered_json to_json(const lutlib::Difference& d) {
+    return {{"absolute", to_json(d.absolute)},
+            {"delta_e_2000", to_json(d.delta_e_2000)},
+            {"delta_e_itp", to_json(d.delta_e_itp)},
+            {"psnr", d.psnr},
+            {"worst", to_json(d.worst)},
+            {"worst_to_eye", to_json(d.worst_to_eye)}};
+}
+
+std::string to_text(const lutlib::Difference& d, const std::string& indent) {
+    return fmt::format("{0}code values: {1}\n{0}dE2000: {2}\n{0}dE-ITP: {3}\n{0}PSNR: {4:.4g} dB\n"
+                       "{0}worst: {5}\n{0}worst to the eye: {6}\n",
+                       indent, to_text(d.absolute), to_text(d.delta_e_2000), to_text(d.delta_e_itp),
+                       d.psnr, to_text(d.worst), to_text(d.worst_to_eye));
+}
+
+void write_and_report(const Result& result, bool json, nlohmann::ordered_json extra) {
+    write_look(result.lut, result.output);
+    const lutlib::Lut& lut = result.lut;
+    const lutlib::Difference error =
+        compare(result.exact, transform_of(lut, lutlib::Interpolation::tetrahedral),
+                lutlib::samples_over(lut.domain(), std::min(lut.cube->size, 33)), result.encoding);
+    if (json) {
+        nlohmann::ordered_json out{{"output", result.output},
+                                   {"size", lut.cube->size},
+                                   {"shaper_size", lut.shaper ? lut.shaper->size() : 0}};
+        out.update(extra);
+        out["error"] = to_json(error);
+        print(out, result.output);
+        return;
+    }
+    std::string text = fmt::format("{} <- {}\n  {}\n", lutlib::io::output_name(result.output),
+                                   result.made_of, tables_text(lut));
+    for (const std::string& note : result.notes) {
+        text += "  " + note + "\n";
+    }
+    text += fmt::format("  error of the LUT against that, {} colours\n{}", error.absolute.count,
+                        to_text(error, "    "));
+    print(text, result.output);
+}
+
+} // namespace converter

@@ -1,0 +1,31 @@
+// What a verb that makes a LUT says of it: its tables, and its error against what it stands for.
+#pragma once
+
+#include "lutlib/compare.h"
+#include "lutlib/lut.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace converter {
+
+struct Result {
+    const lutlib::Lut& lut;
+    std::string output;
+    std::string made_of; ///< "a.cube, then b.cube"
+    /// What the LUT stands for, over its domain.
+    lutlib::Transform exact;
+    const lutlib::Encoding& encoding; ///< of the result's code values
+    std::vector<std::string> notes;   ///< lines of text, what was lost
+};
+
+/// Writes the LUT, measures it over its domain, and prints text or JSON.
+void write_and_report(const Result& result, bool json, nlohmann::ordered_json extra);
+
+nlohmann::ordered_json to_json(const lutlib::Difference& difference);
+std::string to_text(const lutlib::Difference& difference, const std::string& indent);
+std::string color_text(lutlib::RgbD color);
+
+} // namespace converter

@@ -1,0 +1,108 @@
+// The stability of a look: what in it is broken, folded, steep or flat, where that sits, and what
+// it does to a picture.
+//
+// Steepness is counted per width of the look's input domain, so that 0..1 and 0..4 compare: a gain
+// of 2 moves an output channel by 2 while the input crosses its whole domain. Where there is a
+// shaper, it is part of the figure. Places are inputs of the look. Values that are not finite are
+// counted, and left out of every other figure.
+#pragma once
+
+#include "lutlib/lut.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lutlib {
+
+/// A figure and the input where it is found.
+struct Extreme {
+    double value = 0;
+    Rgb in;
+};
+
+/// What a lattice of `nodes` a side over the look's domain, without a shaper, holding the look's
+/// values at its nodes and read tetrahedrally, is expected to miss of this look: the largest
+/// difference of a channel. 0 where the lattice keeps all nodes of the look.
+struct ExpectedError {
+    int nodes = 0;
+    double error = 0;
+    /// False where the curvature changes too much between neighbouring nodes to be known: at kinks,
+    /// steps, spikes and in coarse codes. `error` is then what the worst alignment would give.
+    bool reliable = false;
+    Rgb in;
+};
+
+struct Health {
+    // The stored numbers, three for each node and entry.
+    std::size_t values = 0;
+    std::size_t non_finite = 0;
+    std::optional<Rgb> first_non_finite;
+    std::size_t outside = 0; ///< finite values below 0 or above 1 in the output
+    Extreme lowest, highest; ///< of the output
+    std::size_t cut_off = 0; ///< finite shaper values that the cube's domain cuts off
+
+    // The six tetrahedra of every cell that an input can reach, and the sign of the Jacobian's
+    // determinant in each. Flat: too small to have a sign beside the rounding of six decimals.
+    std::size_t tetrahedra = 0;
+    std::size_t flat = 0;
+    std::size_t folded = 0; ///< of the rarer sign
+    bool mirrored = false; ///< the commoner sign is negative: two channels swapped, or one inverted
+    Extreme deepest_fold;  ///< determinant of the worst folded tetrahedron, against the sign
+    double invertible = 0; ///< share of the input's volume that is neither flat nor folded
+    std::array<Extreme, 3> shaper_fall; ///< largest fall between neighbouring entries, >= 0
+
+    // Stiffness.
+    Extreme gain;              ///< largest singular value of the Jacobian
+    Extreme condition;         ///< largest ratio of singular values where not flat
+    Extreme second_difference; ///< between neighbouring nodes along an axis, in output units
+
+    // What that means.
+    Extreme banding_neutral; ///< output codes between neighbouring input codes of a neutral ramp
+    Extreme banding_channel; ///< the same of a ramp of one channel
+    Extreme noise_gain;      ///< of white noise, in the darkest sixteenth of the neutral axis
+    std::array<ExpectedError, 2> expected{{{16, 0, false, {}}, {33, 0, false, {}}}};
+
+    // Where an output channel stands still. Shares of the cells; a place is where it begins.
+    std::array<Extreme, 3> clipped_low, clipped_high; ///< at the lowest, the highest value
+    Extreme plateau; ///< a channel constant between its extremes, along every axis
+
+    // Along the neutral axis, from the domain's minimum to its maximum.
+    Extreme neutral_fall;                ///< largest fall of Rec.709 luma from its highest so far
+    std::array<Extreme, 3> channel_fall; ///< the same of each channel
+    double neutral_rise = 0;             ///< luma at the end less luma at the start
+};
+
+/// Everything above. The look may hold values that are not finite; else it must be valid.
+Health examine(const Lut& lut);
+
+enum class Severity { good, note, warning, fault };
+std::string_view name_of(Severity severity);
+
+/// One point of the verdict.
+struct Finding {
+    Severity severity = Severity::good;
+    double figure = 0;
+    std::string words;
+    std::optional<Rgb> where;
+};
+
+/// One row: what is looked at, and what a look's figures say about it.
+struct HealthCheck {
+    std::string_view name;
+    std::string_view unit;
+    std::string_view help;
+    Finding (*judge)(const Health& health);
+};
+
+/// Every check, in the order of the report.
+std::span<const HealthCheck> health_checks();
+
+/// The worst severity of all checks. A look with a fault is unhealthy.
+Severity verdict(const Health& health);
+
+} // namespace lutlib

@@ -1,0 +1,307 @@
+// Fold-over, stiffness, clipping and plateaus: one pass over the cells of a cube.
+#include "lutlib/health/axis.h"
+#include "lutlib/health/jacobian.h"
+#include "lutlib/health/parts.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace lutlib::health {
+namespace {
+
+// The tetrahedra of a cell: the orders in which a path from its dark to its bright corner walks
+// along the axes, as tetrahedral interpolation does.
+constexpr std::array<std::array<std::size_t, 3>, 6> walks{
+    {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+
+void raise(Extreme& extreme, double value, const Rgb& in) {
+    if (value > extreme.value) {
+        extreme = {value, in};
+    }
+}
+
+double dot(const RgbD& a, const RgbD& b) {
+    return a.r * b.r + a.g * b.g + a.b * b.b;
+}
+
+double length(const RgbD& v) {
+    return std::sqrt(dot(v, v));
+}
+
+double sum(const Rgb& c) {
+    return static_cast<double>(c.r) + static_cast<double>(c.g) + static_cast<double>(c.b);
+}
+
+// A count and the input where the thing begins: the darkest or the brightest of all.
+struct Region {
+    std::size_t cells = 0;
+    Rgb in;
+
+    void add(const Rgb& at, bool darkest) {
+        if (cells == 0 || (darkest ? sum(at) < sum(in) : sum(at) > sum(in))) {
+            in = at;
+        }
+        ++cells;
+    }
+    void add(const Region& other, bool darkest) {
+        if (other.cells > 0) {
+            const std::size_t total = cells + other.cells;
+            add(other.in, darkest);
+            cells = total;
+        }
+    }
+};
+
+struct Sums {
+    std::size_t cells = 0, tetrahedra = 0, flat = 0;
+    std::array<std::size_t, 2> signed_count{}; ///< negative, positive
+    std::array<double, 2> signed_volume{};
+    std::array<Extreme, 2> deepest{};
+    Extreme gain, condition, channel_gain;
+    std::array<Region, 3> low, high;
+    Region plateau;
+
+    void join(const Sums& right) {
+        cells += right.cells;
+        tetrahedra += right.tetrahedra;
+        flat += right.flat;
+        for (std::size_t s = 0; s < 2; ++s) {
+            signed_count[s] += right.signed_count[s];
+            signed_volume[s] += right.signed_volume[s];
+            raise(deepest[s], right.deepest[s].value, right.deepest[s].in);
+        }
+        raise(gain, right.gain.value, right.gain.in);
+        raise(condition, right.condition.value, right.condition.in);
+        raise(channel_gain, right.channel_gain.value, right.channel_gain.in);
+        for (std::size_t c = 0; c < 3; ++c) {
+            low[c].add(right.low[c], false);
+            high[c].add(right.high[c], true);
+        }
+        plateau.add(right.plateau, true);
+    }
+};
+
+class CellPass {
+  public:
+    CellPass(const Lut& lut, const Lut3D& cube, double rounding)
+        : cube_(cube), rounding_(rounding), axes_(cells_of_axes(lut, cube.size, cube.domain)) {
+        constexpr float inf = std::numeric_limits<float>::infinity();
+        lowest_ = {inf, inf, inf};
+        highest_ = {-inf, -inf, -inf};
+        for (const Rgb& node : cube.nodes) {
+            for (std::size_t c = 0; c < 3 && finite(node); ++c) {
+                lowest_[c] = std::min(lowest_[c], node[c]);
+                highest_[c] = std::max(highest_[c], node[c]);
+            }
+        }
+    }
+
+    void slab(int b, Sums& out) const {
+        const int last = cube_.size - 1;
+        for (int g = 0; g < last; ++g) {
+            for (int r = 0; r < last; ++r) {
+                const std::array<AxisCell, 3> at{axis(0, r), axis(1, g), axis(2, b)};
+                if (at[0].reached && at[1].reached && at[2].reached) {
+                    cell(r, g, b, at, out);
+                }
+            }
+        }
+    }
+
+  private:
+    const AxisCell& axis(std::size_t c, int i) const {
+        return axes_[c][static_cast<std::size_t>(i)];
+    }
+
+    void cell(int r, int g, int b, const std::array<AxisCell, 3>& at, Sums& out) const {
+        std::array<RgbD, 8> corner;
+        Rgb low = cube_.at(r, g, b), high = low;
+        for (std::size_t k = 0; k < 8; ++k) {
+            const int dr = k & 1 ? 1 : 0, dg = k & 2 ? 1 : 0, db = k & 4 ? 1 : 0;
+            const Rgb& node = cube_.at(r + dr, g + dg, b + db);
+            if (!finite(node)) {
+                return;
+            }
+            corner[k] = to_double(node);
+            for (std::size_t c = 0; c < 3; ++c) {
+                low[c] = std::min(low[c], node[c]);
+                high[c] = std::max(high[c], node[c]);
+            }
+        }
+        const Rgb in = to_float({at[0].input, at[1].input, at[2].input});
+        ++out.cells;
+        flatness(low, high, in, out);
+        const double volume = at[0].width * at[1].width * at[2].width / 6;
+        for (const auto& walk : walks) {
+            Jacobian edges;
+            std::size_t k = 0;
+            for (const std::size_t c : walk) {
+                const std::size_t next = k | (std::size_t{1} << c);
+                edges[c] = corner[next] - corner[k];
+                k = next;
+            }
+            tetrahedron(edges, at, in, volume, out);
+        }
+    }
+
+    void flatness(const Rgb& low, const Rgb& high, const Rgb& in, Sums& out) const {
+        bool plateau = false;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double height = static_cast<double>(high[c]) - static_cast<double>(low[c]);
+            if (height > tolerance(low[c], high[c])) {
+                continue;
+            }
+            const bool varies = lowest_[c] < highest_[c];
+            if (varies && low[c] == lowest_[c]) {
+                out.low[c].add(in, false);
+            } else if (varies && high[c] == highest_[c]) {
+                out.high[c].add(in, true);
+            } else {
+                plateau = true;
+            }
+        }
+        if (plateau) {
+            out.plateau.add(in, true);
+        }
+    }
+
+    void tetrahedron(const Jacobian& edges, const std::array<AxisCell, 3>& at, const Rgb& in,
+                     double volume, Sums& out) const {
+        ++out.tetrahedra;
+        Jacobian slopes;
+        double channel = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            slopes[c] = (at[c].slope * (cube_.size - 1)) * edges[c];
+            channel = std::max(
+                {channel, std::abs(slopes[c].r), std::abs(slopes[c].g), std::abs(slopes[c].b)});
+        }
+        raise(out.channel_gain, channel, in);
+        const double x = length(edges[0]), y = length(edges[1]), z = length(edges[2]);
+        const double det = determinant(edges);
+        // What two independent roundings, both twice their usual size, make of an edge.
+        const double shake = 1.6 * tolerance(static_cast<float>(std::max({x, y, z})));
+        const bool flat = !(std::abs(det) > shake * (x * y + y * z + z * x)) ||
+                          !(at[0].slope * at[1].slope * at[2].slope > 0);
+        raise_singular(slopes, flat, in, out);
+        if (flat) {
+            ++out.flat;
+            return;
+        }
+        const std::size_t sign = det > 0 ? 1 : 0;
+        ++out.signed_count[sign];
+        out.signed_volume[sign] += volume;
+        raise(out.deepest[sign], std::abs(determinant(slopes)), in);
+    }
+
+    // The singular values only where their bounds by sums of squares leave a new largest possible:
+    // s1 <= |J|, and s1 / s3 = s1 * (s1 s2) / |det| <= |J| * |cofactors| / |det|.
+    static void raise_singular(const Jacobian& j, bool flat, const Rgb& in, Sums& out) {
+        const double square = dot(j[0], j[0]) + dot(j[1], j[1]) + dot(j[2], j[2]);
+        const double det = std::abs(determinant(j));
+        // |cofactors| <= |J|^2 / sqrt(3)
+        const bool ill = !flat && square * std::sqrt(square / 3) > out.condition.value * det;
+        if (!ill && square <= out.gain.value * out.gain.value) {
+            return;
+        }
+        const SingularValues s = singular_values(j);
+        raise(out.gain, s.largest, in);
+        if (!flat) {
+            raise(out.condition, s.largest / s.smallest, in);
+        }
+    }
+
+    double tolerance(float a, float b = 0) const {
+        const double size = std::max(std::abs(a), std::abs(b));
+        return std::max(rounding_, size * std::numeric_limits<float>::epsilon());
+    }
+
+    const Lut3D& cube_;
+    double rounding_;
+    std::array<AxisCells, 3> axes_;
+    Rgb lowest_, highest_;
+};
+
+double share(std::size_t part, std::size_t whole) {
+    return whole ? static_cast<double>(part) / static_cast<double>(whole) : 0;
+}
+
+// Where the node is reached: without a shaper its own position, else that of a cell beside it.
+void examine_second_differences(const Lut& lut, const Lut3D& cube, Health& out) {
+    const auto axes = cells_of_axes(lut, cube.size, cube.domain);
+    const int last = cube.size - 1;
+    const auto reached = [&](std::size_t c, int i) {
+        return axes[c][static_cast<std::size_t>(i)].reached;
+    };
+    for (int b = 0; b <= last; ++b) {
+        for (int g = 0; g <= last; ++g) {
+            for (int r = 0; r <= last; ++r) {
+                const std::array<int, 3> at{r, g, b};
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const int i = at[c];
+                    if (i == 0 || i == last || !reached(c, i - 1) || !reached(c, i)) {
+                        continue;
+                    }
+                    std::array<int, 3> before = at, after = at;
+                    --before[c];
+                    ++after[c];
+                    const RgbD d = to_double(cube.at(before[0], before[1], before[2])) -
+                                   2 * to_double(cube.at(r, g, b)) +
+                                   to_double(cube.at(after[0], after[1], after[2]));
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        if (std::abs(d[k]) > out.second_difference.value) {
+                            Rgb in = to_float(node_position(cube, r, g, b));
+                            for (std::size_t a = 0; a < 3 && lut.shaper; ++a) {
+                                const int beside = std::min(at[a], last - 1);
+                                in[a] = static_cast<float>(
+                                    axes[a][static_cast<std::size_t>(beside)].input);
+                            }
+                            out.second_difference = {std::abs(d[k]), in};
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+} // namespace
+
+void examine_cells(const Lut& lut, const Lut3D& cube, double rounding, Health& out) {
+    const CellPass pass(lut, cube, rounding);
+    const Sums sums = tbb::parallel_deterministic_reduce(
+        tbb::blocked_range<int>(0, cube.size - 1, 1), Sums{},
+        [&](const tbb::blocked_range<int>& range, Sums partial) {
+            for (int b = range.begin(); b < range.end(); ++b) {
+                pass.slab(b, partial);
+            }
+            return partial;
+        },
+        [](Sums left, const Sums& right) {
+            left.join(right);
+            return left;
+        });
+    out.tetrahedra = sums.tetrahedra;
+    out.flat = sums.flat;
+    out.mirrored = sums.signed_count[0] > sums.signed_count[1];
+    const std::size_t main = out.mirrored ? 0 : 1;
+    out.folded = sums.signed_count[1 - main];
+    out.deepest_fold = sums.deepest[1 - main];
+    out.invertible = sums.signed_volume[main];
+    out.gain = sums.gain;
+    out.condition = sums.condition;
+    out.banding_channel = sums.channel_gain;
+    for (std::size_t c = 0; c < 3; ++c) {
+        out.clipped_low[c] = {share(sums.low[c].cells, sums.cells), sums.low[c].in};
+        out.clipped_high[c] = {share(sums.high[c].cells, sums.cells), sums.high[c].in};
+    }
+    out.plateau = {share(sums.plateau.cells, sums.cells), sums.plateau.in};
+    examine_second_differences(lut, cube, out);
+}
+
+} // namespace lutlib::health

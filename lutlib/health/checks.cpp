@@ -1,0 +1,280 @@
+// The checks as a table: what a look's figures mean, in words.
+#include "lutlib/health.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace lutlib {
+namespace {
+
+// Limits of the verdict.
+constexpr double fold_note = 0, fold_fault = 0.02;  // shares of the tetrahedra
+constexpr double gain_warning = 8, gain_fault = 32; // an 8-bit code becomes as many
+constexpr double condition_warning = 1e3;
+constexpr double banding_warning = 4, banding_fault = 16; // codes
+constexpr double noise_warning = 4;
+constexpr double error_warning = 1.0 / 64;                       // 4 codes of 8 bits
+constexpr double clipped_warning = 0.25, plateau_warning = 0.01; // shares of the cells
+constexpr double invertible_note = 0.99, invertible_warning = 0.75;
+constexpr double fall_warning = 0.5 / 255, fall_fault = 2.0 / 255;
+constexpr std::array<const char*, 3> channels{"red", "green", "blue"};
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+    std::array<char, 320> out{};
+    std::snprintf(out.data(), out.size(), format, values...);
+    return out.data();
+}
+
+Severity graded(double figure, double warning, double fault = INFINITY) {
+    return figure > fault ? Severity::fault : figure > warning ? Severity::warning : Severity::good;
+}
+
+std::size_t largest_of(const std::array<Extreme, 3>& channels_of) {
+    const auto at =
+        std::max_element(channels_of.begin(), channels_of.end(),
+                         [](const Extreme& a, const Extreme& b) { return a.value < b.value; });
+    return static_cast<std::size_t>(at - channels_of.begin());
+}
+
+double share(std::size_t part, std::size_t whole) {
+    return whole ? static_cast<double>(part) / static_cast<double>(whole) : 0;
+}
+
+std::optional<Rgb> place(const Extreme& extreme) {
+    return extreme.value > 0 ? std::optional<Rgb>(extreme.in) : std::nullopt;
+}
+
+Finding non_finite(const Health& h) {
+    if (h.non_finite == 0) {
+        return {Severity::good, 0, "every value is a number", {}};
+    }
+    return {Severity::fault, static_cast<double>(h.non_finite),
+            text("%zu of %zu values are NaN or infinite", h.non_finite, h.values),
+            h.first_non_finite};
+}
+
+Finding range(const Health& h) {
+    if (!(h.lowest.value <= h.highest.value)) {
+        return {Severity::fault, 0, "no value is a number", {}};
+    }
+    const double beyond = std::max({0.0, -h.lowest.value, h.highest.value - 1});
+    const std::string span = text("outputs run from %.6g to %.6g", h.lowest.value, h.highest.value);
+    if (h.outside == 0) {
+        return {Severity::good, 0, span, {}};
+    }
+    return {Severity::note, beyond,
+            span + text("; %zu of %zu values lie outside 0..1, and integer codes clip them",
+                        h.outside, h.values),
+            -h.lowest.value > h.highest.value - 1 ? h.lowest.in : h.highest.in};
+}
+
+Finding folds(const Health& h) {
+    const double folded = share(h.folded, h.tetrahedra);
+    if (h.folded == 0) {
+        return {h.mirrored ? Severity::note : Severity::good,
+                0,
+                h.mirrored ? "nothing folds over, but the cube is turned inside out: two channels "
+                             "are swapped, or an odd number inverted"
+                           : "no tetrahedron folds over",
+                {}};
+    }
+    return {folded > fold_fault  ? Severity::fault
+            : folded > fold_note ? Severity::warning
+                                 : Severity::good,
+            folded,
+            text("%zu of %zu tetrahedra (%.3g %%) fold over: different inputs cross to one output",
+                 h.folded, h.tetrahedra, 100 * folded),
+            h.deepest_fold.in};
+}
+
+Finding table_falls(const Health& h) {
+    const std::size_t c = largest_of(h.shaper_fall);
+    const Extreme& most = h.shaper_fall[c];
+    if (most.value <= 0) {
+        return {Severity::good, 0, "the 1D table, if any, never turns back", {}};
+    }
+    return {Severity::fault, most.value,
+            text("the 1D table of %s turns back by %.3g from one entry to the next", channels[c],
+                 most.value),
+            most.in};
+}
+
+Finding gain(const Health& h) {
+    return {graded(h.gain.value, gain_warning, gain_fault), h.gain.value,
+            text("the steepest direction gains %.4g", h.gain.value), place(h.gain)};
+}
+
+Finding condition(const Health& h) {
+    if (h.flat == h.tetrahedra) {
+        return {Severity::note, 0, "flat everywhere: there is no direction to compare", {}};
+    }
+    return {graded(h.condition.value, condition_warning), h.condition.value,
+            text("the steepest direction gains up to %.3g times the flattest beside it",
+                 h.condition.value),
+            place(h.condition)};
+}
+
+Finding second_difference(const Health& h) {
+    return {Severity::good, h.second_difference.value,
+            text("neighbouring slopes differ by at most %.4g a node", h.second_difference.value),
+            place(h.second_difference)};
+}
+
+Finding banding(const Health& h) {
+    const double most = h.banding_neutral.value;
+    return {graded(most, banding_warning, banding_fault), most,
+            text("8 bits: a neutral ramp jumps by up to %.3g codes, a ramp of one channel by up to "
+                 "%.3g",
+                 most, h.banding_channel.value),
+            place(h.banding_neutral)};
+}
+
+Finding noise(const Health& h) {
+    return {graded(h.noise_gain.value, noise_warning), h.noise_gain.value,
+            text("noise near black is multiplied by up to %.3g", h.noise_gain.value),
+            place(h.noise_gain)};
+}
+
+Finding expected(const ExpectedError& e) {
+    const double codes = 255 * e.error;
+    if (!e.reliable) {
+        return {Severity::note, e.error,
+                text("cannot tell: the look bends too sharply between its nodes, or in steps of "
+                     "coarse codes; at worst about %.3g (%.3g codes of 8 bits)",
+                     e.error, codes),
+                place({e.error, e.in})};
+    }
+    if (!(e.error > 0)) {
+        return {Severity::good, 0, "none: the lattice keeps what is there", {}};
+    }
+    return {graded(e.error, error_warning), e.error,
+            text("about %.3g at most (%.3g codes of 8 bits), read tetrahedrally", e.error, codes),
+            e.in};
+}
+
+Finding expected_16(const Health& h) {
+    return expected(h.expected[0]);
+}
+
+Finding expected_33(const Health& h) {
+    return expected(h.expected[1]);
+}
+
+Finding clipping(const Health& h) {
+    const std::size_t low = largest_of(h.clipped_low), high = largest_of(h.clipped_high);
+    const bool top = h.clipped_high[high].value >= h.clipped_low[low].value;
+    const Extreme& most = top ? h.clipped_high[high] : h.clipped_low[low];
+    if (most.value <= 0) {
+        return {Severity::good, 0, "no channel stands at its end", {}};
+    }
+    return {most.value > clipped_warning ? Severity::warning : Severity::note, most.value,
+            text("%s stands at its %s in %.3g %% of the cells", channels[top ? high : low],
+                 top ? "highest" : "lowest", 100 * most.value),
+            most.in};
+}
+
+Finding plateau(const Health& h) {
+    if (h.plateau.value <= 0) {
+        return {Severity::good, 0, "no channel stands still between its ends", {}};
+    }
+    return {graded(h.plateau.value, plateau_warning) == Severity::good ? Severity::note
+                                                                       : Severity::warning,
+            h.plateau.value,
+            text("a channel stands still between its ends in %.3g %% of the cells",
+                 100 * h.plateau.value),
+            h.plateau.in};
+}
+
+Finding neutral_axis(const Health& h) {
+    const std::size_t c = largest_of(h.channel_fall);
+    const double luma = h.neutral_fall.value, channel = h.channel_fall[c].value;
+    if (h.neutral_rise < 0 && luma >= -h.neutral_rise) {
+        return {Severity::fault, luma,
+                text("neutrals become darker towards white, by %.3g: a negative", luma),
+                h.neutral_fall.in};
+    }
+    if (luma > 0) {
+        return {graded(luma, fall_warning, fall_fault) == Severity::good
+                    ? Severity::note
+                    : graded(luma, fall_warning, fall_fault),
+                luma, text("brighter neutrals become darker by up to %.3g", luma),
+                h.neutral_fall.in};
+    }
+    if (channel > 0) {
+        return {graded(channel, fall_fault) == Severity::good ? Severity::note : Severity::warning,
+                channel, text("luma rises, but %s falls by up to %.3g", channels[c], channel),
+                h.channel_fall[c].in};
+    }
+    return {h.neutral_rise > 0 ? Severity::good : Severity::note,
+            0,
+            h.neutral_rise > 0 ? "neutrals never fall" : "neutrals never rise",
+            {}};
+}
+
+Finding invertible(const Health& h) {
+    const double part = h.invertible;
+    const Severity severity = !(part > 0)                 ? Severity::fault
+                              : part < invertible_warning ? Severity::warning
+                              : part < invertible_note    ? Severity::note
+                                                          : Severity::good;
+    return {severity,
+            part,
+            part > 0 ? text("%.4g %% of the input's volume can be undone: neither flat nor folded",
+                            100 * part)
+                     : "nothing can be undone: every tetrahedron is flat",
+            {}};
+}
+
+Finding cut_off(const Health& h) {
+    if (h.cut_off == 0) {
+        return {Severity::good, 0, "the cube takes all that the 1D table, if any, gives", {}};
+    }
+    return {Severity::note,
+            static_cast<double>(h.cut_off),
+            text("%zu values of the 1D table lie outside the cube's domain and are clamped to it",
+                 h.cut_off),
+            {}};
+}
+
+constexpr std::array<HealthCheck, 16> table{{
+    {"non-finite", "values", "values that are no numbers", non_finite},
+    {"range", "beyond 0..1", "the outputs' range", range},
+    {"1d-table", "fall", "a 1D table that turns back", table_falls},
+    {"cut-off", "values", "a 1D table that leaves the cube's domain", cut_off},
+    {"fold-over", "share", "sign of the Jacobian in every tetrahedron", folds},
+    {"neutral-axis", "fall", "neutrals that rise stay in order", neutral_axis},
+    {"gain", "out per in", "largest singular value of the Jacobian", gain},
+    {"condition", "ratio", "largest ratio of singular values", condition},
+    {"second-difference", "output", "largest bend between neighbouring nodes", second_difference},
+    {"banding", "codes of 8 bits", "largest step of an 8-bit ramp", banding},
+    {"noise-near-black", "times", "what small noise becomes in the dark", noise},
+    {"error-at-16", "output", "expected of a lattice of 16 nodes a side", expected_16},
+    {"error-at-33", "output", "expected of a lattice of 33 nodes a side", expected_33},
+    {"clipping", "share of cells", "channels at their lowest or highest", clipping},
+    {"plateaus", "share of cells", "channels that stand still in between", plateau},
+    {"invertible", "share of volume", "what can be undone", invertible},
+}};
+
+} // namespace
+
+std::string_view name_of(Severity severity) {
+    constexpr std::array<std::string_view, 4> names{"good", "note", "warning", "fault"};
+    return names[static_cast<std::size_t>(severity)];
+}
+
+std::span<const HealthCheck> health_checks() {
+    return table;
+}
+
+Severity verdict(const Health& health) {
+    Severity worst = Severity::good;
+    for (const HealthCheck& check : table) {
+        worst = std::max(worst, check.judge(health).severity);
+    }
+    return worst;
+}
+
+} // namespace lutlib

@@ -1,0 +1,239 @@
+// The error that a lattice of another size is expected to make, from second differences.
+//
+// Where the curvature is locally constant, tetrahedral interpolation over cells of side H misses
+// u = (u_r, u_g, u_b) within a cell by
+//     H^2 ( sum_a f_aa u_a (1 - u_a) / 2  +  sum_{a<b} f_ab (min(u_a, u_b) - u_a u_b) )
+// and a LUT, itself interpolated, is off from the smooth look through its nodes in the same way.
+// The second differences of the nodes give f_aa and f_ab; at the look's own nodes, which is where
+// it breaks, the formula gives the error against it. They are taken at a stride near H/2, as the
+// error averages the curvature over a cell.
+//
+// That the curvature is constant is tested: the differences along the edges of the tetrahedra at
+// twice the stride must say the same. At a kink, a step or a spike they do not: they grow with the
+// first power of the stride, or not at all. There the figure is the worst that the lattice's
+// alignment can make of it, and is said to be unreliable.
+#include "lutlib/health/parts.h"
+#include "lutlib/interpolation.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace lutlib::health {
+namespace {
+
+constexpr std::array<std::array<int, 3>, 7> edges{
+    {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}}};
+// Two strides may differ by this factor and still be called one curvature.
+constexpr double agreement = 1.5;
+constexpr int shaped_size = 65;
+
+// The look over its own domain without a shaper.
+Lut3D without_shaper(const Lut& lut) {
+    Lut3D cube = identity_cube(shaped_size, lut.domain());
+    for (Rgb& node : cube.nodes) {
+        node = to_float(evaluate_exact(lut, to_double(node)));
+    }
+    return cube;
+}
+
+Extreme larger(const Extreme& a, const Extreme& b) {
+    return b.value > a.value ? b : a;
+}
+
+// The largest second difference of any channel along any edge at this stride.
+Extreme largest_difference(const Lut3D& cube, int stride) {
+    const int last = cube.size - 1;
+    const auto slab = [&](int b) {
+        Extreme most;
+        for (int g = 0; g <= last; ++g) {
+            for (int r = 0; r <= last; ++r) {
+                for (const auto& e : edges) {
+                    const int dr = e[0] * stride, dg = e[1] * stride, db = e[2] * stride;
+                    if (r < dr || g < dg || b < db || r + dr > last || g + dg > last ||
+                        b + db > last) {
+                        continue;
+                    }
+                    const RgbD d = to_double(cube.at(r - dr, g - dg, b - db)) -
+                                   2 * to_double(cube.at(r, g, b)) +
+                                   to_double(cube.at(r + dr, g + dg, b + db));
+                    for (std::size_t c = 0; c < 3; ++c) {
+                        if (std::abs(d[c]) > most.value && std::isfinite(d[c])) {
+                            most = {std::abs(d[c]), to_float(node_position(cube, r, g, b))};
+                        }
+                    }
+                }
+            }
+        }
+        return most;
+    };
+    return tbb::parallel_deterministic_reduce(
+        tbb::blocked_range<int>(0, cube.size, 1), Extreme{},
+        [&](const tbb::blocked_range<int>& range, Extreme most) {
+            for (int b = range.begin(); b < range.end(); ++b) {
+                most = larger(most, slab(b));
+            }
+            return most;
+        },
+        larger);
+}
+
+// Position within a cell of a lattice: the cell's lower node and the fraction from there.
+struct Phase {
+    double low, fraction;
+};
+
+Phase phase_in(double nodes, double x) {
+    const double at = x * (nodes - 1), low = std::floor(at + 1e-9);
+    return {low / (nodes - 1), std::clamp(at - low, 0.0, 1.0)};
+}
+
+double along(double u) {
+    return u * (1 - u) / 2;
+}
+double across(double u, double v) {
+    return std::min(u, v) - u * v;
+}
+
+// The formula's weights of f_aa and f_ab, in squares of the look's own cells, for one node.
+class Alignment {
+  public:
+    // `is_lattice`: the look is interpolated between its own nodes; else it is smooth.
+    Alignment(int own, int nodes, bool is_lattice)
+        : ratio_((own - 1.0) / (nodes - 1)), is_lattice_(is_lattice) {
+        for (int i = 0; i < own; ++i) {
+            const double x = i / (own - 1.0);
+            const Phase phase = phase_in(nodes, x);
+            const double high = std::min(phase.low + 1.0 / (nodes - 1), 1.0);
+            axis_.push_back(
+                {phase.fraction, phase_in(own, phase.low).fraction, phase_in(own, high).fraction});
+        }
+    }
+
+    double axis(int i) const {
+        const Axis& a = at(i);
+        const double own = is_lattice_ ? (1 - a.u) * along(a.low) + a.u * along(a.high) : 0;
+        return ratio_ * ratio_ * along(a.u) + own;
+    }
+
+    double pair(int i, int k) const {
+        const Axis &a = at(i), &b = at(k);
+        double own = 0;
+        if (is_lattice_) {
+            const double middle = a.u > b.u ? across(a.high, b.low) : across(a.low, b.high);
+            own = (1 - std::max(a.u, b.u)) * across(a.low, b.low) + std::abs(a.u - b.u) * middle +
+                  std::min(a.u, b.u) * across(a.high, b.high);
+        }
+        return ratio_ * ratio_ * across(a.u, b.u) + own;
+    }
+
+  private:
+    // Where a node lies in its new cell, and where that cell's two ends lie in the look's cells.
+    struct Axis {
+        double u, low, high;
+    };
+    const Axis& at(int i) const { return axis_[static_cast<std::size_t>(i)]; }
+
+    double ratio_;
+    bool is_lattice_;
+    std::vector<Axis> axis_;
+};
+
+// The largest error by the formula over all nodes.
+Extreme by_formula(const Lut3D& cube, const Alignment& alignment, int stride) {
+    const int n = cube.size, s = stride;
+    const auto value = [&cube](const std::array<int, 3>& at) {
+        return to_double(cube.at(at[0], at[1], at[2]));
+    };
+    const auto node = [&](int r, int g, int b) {
+        const std::array<int, 3> at{r, g, b};
+        std::array<int, 3> centre{};
+        for (std::size_t a = 0; a < 3; ++a) {
+            centre[a] = std::clamp(at[a], s, n - 1 - s);
+        }
+        RgbD error;
+        for (std::size_t a = 0; a < 3; ++a) {
+            std::array<int, 3> before = centre, after = centre;
+            before[a] -= s;
+            after[a] += s;
+            const double weight = alignment.axis(at[a]) / (s * s);
+            error = error + weight * (value(before) - 2 * value(centre) + value(after));
+            for (std::size_t b2 = a + 1; b2 < 3; ++b2) {
+                std::array<int, 3> pp = after, pm = after, mp = before, mm = before;
+                pp[b2] += s;
+                pm[b2] -= s;
+                mp[b2] += s;
+                mm[b2] -= s;
+                const double mixed = alignment.pair(at[a], at[b2]) / (4.0 * s * s);
+                error = error + mixed * (value(pp) - value(pm) - value(mp) + value(mm));
+            }
+        }
+        const double most = std::max({std::abs(error.r), std::abs(error.g), std::abs(error.b)});
+        return Extreme{std::isfinite(most) ? most : 0, to_float(node_position(cube, r, g, b))};
+    };
+    return tbb::parallel_deterministic_reduce(
+        tbb::blocked_range<int>(0, n, 1), Extreme{},
+        [&](const tbb::blocked_range<int>& range, Extreme most) {
+            for (int b = range.begin(); b < range.end(); ++b) {
+                for (int g = 0; g < n; ++g) {
+                    for (int r = 0; r < n; ++r) {
+                        most = larger(most, node(r, g, b));
+                    }
+                }
+            }
+            return most;
+        },
+        larger);
+}
+
+ExpectedError predict(const Lut3D& cube, int nodes, bool is_lattice, double rounding) {
+    ExpectedError out{nodes, 0, true, {}};
+    if (is_lattice && (nodes - 1) % (cube.size - 1) == 0) {
+        return out; // every node of the look is kept, and nothing lies between them
+    }
+    const double half_cell = (cube.size - 1) / (2.0 * (nodes - 1)); // H/2 in the look's own cells
+    const int stride = std::max(1, static_cast<int>(std::lround(half_cell)));
+    if (cube.size < 2 * stride + 1) {
+        out.reliable = false;
+        return out;
+    }
+    const auto along_edges = [&](int s) {
+        const Extreme d = largest_difference(cube, s);
+        const double scale = half_cell / s;
+        return Extreme{d.value * scale * scale / 2, d.in};
+    };
+    const Extreme usual = along_edges(stride);
+    // Four roundings meet in a second difference.
+    const double floor = 2 * rounding * std::max(1.0, half_cell * half_cell);
+    const auto agrees = [&](double other) {
+        const double a = usual.value + floor, b = other + floor;
+        return std::max(a, b) <= agreement * std::min(a, b);
+    };
+    out.reliable = cube.size >= 4 * stride + 1 && agrees(along_edges(2 * stride).value);
+    if (out.reliable) {
+        const Extreme most = by_formula(cube, Alignment(cube.size, nodes, is_lattice), stride);
+        out.error = most.value;
+        out.in = most.in;
+    } else {
+        // A kink's error grows with the length of the edge, not with its square.
+        out.error = std::max(usual.value, usual.value * stride / half_cell);
+        out.in = usual.in;
+    }
+    return out;
+}
+
+} // namespace
+
+void predict_errors(const Lut& lut, double rounding, Health& out) {
+    const Lut3D shaped = lut.shaper || !lut.cube ? without_shaper(lut) : Lut3D{};
+    const Lut3D& cube = shaped.size ? shaped : *lut.cube;
+    for (ExpectedError& expected : out.expected) {
+        expected = predict(cube, expected.nodes, shaped.size == 0, rounding);
+    }
+}
+
+} // namespace lutlib::health

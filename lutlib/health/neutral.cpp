@@ -1,0 +1,118 @@
+// The neutral axis: whether it rises, how its codes band, and what noise near black becomes.
+#include "lutlib/health/parts.h"
+#include "lutlib/interpolation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace lutlib::health {
+namespace {
+
+constexpr int even_points = 1025;
+constexpr int codes = 255;
+// The darkest sixteenth of the axis, in input codes.
+constexpr int dark_codes = 16;
+
+double luma(const RgbD& c) {
+    return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
+}
+
+bool finite(const RgbD& c) {
+    return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b);
+}
+
+// A share of the domain's width, on the neutral axis.
+RgbD neutral(const Domain& d, double t) {
+    return {std::lerp(static_cast<double>(d.min.r), static_cast<double>(d.max.r), t),
+            std::lerp(static_cast<double>(d.min.g), static_cast<double>(d.max.g), t),
+            std::lerp(static_cast<double>(d.min.b), static_cast<double>(d.max.b), t)};
+}
+
+// Between its breakpoints the look is a straight line along the axis. A shaper's breaks are its
+// entries; where it bends what the cube breaks, the even points stand in.
+std::vector<double> breakpoints(const Lut& lut) {
+    std::vector<double> out;
+    const auto even = [&out](int count) {
+        for (int i = 0; i < count; ++i) {
+            out.push_back(i / (count - 1.0));
+        }
+    };
+    even(even_points);
+    even(lut.shaper ? lut.shaper->size() : lut.cube ? lut.cube->size : 2);
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+} // namespace
+
+void examine_neutrals(const Lut& lut, double rounding, Health& out) {
+    RgbD highest{-INFINITY, -INFINITY, -INFINITY};
+    double highest_luma = -INFINITY, first_luma = 0;
+    bool first = true;
+    for (const double t : breakpoints(lut)) {
+        const RgbD in = neutral(lut.domain(), t);
+        const RgbD value = evaluate_exact(lut, in);
+        if (!finite(value)) {
+            continue;
+        }
+        const double y = luma(value);
+        first_luma = first ? y : first_luma;
+        first = false;
+        out.neutral_rise = y - first_luma;
+        const auto fall = [&](double now, double& high, Extreme& most) {
+            if (high - now > std::max(rounding, most.value)) {
+                most = {high - now, to_float(in)};
+            }
+            high = std::max(high, now);
+        };
+        fall(y, highest_luma, out.neutral_fall);
+        for (std::size_t c = 0; c < 3; ++c) {
+            fall(value[c], highest[c], out.channel_fall[c]);
+        }
+    }
+    // Four alignments of the codes, so that a step cannot hide between two of them.
+    for (int phase = 0; phase < 4; ++phase) {
+        RgbD last;
+        for (int code = 0; code <= codes; ++code) {
+            const double t = std::min((code + phase / 4.0) / codes, 1.0);
+            const RgbD value = evaluate_exact(lut, neutral(lut.domain(), t));
+            for (std::size_t c = 0; c < 3 && code > 0; ++c) {
+                const double jump = std::abs(value[c] - last[c]) * codes;
+                if (jump > out.banding_neutral.value) {
+                    out.banding_neutral = {jump, to_float(neutral(lut.domain(), t))};
+                }
+            }
+            last = value;
+        }
+    }
+}
+
+void examine_black(const Lut& lut, Health& out) {
+    const Domain& d = lut.domain();
+    constexpr double half_code = 0.5 / codes;
+    for (int k = 1; k <= dark_codes; ++k) {
+        const RgbD in = neutral(d, k / static_cast<double>(codes));
+        RgbD square;
+        for (std::size_t a = 0; a < 3; ++a) {
+            const double shift =
+                half_code * (static_cast<double>(d.max[a]) - static_cast<double>(d.min[a]));
+            RgbD up = in, down = in;
+            up[a] += shift;
+            down[a] -= shift;
+            const RgbD slope =
+                (1 / (2 * half_code)) * (evaluate_exact(lut, up) - evaluate_exact(lut, down));
+            for (std::size_t c = 0; c < 3; ++c) {
+                square[c] += slope[c] * slope[c];
+            }
+        }
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (std::sqrt(square[c]) > out.noise_gain.value) {
+                out.noise_gain = {std::sqrt(square[c]), to_float(in)};
+            }
+        }
+    }
+}
+
+} // namespace lutlib::health

@@ -1,0 +1,44 @@
+// What of a broken look can be repaired, with the smallest change that does it.
+#pragma once
+
+#include "lutlib/lut.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lutlib {
+
+struct RepairOptions {
+    bool clamp = false; ///< outputs to 0..1
+};
+
+/// One repair that changed something.
+struct RepairStep {
+    std::string_view name;
+    std::string words;
+    std::size_t changed = 0; ///< values
+    /// Largest change of a value that was finite before.
+    double largest = 0;
+};
+
+struct Repaired {
+    Lut lut;
+    std::vector<RepairStep> steps; ///< empty: nothing had to be changed
+};
+
+/// One row of the table of repairs, in the order in which they are made.
+struct RepairInfo {
+    std::string_view name, help;
+    /// Changes the look in place and says how; an empty text where there is nothing to do.
+    std::string (*apply)(Lut& lut, const RepairOptions& options);
+};
+std::span<const RepairInfo> repairs();
+
+/// Every repair in turn. A second run over the result changes nothing. Throws Error when a table
+/// has not one finite value to start from.
+Repaired repair(const Lut& lut, const RepairOptions& options = {});
+
+} // namespace lutlib

@@ -1,0 +1,54 @@
+// A look on another lattice: another size, another domain, another 1D table before the cube.
+#pragma once
+
+#include "lutlib/color/encoding.h"
+#include "lutlib/lut.h"
+#include "lutlib/transform.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace lutlib {
+
+/// One way of reading a look between its nodes.
+struct ResamplingMethod {
+    std::string_view name;
+    std::string_view help;
+    RgbD (*cube)(const Lut3D& cube, RgbD in);
+};
+
+/// trilinear, tetrahedral, tricubic.
+std::span<const ResamplingMethod> resampling_methods();
+const ResamplingMethod* resampling_method_named(std::string_view name);
+
+/// The whole look, its 1D table linearly. The look must outlive the transform.
+Transform transform_of(const Lut& lut, const ResamplingMethod& method);
+
+/// Nodes a side where nothing says how many.
+inline constexpr int usual_cube_size = 33;
+
+/// The result's lattice. Unset members: as the look has them.
+struct Sampling {
+    std::optional<int> size;      ///< default: the cube's, 33 for a look without one
+    std::optional<Domain> domain; ///< default: the look's
+    std::string shaper;           ///< none, base, or a row of encodings(); see below
+    int shaper_size = 4096;
+    const Encoding* input = &srgb(); ///< what the look's input codes are, for an encoding's shaper
+};
+
+/// The look at the nodes of the new lattice. `shaper`:
+///   ""           as the look has it, unless a domain is given, which means none
+///   "none"       a cube alone
+///   "base"       the look's own 1D table, untouched, and its cube at the new size over its domain
+///   an encoding  that encoding's curve over the light of the domain, then a cube over 0..1
+/// Throws Error for a table or a size that cannot be.
+Lut resample(const Lut& lut, const Sampling& sampling, const ResamplingMethod& method);
+
+/// Any transform sampled so, `like` lending whatever `sampling` leaves open and its 1D table for
+/// "base"; `after_table` is then the transform of what that table gives.
+Lut sample_like(const Lut& like, const Sampling& sampling, const Transform& whole,
+                const Transform& after_table);
+
+} // namespace lutlib

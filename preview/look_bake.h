@@ -1,0 +1,25 @@
+// Makes a look ready for the lookup that shall read it: as its own table, or baked into the picture
+// that an engine reads.
+#pragma once
+
+#include "lutlib/lut.h"
+#include "preview/lookups.h"
+
+#include <string>
+
+namespace preview {
+
+struct LoadedLook {
+    LookData data;
+    /// Why it may as well be left out; empty when it does something.
+    std::string skip_reason;
+};
+
+/// A lookup that reads a picture gets what `lutconv bake` makes of the look. Throws lutlib::Error
+/// for a look that the lookup cannot hold.
+LoadedLook look_for(const lutlib::Lut& look, const Lookup& lookup);
+
+/// "it changes less than half an output code" of 8 bits, or empty.
+std::string skip_reason_of(const lutlib::Lut& look);
+
+} // namespace preview

@@ -1,0 +1,195 @@
+#include "tests/converter/run_program.h"
+
+#include "lutlib/interpolation.h"
+#include "lutlib/io/formats.h"
+#include "lutlib/io/image.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+
+namespace converter_test {
+namespace {
+
+namespace io = lutlib::io;
+using nlohmann::json;
+
+constexpr const char* hdr_head = "DOMAIN_MIN 0 0 0\nDOMAIN_MAX 4 4 4\n";
+
+TEST(Convert, goes_both_ways_between_a_cube_and_every_format_that_is_read_and_written) {
+    const Folder folder;
+    const std::string look = folder.write("my look.cube", saturated_cube(16));
+    for (const io::FileFormat& format : io::file_formats()) {
+        if (format.read && format.write && format.holds.cube) {
+            const std::string there = folder.path("there." + format.extensions.front());
+            const std::string back = folder.path("back.cube");
+            const Result first = lutconv({"convert", look, "-o", there, "--format", format.name});
+            ASSERT_EQ(first.exit_code, 0) << format.name << first.err;
+            const Result second = lutconv({"convert", there, "--from", format.name, "-o", back});
+            ASSERT_EQ(second.exit_code, 0) << format.name << second.err;
+            const lutlib::Lut before = io::read_lut(look).lut, after = io::read_lut(back).lut;
+            const double step = format.holds.integer_bits ? 1.0 / 4095 : 1e-6;
+            for (std::size_t i = 0; i < before.cube->nodes.size(); ++i) {
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const float meant = before.cube->nodes[i][c];
+                    const float kept =
+                        format.holds.integer_bits ? std::min(std::max(meant, 0.0F), 1.0F) : meant;
+                    ASSERT_NEAR(after.cube->nodes[i][c], kept, step) << format.name << ' ' << i;
+                }
+            }
+        }
+    }
+}
+
+TEST(Convert, says_what_a_format_cannot_hold_and_refuses_it_under_strict) {
+    const Folder folder;
+    const std::string look = folder.write("hdr.cube", saturated_cube(9, hdr_head));
+    const std::string out = folder.path("out.spi3d");
+    const Result strict = lutconv({"convert", look, "-o", out, "--strict"});
+    EXPECT_EQ(strict.exit_code, 2);
+    EXPECT_NE(strict.err.find("input 0..4 cut to 0..1: 3 units of input"), std::string::npos)
+        << strict.err;
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"hdr.cube"}));
+    const Result said = lutconv({"convert", look, "-o", out, "--json"});
+    ASSERT_EQ(said.exit_code, 0) << said.err;
+    const json figures = json::parse(said.out);
+    EXPECT_EQ(figures["format"], "spi3d");
+    EXPECT_EQ(figures["losses"][0]["what"], "input 0..4 cut to 0..1");
+    EXPECT_EQ(figures["losses"][0]["figure"], 3);
+}
+
+TEST(Convert, keeps_a_domain_of_4_where_the_format_can) {
+    const Folder folder;
+    const std::string look = folder.write("hdr.cube", saturated_cube(9, hdr_head));
+    for (const char* name : {"x.csp", "x.clf", "x.ctf", "x.cube"}) {
+        const Result result = lutconv({"convert", look, "-o", folder.path(name), "--strict"});
+        EXPECT_EQ(result.exit_code, 0) << name << result.err;
+        EXPECT_EQ(io::read_lut(folder.path(name)).lut.domain().max.r, 4) << name;
+    }
+}
+
+TEST(Convert, pipes) {
+    const Folder folder;
+    const std::string cube = saturated_cube(9);
+    const Result csp = lutconv({"convert", "-", "-o", "-", "--format", "csp"}, cube);
+    ASSERT_EQ(csp.exit_code, 0) << csp.err;
+    EXPECT_EQ(csp.out.rfind("CSPLUTV100", 0), 0U);
+    EXPECT_NE(csp.err.find("nothing was lost"), std::string::npos) << csp.err;
+    const Result back = lutconv({"convert", "-", "-o", "-"}, csp.out);
+    ASSERT_EQ(back.exit_code, 0) << back.err;
+    EXPECT_EQ(io::decode_lut(back.out, "x.cube").lut.cube, io::decode_lut(cube, "x.cube").lut.cube);
+}
+
+TEST(Convert, calls_unknown_formats_and_extensions_bad_usage) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(5));
+    EXPECT_EQ(lutconv({"convert", look, "-o", folder.path("x.unknown")}).exit_code, 3);
+    EXPECT_EQ(lutconv({"convert", look, "-o", folder.path("x.cube"), "--format", "no"}).exit_code,
+              3);
+    EXPECT_EQ(
+        lutconv({"convert", look, "-o", folder.path("x.png"), "--format", "hald", "--size", "33"})
+            .exit_code,
+        3);
+    EXPECT_EQ(lutconv({"convert", look, "-o", folder.path("x.cc")}).exit_code, 3);
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.cube"}));
+}
+
+TEST(Convert, from_cube_to_png_loads_neither_opencolorio_nor_openimageio) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(16));
+    ::setenv("LD_DEBUG", "libs", 1);
+    const Result picture = lutconv({"convert", look, "-o", folder.path("x.png")});
+    const Result other = lutconv({"convert", look, "-o", folder.path("x.clf")});
+    ::unsetenv("LD_DEBUG");
+    ASSERT_EQ(picture.exit_code, 0);
+    EXPECT_EQ(picture.err.find("OpenColorIO"), std::string::npos);
+    EXPECT_EQ(picture.err.find("OpenImageIO"), std::string::npos);
+    EXPECT_NE(other.err.find("OpenColorIO"), std::string::npos) << "the test sees no libraries";
+}
+
+io::FloatImage ramp(float from, float to) {
+    io::FloatImage image;
+    image.width = 64;
+    image.height = 4;
+    for (int i = 0; i < 256; ++i) {
+        const float t = from + (to - from) * static_cast<float>(i) / 255;
+        for (const float v : {t, from + to - t, t * t, 0.25F}) {
+            image.rgba.push_back(v);
+        }
+    }
+    return image;
+}
+
+struct Route {
+    std::string in, out;
+    io::Depth depth;
+    double tolerance;
+};
+
+class ApplyRoute : public testing::TestWithParam<Route> {};
+INSTANTIATE_TEST_SUITE_P(Apply, ApplyRoute,
+                         testing::Values(Route{"a.png", "b.png", io::Depth::uint16, 0.5 / 65535},
+                                         Route{"a.png", "b.exr", io::Depth::float32, 0},
+                                         Route{"a.exr", "b.exr", io::Depth::float32, 0},
+                                         Route{"a.exr", "b.png", io::Depth::uint16, 0.5 / 65535}),
+                         [](const auto& row) {
+                             return row.param.in.substr(2) + "_to_" + row.param.out.substr(2);
+                         });
+
+TEST_P(ApplyRoute, evaluates_the_lut_at_every_pixel_and_keeps_alpha) {
+    const Route& route = GetParam();
+    const Folder folder;
+    const std::string look = folder.write("look.cube", saturated_cube(9));
+    const bool png = route.in == "a.png";
+    io::write_image(folder.path(route.in), ramp(0, 1),
+                    {png ? io::Depth::uint16 : io::Depth::float32, true, {}});
+    const Result result =
+        lutconv({"apply", look, folder.path(route.in), "-o", folder.path(route.out)});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const io::FloatImage before = io::read_image(folder.path(route.in)),
+                         after = io::read_image(folder.path(route.out));
+    const lutlib::Lut lut = io::read_lut(look).lut;
+    EXPECT_EQ(after.depth, route.depth);
+    for (std::size_t i = 0; i < before.rgba.size(); i += 4) {
+        const lutlib::Rgb expected =
+            evaluate(lut, {before.rgba[i], before.rgba[i + 1], before.rgba[i + 2]});
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float kept = io::info_of(route.depth).integer
+                                   ? std::min(std::max(expected[c], 0.0F), 1.0F)
+                                   : expected[c];
+            ASSERT_NEAR(after.rgba[i + c], kept, route.tolerance + 1e-7) << i;
+        }
+        ASSERT_NEAR(after.rgba[i + 3], before.rgba[i + 3], route.tolerance + 1e-7);
+    }
+}
+
+TEST(Apply, counts_pixels_outside_the_domain_and_clamped_ones) {
+    const Folder folder;
+    const std::string look = folder.write("double.cube", "LUT_1D_SIZE 2\n0 0 0\n2 2 2\n");
+    io::write_image(folder.path("a.exr"), ramp(-1, 2), {io::Depth::float32, false, {}});
+    const Result result =
+        lutconv({"apply", look, folder.path("a.exr"), "-o", folder.path("b.png"), "--json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const json figures = json::parse(result.out);
+    EXPECT_EQ(figures["depth"], "uint16");
+    EXPECT_GT(figures["pixels_outside_domain"], 128);
+    EXPECT_GT(figures["pixels_clamped"], 100);
+    EXPECT_LE(figures["pixels_clamped"], 256);
+}
+
+TEST(Apply, leaves_the_old_picture_when_the_input_is_bad) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(5));
+    const std::string old = folder.write("old.exr", "old");
+    const std::string bad = folder.write("bad.exr", "bad");
+    const Result result = lutconv({"apply", look, bad, "-o", old});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("bad.exr"), std::string::npos) << result.err;
+    EXPECT_EQ(contents(old), "old");
+    EXPECT_EQ(folder.names().size(), 3U);
+}
+
+} // namespace
+} // namespace converter_test

@@ -1,0 +1,165 @@
+// The verbs that make LUTs of LUTs and recipes.
+#include "tests/converter/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace converter_test {
+namespace {
+
+using nlohmann::json;
+
+json run(const std::vector<std::string>& arguments) {
+    std::vector<std::string> all = arguments;
+    all.emplace_back("--json");
+    const Result result = lutconv(all);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.exit_code == 0 ? json::parse(result.out) : json();
+}
+
+std::string color_at(const std::string& lut, const char* r, const char* g, const char* b) {
+    return lutconv({"eval", lut, r, g, b}).out;
+}
+
+TEST(Edit, without_operators_is_the_identity_to_the_bit) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(9));
+    run({"edit", "identity", "-o", folder.path("i.cube")});
+    EXPECT_EQ(run({"compare", "identity", folder.path("i.cube")})["absolute"]["max"], 0);
+    run({"edit", look, "-o", folder.path("same.cube"), "--saturation", "1"});
+    EXPECT_EQ(run({"compare", look, folder.path("same.cube")})["absolute"]["max"], 0);
+}
+
+TEST(Edit, applies_operators_in_the_order_of_their_flags_and_groups_one_operators_flags) {
+    const Folder folder;
+    const auto edited = [&](std::vector<std::string> flags) {
+        flags.insert(flags.begin(), {"edit", "identity", "-o", folder.path("x.cube"),
+                                     "--save-recipe", folder.path("x.json")});
+        run(flags);
+        return json::parse(contents(folder.path("x.json")))["operators"];
+    };
+    const json a = edited(
+        {"--contrast", "1.5", "--contrast-pivot", "0", "--offset", "0.1", "--contrast", "0.5"});
+    ASSERT_EQ(a.size(), 3U);
+    EXPECT_EQ(a[0], json({{"op", "contrast"}, {"amount", 1.5}, {"pivot", 0}}));
+    EXPECT_EQ(a[1], json({{"op", "offset"}, {"amount", {.1, .1, .1}}}));
+    EXPECT_EQ(a[2], json({{"op", "contrast"}, {"amount", 0.5}}));
+    const json b = edited({"--offset", "-0.1, 0, 0.2", "--hue-vs-sat", "0:1, 120:1.4, 240:0.8"});
+    EXPECT_EQ(b[0]["amount"], json({-.1, 0, .2}));
+    EXPECT_EQ(b[1], json({{"op", "hue-vs-sat"}, {"curve", {{0, 1}, {120, 1.4}, {240, .8}}}}));
+}
+
+TEST(Edit, gives_values_that_can_be_worked_out_by_hand) {
+    const Folder folder;
+    const std::string out = folder.path("x.cube");
+    run({"edit", "identity", "-o", out, "--size", "5", "--contrast", "2", "--contrast-pivot",
+         "0.25", "--offset", "0.125,0,0"});
+    EXPECT_EQ(color_at(out, "0.5", "0.25", "0"), "0.875 0.25 -0.25\n");
+    run({"edit", "identity", "-o", out, "--size", "2", "--saturation", "0"});
+    EXPECT_EQ(color_at(out, "0", "1", "0").substr(0, 6), "0.7152");
+}
+
+TEST(Edit, keeps_a_recipe_with_its_base_that_bakes_to_the_same_lut) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(9));
+    std::filesystem::create_directory(folder.path("recipes"));
+    const std::string recipe = folder.path("recipes/a.json");
+    run({"edit", look, "-o", folder.path("one.cube"), "--exposure", "0.5", "--vibrance", "0.3",
+         "--save-recipe", recipe});
+    EXPECT_EQ(json::parse(contents(recipe))["base"], "../a.cube");
+    run({"edit", "--recipe", recipe, "-o", folder.path("two.cube")});
+    EXPECT_EQ(contents(folder.path("one.cube")), contents(folder.path("two.cube")));
+    const Result baked = lutconv({"bake", recipe, "-o", folder.path("a.png")});
+    EXPECT_EQ(baked.exit_code, 0) << baked.err;
+    EXPECT_NE(baked.out.find("dE2000: max"), std::string::npos) << baked.out;
+}
+
+TEST(Edit, refuses_bad_values_and_bad_recipes_with_the_reason) {
+    const Folder folder;
+    const auto refused = [&](std::vector<std::string> more, int code, const char* reason) {
+        more.insert(more.begin(), {"edit", "-o", folder.path("x.cube")});
+        const Result result = lutconv(more);
+        EXPECT_EQ(result.exit_code, code) << reason;
+        EXPECT_NE(result.err.find(reason), std::string::npos) << result.err;
+    };
+    refused({"identity", "--saturation", "9"}, 3, "--saturation is 9; the range is 0 to 4");
+    refused({"identity", "--offset", "1,2"}, 3, "--offset takes one number or three");
+    refused({"identity", "--hue-vs-sat", "0=1"}, 3, "--hue-vs-sat takes knots");
+    refused({"identity", "--input-encoding", "vlog"}, 3, "there are srgb");
+    refused({}, 3, "nothing to edit");
+    const std::string bad = folder.write(
+        "bad.json", R"({"schema_version": 1, "operators": [{"op": "saturation", "amount": 9}]})");
+    refused({"--recipe", bad}, 2, "operators[0].amount is 9");
+    const std::string lost =
+        folder.write("lost.json", R"({"schema_version": 1, "base": "none.cube"})");
+    refused({"--recipe", lost}, 2, "none.cube");
+    EXPECT_FALSE(std::filesystem::exists(folder.path("x.cube")));
+}
+
+TEST(Resample, compose_blend_and_invert_report_their_errors) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(9));
+    const std::string out = folder.path("o.cube");
+    const json larger = run({"resample", look, "-o", out, "--size", "17"});
+    EXPECT_EQ(larger["size"], 17);
+    // 17 nodes hold the 9 and their midpoints: nothing but the cells' diagonals differ.
+    EXPECT_LT(larger["error"]["absolute"]["mean"], 1e-6);
+    EXPECT_GT(run({"resample", look, "-o", out, "--size", "4"})["error"]["absolute"]["max"], 1e-3);
+
+    const std::string wide = folder.write(
+        "wide.cube",
+        "LUT_3D_SIZE 2\nDOMAIN_MIN -4 -4 -4\nDOMAIN_MAX 4 4 4\n-4 -4 -4\n4 -4 -4\n-4 4 -4\n4 4 -4\n"
+        "-4 -4 4\n4 -4 4\n-4 4 4\n4 4 4\n");
+    run({"compose", look, wide, "-o", out});
+    EXPECT_LT(run({"compare", look, out})["absolute"]["max"], 1e-6);
+    EXPECT_GT(run({"compose", wide, look, "-o", out})["clamped_share"], 0.9);
+
+    run({"blend", "identity", look, "--amount", "0", "-o", out});
+    EXPECT_EQ(run({"compare", "identity", out})["absolute"]["max"], 0);
+
+    const json inverse = run({"invert", look, "-o", out, "--size", "9"});
+    EXPECT_EQ(inverse["nodes"], 729);
+    EXPECT_LT(inverse["round_trip"]["absolute"]["mean"], 0.05);
+}
+
+TEST(Compare, of_a_look_with_itself_is_zero_and_finds_the_worst_colour) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(9));
+    const json same = run({"compare", look, look});
+    EXPECT_EQ(same["absolute"]["max"], 0);
+    EXPECT_EQ(same["delta_e_2000"]["max"], 0);
+    const json apart = run({"compare", look, "identity"});
+    EXPECT_GT(apart["delta_e_2000"]["max"], 1);
+    EXPECT_EQ(apart["worst"]["in"].size(), 3U);
+}
+
+TEST(RealLooks, go_through_every_verb) {
+    if (std::string(EXTRA_DATA).empty()) {
+        GTEST_SKIP() << "LUT_EXTRA_DATA is not set";
+    }
+    const Folder folder;
+    const std::string out = folder.path("o.cube");
+    std::size_t files = 0;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(EXTRA_DATA) / "luts")) {
+        ++files;
+        const std::string look = entry.path().string();
+        run({"edit", look, "-o", out, "--saturation", "1.2"});
+        run({"resample", look, "-o", out, "--size", "12", "--interpolation", "tricubic"});
+        run({"compose", look, look, "-o", out});
+        run({"blend", look, "identity", "--amount", "0.25", "-o", out});
+        EXPECT_EQ(run({"compare", look, look})["absolute"]["max"], 0);
+        // A 1D table with a flat part has no inverse, and says so.
+        const Result inverse = lutconv({"invert", look, "-o", out, "--size", "12"});
+        EXPECT_TRUE(inverse.exit_code == 0 ||
+                    inverse.err.find("has no inverse") != std::string::npos)
+            << inverse.err;
+    }
+    EXPECT_GT(files, 5U);
+}
+
+} // namespace
+} // namespace converter_test

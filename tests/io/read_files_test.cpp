@@ -1,0 +1,143 @@
+// Files of every format that is only read, against OpenColorIO's own evaluation of the same file.
+#include "lutlib/io/formats.h"
+
+#include "lutlib/io/file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <random>
+#include <set>
+
+namespace lutlib::io {
+namespace {
+
+struct Expectation {
+    std::string file;
+    bool exact;      ///< the look stands for the whole file; else it is sampled
+    double max_loss; ///< largest sampling error that this file should have
+};
+
+void PrintTo(const Expectation& e, std::ostream* out) {
+    *out << e.file;
+}
+
+const std::vector<Expectation>& expectations() {
+    static const std::vector<Expectation> table{
+        {"clamped.clf", false, 1e-6},
+        {"cube.look", true, 0},
+        {"cube.m3d", true, 0},
+        {"cube.mga", true, 0},
+        {"cube.vf", true, 0},
+        {"curve.lut", true, 0},
+        {"display.icc", false, 0.1},
+        {"grade.ccc", false, 0.002},
+        {"grade.cdl", false, 0.002},
+        {"inverse.ctf", false, 1e-4},
+        {"matrix.spimtx", false, 1e-6},
+        {"plain.cc", false, 1e-4},
+        {"post_curve.clf", false, 0.01},
+        {"post_matrix.clf", true, 0},
+        {"saturated.cc", false, 0.002},
+        {"scaled.vf", true, 0},
+    };
+    return table;
+}
+
+std::string path_of(const std::string& file) {
+    return std::string(LUT_TEST_FILES) + "/" + file;
+}
+
+class EveryFile : public testing::TestWithParam<Expectation> {};
+INSTANTIATE_TEST_SUITE_P(ReadFiles, EveryFile, testing::ValuesIn(expectations()),
+                         [](const auto& row) {
+                             std::string name = row.param.file;
+                             std::replace(name.begin(), name.end(), '.', '_');
+                             return name;
+                         });
+
+TEST_P(EveryFile, differs_from_opencolorio_by_no_more_than_the_loss_it_reports) {
+    const Reading reading = read_lut(path_of(GetParam().file));
+    const auto sampling =
+        std::find_if(reading.losses.begin(), reading.losses.end(),
+                     [](const Loss& loss) { return loss.what.rfind("sampled onto", 0) == 0; });
+    EXPECT_EQ(sampling == reading.losses.end(), GetParam().exact);
+    const double loss = sampling == reading.losses.end() ? 0 : sampling->figure;
+    EXPECT_LE(loss, GetParam().max_loss);
+
+    const Domain domain = reading.lut.domain();
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> position(0, 1);
+    std::vector<Rgb> in, expected;
+    for (int i = 0; i < 100000; ++i) {
+        Rgb c;
+        for (std::size_t k = 0; k < 3; ++k) {
+            c[k] = domain.min[k] + position(random) * (domain.max[k] - domain.min[k]);
+        }
+        in.push_back(c);
+    }
+    expected = in;
+    open_in_ocio(path_of(GetParam().file))->apply(expected);
+    double worst = 0;
+    for (std::size_t i = 0; i < in.size(); ++i) {
+        const Rgb difference = evaluate(reading.lut, in[i]) - expected[i];
+        for (std::size_t c = 0; c < 3; ++c) {
+            worst = std::max(worst, std::abs(static_cast<double>(difference[c])));
+        }
+    }
+    // The loss was measured on other colours.
+    EXPECT_LE(worst, 1.3 * loss + 5e-7);
+}
+
+TEST(ReadFiles, leave_no_file_of_the_folder_untested) {
+    std::set<std::string> expected, found;
+    for (const Expectation& e : expectations()) {
+        expected.insert(e.file);
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(LUT_TEST_FILES)) {
+        if (entry.path().extension() != ".md") {
+            found.insert(entry.path().filename());
+        }
+    }
+    EXPECT_EQ(found, expected);
+}
+
+TEST(ReadFiles, cover_every_format_that_is_only_read) {
+    for (const FileFormat& row : file_formats()) {
+        if (row.read && !row.write && row.extensions.front() != "png") {
+            EXPECT_TRUE(std::any_of(expectations().begin(), expectations().end(),
+                                    [&](const Expectation& e) {
+                                        return extension_of(e.file) == row.extensions.front();
+                                    }))
+                << row.name;
+        }
+    }
+}
+
+TEST(ReadFiles, say_that_operators_go_on_outside_the_sampled_domain) {
+    const Reading reading = read_lut(path_of("plain.cc"));
+    EXPECT_TRUE(std::any_of(reading.losses.begin(), reading.losses.end(), [](const Loss& loss) {
+        return loss.what.find("inputs outside 0..1 are clamped") == 0 && loss.figure > 0.1;
+    }));
+}
+
+TEST(ReadFiles, say_that_a_collection_holds_more_corrections) {
+    const Reading reading = read_lut(path_of("grade.ccc"));
+    EXPECT_TRUE(std::any_of(reading.losses.begin(), reading.losses.end(), [](const Loss& loss) {
+        return loss.what.find("only the first colour correction") == 0 && loss.figure == 2;
+    }));
+}
+
+TEST(ReadFiles, sample_onto_the_size_asked_for_with_an_error_that_falls_with_it) {
+    const auto loss_at = [](int size) {
+        const Reading reading = read_lut(path_of("saturated.cc"), {size});
+        EXPECT_EQ(reading.lut.cube->size, size);
+        return reading.losses.front().figure;
+    };
+    EXPECT_LT(loss_at(65), loss_at(17));
+}
+
+} // namespace
+} // namespace lutlib::io

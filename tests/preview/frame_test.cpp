@@ -1,0 +1,225 @@
+// The whole frame on a device: what it leaves out, that leaving out changes nothing, and that a
+// steady frame costs nothing but its passes.
+#include "lutlib/error.h"
+#include "preview/headless.h"
+#include "preview/look_bake.h"
+#include "tests/preview/gpu_test.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace preview {
+namespace {
+
+constexpr Size size{160, 90};
+
+FrameSettings settings_for(const Scene& scene) {
+    FrameSettings settings;
+    settings.output = size;
+    settings.orbit = scene.orbit;
+    settings.tonemap = tonemap_named("agx");
+    settings.bloom = bloom_named("glare");
+    settings.bloom_settings.knee = 0.2F;
+    settings.shadow_size = 256;
+    return settings;
+}
+
+lutlib::Lut inverting_look() {
+    lutlib::Lut look;
+    look.cube = lutlib::identity_cube(5);
+    for (lutlib::Rgb& node : look.cube->nodes)
+        node = {1 - node.b, node.r, node.g};
+    return look;
+}
+
+class FrameTest : public GpuTest {
+  protected:
+    struct Loaded {
+        explicit Loaded(const Scene& shown) : scene(shown), gpu(device(), scene) {}
+        FrameInputs inputs() const {
+            FrameInputs out;
+            out.scene = &scene;
+            out.gpu_scene = &gpu;
+            return out;
+        }
+        Scene scene;
+        GpuScene gpu;
+    };
+
+    static bool kept(const Rendered& rendered, const std::string& pass) {
+        return rendered.explanation.find("kept      " + pass + " ") != std::string::npos;
+    }
+};
+
+TEST_F(FrameTest, everything_forced_on_equals_the_automatic_frame_bit_for_bit) {
+    for (const SceneInfo& info : scenes()) {
+        const Loaded loaded(scene_at(info, 1.5));
+        FrameSettings settings = settings_for(loaded.scene);
+        Executor executor(device());
+        const Rendered automatic = render_frame(executor, loaded.inputs(), settings);
+        settings.force_all = true;
+        const Rendered forced = render_frame(executor, loaded.inputs(), settings);
+        EXPECT_EQ(automatic.rgba, forced.rgba) << info.name;
+        EXPECT_TRUE(kept(forced, "bloom 0")) << forced.explanation;
+    }
+}
+
+TEST_F(FrameTest, a_plain_scene_leaves_out_shadows_and_bloom_and_says_why) {
+    const Loaded loaded(scene_at(*scene_named("plain"), 0));
+    Executor executor(device());
+    const Rendered rendered = render_frame(executor, loaded.inputs(), settings_for(loaded.scene));
+    EXPECT_FALSE(kept(rendered, "bloom 0")) << rendered.explanation;
+    for (const char* reason : {"the light casts none", "no light is bright enough to bloom"})
+        EXPECT_NE(rendered.explanation.find(reason), std::string::npos) << rendered.explanation;
+    // g-buffer, lighting, clear, resolve, finish, fxaa
+    EXPECT_EQ(executor.plan().steps.size(), 6U) << rendered.explanation;
+}
+
+TEST_F(FrameTest, the_sample_scene_keeps_its_shadows_and_blooms) {
+    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    Executor executor(device());
+    const Rendered rendered = render_frame(executor, loaded.inputs(), settings_for(loaded.scene));
+    for (const char* pass : {"shadow of light 0", "shadow of light 1", "g-buffer", "lighting",
+                             "hdr resolve", "bloom 0", "finish", "fxaa"})
+        EXPECT_TRUE(kept(rendered, pass)) << pass << "\n" << rendered.explanation;
+}
+
+TEST_F(FrameTest, a_picture_leaves_out_all_that_comes_before_the_resolve) {
+    const std::vector<float> texels(std::size_t{4} * size.width * size.height, 0.25F);
+    const GpuPicture picture(device(), size, texels, false);
+    FrameInputs inputs;
+    inputs.picture = &picture;
+    FrameSettings settings = settings_for({});
+    settings.fxaa = false;
+    settings.keep_hdr = true;
+    Executor executor(device());
+    const Rendered rendered = render_frame(executor, inputs, settings);
+    EXPECT_EQ(executor.plan().steps.size(), 3U) << rendered.explanation; // clear, resolve, finish
+    for (std::size_t at = 0; at < rendered.hdr.size(); at += 4)
+        ASSERT_EQ(rendered.hdr[at], 0.25F);
+    settings.exposure = 2;
+    EXPECT_EQ(render_frame(executor, inputs, settings).hdr[0], 1.0F);
+}
+
+TEST_F(FrameTest, every_debug_view_shows_something_and_runs_only_what_it_reads) {
+    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    FrameSettings settings = settings_for(loaded.scene);
+    Executor executor(device());
+    const Rendered whole = render_frame(executor, loaded.inputs(), settings);
+    const std::size_t whole_steps = executor.plan().steps.size();
+    for (const DebugView& view : debug_views()) {
+        settings.view = &view;
+        const Rendered rendered = render_frame(executor, loaded.inputs(), settings);
+        const auto [low, high] = std::minmax_element(rendered.rgba.begin(), rendered.rgba.end());
+        EXPECT_NE(*low, *high) << view.name;
+        EXPECT_LE(executor.plan().steps.size(), whole_steps) << view.name;
+        EXPECT_EQ(kept(rendered, "finish"), view.name == "graded") << view.name;
+    }
+    settings.view = debug_view_named("normal");
+    const Rendered normals = render_frame(executor, loaded.inputs(), settings);
+    EXPECT_EQ(executor.plan().steps.size(), 2U);
+    EXPECT_TRUE(kept(normals, "g-buffer"));
+    EXPECT_EQ(normals.explanation.find("writes normal, material"), std::string::npos);
+}
+
+TEST_F(FrameTest, a_view_of_what_the_frame_withholds_is_an_error) {
+    const Loaded loaded(scene_at(*scene_named("plain"), 0));
+    FrameSettings settings = settings_for(loaded.scene);
+    settings.view = debug_view_named("shadows");
+    Executor executor(device());
+    EXPECT_THROW(render_frame(executor, loaded.inputs(), settings), lutlib::UsageError);
+}
+
+TEST_F(FrameTest, a_steady_frame_allocates_and_uploads_nothing) {
+    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const GpuLook look(device(), look_for(inverting_look(), *lookup_named("tetrahedral")).data);
+    FrameInputs inputs = loaded.inputs();
+    inputs.look_a = &look;
+    const FrameSettings settings = settings_for(loaded.scene);
+    Executor executor(device());
+    const auto render = [&] {
+        Graph graph;
+        build_frame(graph, inputs, settings);
+        executor.render(graph);
+    };
+    for (int frame = 0; frame < 3; ++frame)
+        render();
+    const std::uint64_t allocations = device().allocation_count();
+    const std::uint64_t uploads = executor.uploads();
+    for (int frame = 0; frame < 4; ++frame)
+        render();
+    EXPECT_EQ(device().allocation_count(), allocations);
+    EXPECT_EQ(executor.uploads(), uploads);
+    EXPECT_EQ(executor.rebuilds(), 1U);
+    EXPECT_LT(executor.pool_bytes(), executor.unshared_bytes());
+}
+
+TEST_F(FrameTest, an_animated_scene_uploads_only_what_moves) {
+    Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const FrameSettings settings = settings_for(loaded.scene);
+    Executor executor(device());
+    for (int frame = 0; frame < 3; ++frame) {
+        loaded.scene = scene_at(*scene_named("sample"), frame * 0.1);
+        Graph graph;
+        build_frame(graph, loaded.inputs(), settings);
+        const std::uint64_t before = executor.uploads();
+        executor.render(graph);
+        if (frame > 0) {
+            EXPECT_EQ(executor.uploads() - before, 2U) << "objects and lights";
+        }
+    }
+    EXPECT_EQ(executor.rebuilds(), 1U);
+}
+
+TEST_F(FrameTest, the_same_moment_renders_the_same_picture_and_another_one_does_not) {
+    Executor executor(device());
+    const auto at = [&](double seconds) {
+        const Loaded loaded(scene_at(*scene_named("sample"), seconds));
+        return render_frame(executor, loaded.inputs(), settings_for(loaded.scene)).rgba;
+    };
+    const auto picture = at(2);
+    EXPECT_EQ(picture, at(2));
+    EXPECT_NE(picture, at(3));
+}
+
+TEST_F(FrameTest, a_look_reaches_its_own_side_only) {
+    const Loaded loaded(scene_at(*scene_named("chart"), 0));
+    const GpuLook look(device(), look_for(inverting_look(), *lookup_named("tetrahedral")).data);
+    FrameInputs inputs = loaded.inputs();
+    FrameSettings settings = settings_for(loaded.scene);
+    settings.fxaa = false;
+    Executor executor(device());
+    const auto plain = render_frame(executor, inputs, settings).rgba;
+    inputs.look_b = &look;
+    EXPECT_EQ(render_frame(executor, inputs, settings).rgba, plain);
+    settings.compare = compare_named("b");
+    const auto graded = render_frame(executor, inputs, settings).rgba;
+    EXPECT_NE(graded, plain);
+    settings.compare = compare_named("split");
+    const auto split = render_frame(executor, inputs, settings).rgba;
+    const std::size_t row = std::size_t{size.height / 2} * size.width * 4;
+    EXPECT_TRUE(std::equal(split.begin() + static_cast<long>(row),
+                           split.begin() + static_cast<long>(row + 4 * 70),
+                           plain.begin() + static_cast<long>(row)));
+    EXPECT_TRUE(std::equal(split.begin() + static_cast<long>(row + 4 * 90),
+                           split.begin() + static_cast<long>(row + 4 * 160),
+                           graded.begin() + static_cast<long>(row + 4 * 90)));
+}
+
+TEST(LookBakeTest, a_look_that_does_nothing_is_skipped_and_says_so) {
+    lutlib::Lut look;
+    look.cube = lutlib::identity_cube(16);
+    for (const Lookup& lookup : lookups()) {
+        if (lookup.source == Lookup::Source::none)
+            continue;
+        EXPECT_NE(look_for(look, lookup).skip_reason, "") << lookup.name;
+        EXPECT_EQ(look_for(inverting_look(), lookup).skip_reason, "") << lookup.name;
+    }
+    look.cube->nodes[7].r = std::nanf("");
+    EXPECT_EQ(skip_reason_of(look), "");
+    look.cube = lutlib::identity_cube(16, {{0, 0, 0}, {2, 2, 2}});
+    EXPECT_EQ(skip_reason_of(look), "");
+}
+
+} // namespace
+} // namespace preview

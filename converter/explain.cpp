@@ -15,17 +15,20 @@ std::string remains(const lutlib::Lut& lut) {
 } // namespace
 
 Explanation explain(const lutlib::Lut& lut, double tolerance) {
-    return {simplify(lut, {tolerance}), unreachable_nodes(lut)};
+    return {simplify(lut, {tolerance}), unreachable_nodes(lut), {}};
 }
 
 std::string to_text(const Explanation& explanation) {
     std::string out;
     for (const lutlib::Omission& omission : explanation.simplified.omissions) {
-        out += fmt::format("  left out: {} (differs by at most {:.3g})\n", omission.words,
+        out += fmt::format("  {}: {} (differs by at most {:.3g})\n",
+                           explanation.kept.empty() ? "left out" : "not needed", omission.words,
                            omission.bound);
     }
     if (out.empty()) {
         out = "  left out: nothing\n";
+    } else if (!explanation.kept.empty()) {
+        out += "  kept: " + explanation.kept + "\n";
     } else {
         out += fmt::format("  remains: {}, equal within {:.3g}\n",
                            remains(explanation.simplified.lut), explanation.simplified.bound);
@@ -49,7 +52,12 @@ nlohmann::ordered_json to_json(const Explanation& explanation) {
             {{"rule", omission.name}, {"words", omission.words}, {"bound", omission.bound}});
     }
     const lutlib::Unreachable& nodes = explanation.unreachable;
+    nlohmann::ordered_json kept;
+    if (!explanation.kept.empty()) {
+        kept = explanation.kept;
+    }
     return {{"left_out", list},
+            {"kept_because", kept},
             {"bound", explanation.simplified.bound},
             {"remains", remains(explanation.simplified.lut)},
             {"unreachable_nodes",

@@ -13,6 +13,8 @@ namespace converter {
 struct Explanation {
     lutlib::Simplified simplified;
     lutlib::Unreachable unreachable;
+    /// Why it was kept all the same; empty where it was left out, or only looked for.
+    std::string kept;
 };
 Explanation explain(const lutlib::Lut& lut, double tolerance);
 

@@ -1,6 +1,7 @@
 // lutconv bake: a look becomes an engine's LUT picture.
 #include "lutlib/bake.h"
 #include "converter/command.h"
+#include "converter/explain.h"
 #include "converter/options.h"
 #include "converter/report.h"
 #include "lutlib/error.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace converter {
 namespace {
@@ -26,7 +28,7 @@ struct Options {
     EngineOption engine;
     int size = 0, bits = 0;
     InterpolationOption interpolation;
-    bool json = false;
+    bool explain = false, json = false;
 };
 
 // A few thousand colours are enough to say how large the error is; `verify` looks at all.
@@ -123,6 +125,9 @@ nlohmann::ordered_json as_json(const Options& o, const Bake& bake, const Domain&
 }
 
 int run(const Options& o) {
+    if (o.explain && o.input == lutlib::io::standard_stream) {
+        throw lutlib::UsageError("--explain needs a file, not standard input");
+    }
     const lutlib::Engine& engine = o.engine.get();
     const int size = o.size ? o.size : engine.default_size;
     const int bits = o.bits ? o.bits : engine.default_bits;
@@ -133,8 +138,23 @@ int run(const Options& o) {
         o.output, lutlib::io::picture_bytes(result, {lutlib::io::input_name(o.input), look.title,
                                                      name_of(o.interpolation.get())}));
     const LookupError error = measure(result, look.exact);
-    o.json ? print(as_json(o, result, look.domain, error), o.output)
-           : print(as_text(o, result, look.domain, error), o.output);
+    // What changes less than half a code is not seen in the picture.
+    const double half_code = 0.5 / result.picture.maximum();
+    std::optional<Explanation> explanation;
+    if (o.explain) {
+        explanation = explain(read_look(o.input), half_code);
+        explanation->kept = "the engine reads a lattice of this size whatever the look is";
+    }
+    if (o.json) {
+        nlohmann::ordered_json json = as_json(o, result, look.domain, error);
+        if (explanation) {
+            json["explanation"] = to_json(*explanation);
+        }
+        print(json, o.output);
+    } else {
+        print(as_text(o, result, look.domain, error) + (explanation ? to_text(*explanation) : ""),
+              o.output);
+    }
     return ok;
 }
 
@@ -148,6 +168,7 @@ Run declare_bake(CLI::App& app) {
     app.add_option("--size", o->size, "nodes a side (default: the engine's)");
     app.add_option("--bits", o->bits, "8 or 16 bits a sample (default: the engine's)");
     o->interpolation.declare(app, "how the look is read between its own nodes");
+    app.add_flag("--explain", o->explain, "say what of the look no picture would need");
     app.add_flag("--json", o->json, "print the figures as JSON");
     return [o] { return run(*o); };
 }

@@ -93,6 +93,53 @@ TEST(Check, needs_repair_and_an_output_together) {
     EXPECT_EQ(folder.names(), std::vector<std::string>{"a.cube"});
 }
 
+// The looks of the repository, and further ones where they are named.
+std::vector<std::string> real_looks() {
+    std::vector<std::string> out;
+    for (const std::string& folder : {std::string(SAMPLE_LOOKS), std::string(EXTRA_DATA)}) {
+        if (folder.empty()) {
+            continue;
+        }
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+            const std::string extension = entry.path().extension().string();
+            if (extension == ".cube" || extension == ".CUBE") {
+                out.push_back(entry.path().string());
+            }
+        }
+    }
+    return out;
+}
+
+TEST(Check, predicts_the_error_of_real_looks_within_a_factor_of_2_or_says_that_it_cannot_tell) {
+    const Folder folder;
+    const std::string coarse = folder.path("coarse.cube");
+    int predicted = 0;
+    for (const std::string& look : real_looks()) {
+        const json result = check(look);
+        const std::string shape = lutconv({"check", look}).out;
+        // A coarser copy of a look with a 1D table keeps the table; the prediction is without.
+        if (shape.find("curve") != std::string::npos) {
+            continue;
+        }
+        for (const json& expected : result.at("expected_error")) {
+            const std::string nodes = std::to_string(expected.at("nodes").get<int>());
+            lutconv({"resample", look, "--size", nodes, "-o", coarse});
+            const json distance = json::parse(lutconv({"compare", look, coarse, "--json"}).out);
+            const double measured = distance.at("absolute").at("max");
+            const double error = expected.at("error");
+            if (expected.at("reliable")) {
+                ++predicted;
+                EXPECT_LE(error, 2 * measured + 1e-6) << look << " at " << nodes;
+                EXPECT_GE(error, measured / 2 - 1e-6) << look << " at " << nodes;
+            } else {
+                // What is then said is the worst case.
+                EXPECT_GE(error, measured / 1.5) << look << " at " << nodes;
+            }
+        }
+    }
+    EXPECT_GE(predicted, 3);
+}
+
 TEST(Explain, names_what_convert_then_leaves_out_within_the_stated_bound) {
     const Folder folder;
     const std::string look = folder.write("a.cube", suite_cube("shoulder_8"));
@@ -106,7 +153,7 @@ TEST(Explain, names_what_convert_then_leaves_out_within_the_stated_bound) {
     EXPECT_EQ(json::parse(done.out).at("holds"), "a curve of 65 entries");
     EXPECT_LT(std::filesystem::file_size(out) * 100, std::filesystem::file_size(look));
     const json distance = json::parse(lutconv({"compare", look, out, "--json"}).out);
-    EXPECT_LE(distance.at("absolute_error").at("max").get<double>(),
+    EXPECT_LE(distance.at("absolute").at("max").get<double>(),
               said.at("bound").get<double>() + 1e-12);
 }
 

@@ -52,12 +52,13 @@ void OperatorFlags::declare(CLI::App& app) {
     for (const lutlib::Op* op : lutlib::ops()) {
         for (std::size_t i = 0; i < op->parameters.size(); ++i) {
             const Parameter& parameter = op->parameters[i];
-            CLI::Option* const option = app.add_option("--" + std::string(parameter.flag))
-                                            ->type_name("")
-                                            ->description(help_of(parameter))
-                                            ->expected(1)
-                                            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-                                            ->group(std::string(op->label));
+            CLI::Option* const option =
+                app.add_option("--" + std::string(parameter.flag))
+                    ->type_name("")
+                    ->description(help_of(parameter))
+                    ->expected(1)
+                    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+                    ->group(fmt::format("{} (in {})", op->label, name_of(op->space)));
             flags_.push_back({option, op, i});
         }
     }

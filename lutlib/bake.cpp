@@ -102,7 +102,7 @@ LookupError lookup_error(const Engine& engine, const Picture& picture, int size,
         const RgbD got = to_double(engine.lookup(picture, size, inputs[i]));
         const RgbD right = saturate(to_double(expected[i]));
         const RgbD d = got - right;
-        absolute[i] = std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)});
+        absolute[i] = largest_magnitude(d);
         delta_e[i] = delta_e_2000(got, right);
     }
     LookupError out{error_stats(std::move(absolute)), error_stats(std::move(delta_e)), {}};

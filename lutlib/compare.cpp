@@ -14,12 +14,6 @@ namespace {
 
 constexpr double diffuse_white_nits = 100;
 
-// std::max would drop a NaN.
-double largest_channel(RgbD d) {
-    const double largest = std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)});
-    return std::isnan(d.r + d.g + d.b) ? INFINITY : largest;
-}
-
 } // namespace
 
 Difference compare(const Transform& a, const Transform& b, const std::vector<Rgb>& inputs,
@@ -37,7 +31,7 @@ Difference compare(const Transform& a, const Transform& b, const std::vector<Rgb
         b(std::span(results_b).subspan(range.begin(), range.size()));
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             const RgbD p = results_a[i], q = results_b[i], d = p - q;
-            absolute[i] = largest_channel(d);
+            absolute[i] = largest_magnitude(d);
             square[i] = d.r * d.r + d.g * d.g + d.b * d.b;
             const auto light = [&output](RgbD c) {
                 return RgbD{output.decode(c.r), output.decode(c.g), output.decode(c.b)};

@@ -113,6 +113,9 @@ Curve::Curve(const Knots& merged, double period) : period_(period) {
         segments_.push_back({knots[i].x,
                              {knots[i].y, m[i], (3 * s - 2 * m[i] - m[i + 1]) / h,
                               (m[i] + m[i + 1] - 2 * s) / (h * h)}});
+        if (i > 0) {
+            starts_.push_back(knots[i].x);
+        }
     }
 }
 
@@ -127,9 +130,10 @@ double Curve::operator()(double x) const {
     if (x >= last_x_) {
         return last_y_;
     }
-    std::size_t i = segments_.size() - 1;
-    while (x < segments_[i].x) {
-        --i;
+    // Counting has no branch to mispredict.
+    std::size_t i = 0;
+    for (const double start : starts_) {
+        i += x >= start;
     }
     const Segment& s = segments_[i];
     const double t = x - s.x;

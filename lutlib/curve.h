@@ -46,6 +46,7 @@ class Curve {
     explicit Curve(const Knots& merged, double period);
 
     std::vector<Segment> segments_;
+    std::vector<double> starts_; ///< the segments' x after the first, for the search
     double last_x_ = 0, last_y_ = 0;
     double period_ = 0;
 };

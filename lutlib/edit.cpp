@@ -1,6 +1,7 @@
 #include "lutlib/edit.h"
 
 #include "lutlib/color/oklab.h"
+#include "lutlib/color/powers.h"
 #include "lutlib/error.h"
 #include "lutlib/interpolation.h"
 
@@ -63,7 +64,15 @@ void Edit::convert(const Recipe& recipe, Space from, Space to) {
             each_colour([m = inverse(cones)](RgbD c) { return m * lms_from_oklab(c); }));
     }
     if (to == Space::oklab) {
-        stages_.push_back(each_colour([cones](RgbD c) { return oklab_from_lms(cones * c); }));
+        stages_.emplace_back([cones](std::span<RgbD> colours) {
+            for (RgbD& c : colours) {
+                c = cones * c;
+            }
+            cube_root_all({&colours.front().r, 3 * colours.size()});
+            for (RgbD& c : colours) {
+                c = oklab_lms_to_lab * c;
+            }
+        });
     } else if (to == Space::codes) {
         stages_.emplace_back(recipe.input->encode_all);
     }
@@ -84,6 +93,9 @@ RgbD Edit::operator()(RgbD colour) const {
 }
 
 void Edit::after_base(std::span<RgbD> colours) const {
+    if (colours.empty()) {
+        return;
+    }
     hold(colours);
     for (const Transform& stage : stages_) {
         stage(colours);

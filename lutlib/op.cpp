@@ -142,7 +142,9 @@ struct FlagReader {
 } // namespace
 
 std::string_view name_of(Space space) {
-    return space == Space::codes ? "codes" : space == Space::linear ? "linear" : "oklab";
+    return space == Space::codes    ? "code values"
+           : space == Space::linear ? "linear light"
+                                    : "Oklab";
 }
 
 Value default_value(const Parameter& parameter) {

@@ -64,13 +64,11 @@ Handle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSettings
     handles.shadow_maps =
         add_shadows(graph, declared.handles, settings.shadow_size, std::move(declared.shadow_maps));
     handles.surfaces = add_gbuffer(graph, declared.handles, size, std::move(declared.visible));
+    handles.materials = declared.handles.materials;
     LightingInputs lighting;
     lighting.surfaces = handles.surfaces;
     lighting.shadow_maps = handles.shadow_maps;
-    lighting.emission = settings.force_all || scene.has_emitter();
     lighting.environment = settings.force_all || !scene.environment.is_black();
-    if (!lighting.emission)
-        graph.withhold("emission", "no material emits light");
     if (!lighting.environment)
         graph.withhold("environment", "the surroundings are black");
     return add_lighting(graph, declared.handles, lighting);
@@ -110,14 +108,14 @@ constexpr DebugView views[] = {
      [](const FrameHandles& h) { return h.surfaces.depth; }, ViewMode::depth},
     {"normal", "world-space normals as n / 2 + 1/2",
      [](const FrameHandles& h) { return h.surfaces.normal; }, ViewMode::normal},
-    {"albedo", "surface colour", [](const FrameHandles& h) { return h.surfaces.albedo; },
-     ViewMode::light},
+    {"albedo", "surface colour", [](const FrameHandles& h) { return h.surfaces.material; },
+     ViewMode::albedo},
     {"roughness", "perceptual roughness", [](const FrameHandles& h) { return h.surfaces.material; },
-     ViewMode::red},
+     ViewMode::roughness},
     {"metalness", "metalness", [](const FrameHandles& h) { return h.surfaces.material; },
-     ViewMode::green},
+     ViewMode::metalness},
     {"emission", "light that surfaces emit",
-     [](const FrameHandles& h) { return h.surfaces.emission; }, ViewMode::light},
+     [](const FrameHandles& h) { return h.surfaces.material; }, ViewMode::emission},
     {"shadows", "the shadow maps side by side, near is bright",
      [](const FrameHandles& h) { return h.shadow_maps; }, ViewMode::shadows},
     {"lit", "radiance before the HDR resolve", [](const FrameHandles& h) { return h.lit; },
@@ -185,7 +183,8 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
         if (!shown)
             throw lutlib::UsageError("this frame has no '" + std::string(settings.view->name) +
                                      "' to show; --explain says why");
-        handles.output = add_view(graph, shown, settings.view->mode, settings.output);
+        handles.output =
+            add_view(graph, shown, settings.view->mode, settings.output, handles.materials);
         graph.present(handles.output);
         return handles;
     }

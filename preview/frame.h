@@ -53,6 +53,7 @@ struct FrameInputs {
 /// Every intermediate of the frame; empty where it is withheld.
 struct FrameHandles {
     GBuffer surfaces;
+    Handle materials; ///< the scene's buffer
     Handle shadow_maps, lit, hdr, hdr_maximum, bloom, graded, figures;
     Handle output; ///< rgba8, presented
 };

@@ -30,8 +30,9 @@ double distance_from_identity(const Lut& look) {
                 const lutlib::Rgb node = cube.at(r, g, b);
                 for (std::size_t c = 0; c < 3; ++c) {
                     const double distance = std::abs(static_cast<double>(node[c]) - at[c]);
-                    if (!(distance <= furthest))
-                        furthest = distance;
+                    if (std::isnan(distance))
+                        return HUGE_VAL;
+                    furthest = std::max(furthest, distance);
                 }
             }
     return furthest;

@@ -19,5 +19,5 @@ vec3 graded_b(vec3 c) {
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy), size = textureSize(picture, 0);
     if (all(lessThan(at, size)))
-        finish_texel(at, size);
+        store_texel(at, size, display_encoded(at));
 }

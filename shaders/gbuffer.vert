@@ -4,8 +4,7 @@
 #include "common/scene.glsl"
 layout(std430, binding = 0) readonly buffer Vertices { Vertex vertices[]; };
 layout(std430, binding = 1) readonly buffer Objects { Object objects[]; };
-layout(std430, binding = 2) readonly buffer Materials { Material materials[]; };
-layout(binding = 3) uniform Views { View view; };
+layout(binding = 2) uniform Views { View view; };
 layout(location = 0) out vec3 normal;
 layout(location = 1) flat out uint material;
 

@@ -6,18 +6,16 @@
 #include "common/environment.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const bool has_shadows = true;
-layout(constant_id = 1) const bool has_emission = true;
-layout(constant_id = 2) const bool has_environment = true;
+layout(constant_id = 1) const bool has_environment = true;
 layout(binding = 0) uniform Views { View view; };
 layout(binding = 1) uniform Environments { Environment environment; };
 layout(std430, binding = 2) readonly buffer Lights { Light lights[]; };
 layout(binding = 3) uniform sampler2D depths;
 layout(binding = 4) uniform usampler2D normals;
-layout(binding = 5) uniform sampler2D albedos;
-layout(binding = 6) uniform sampler2D materials;
-layout(binding = 7) uniform sampler2D emissions;
-layout(binding = 8) uniform sampler2DArrayShadow shadow_maps;
-layout(binding = 9) writeonly uniform image2D target;
+layout(binding = 5) uniform usampler2D material_numbers;
+layout(std430, binding = 6) readonly buffer Materials { Material materials[]; };
+layout(binding = 7) uniform sampler2DArrayShadow shadow_maps;
+layout(binding = 8) writeonly uniform image2D target;
 layout(push_constant) uniform Push { uint light_count; };
 
 /// 1 where the light reaches the point, 0 where not; 1 outside its frustum. Four bilinear
@@ -57,11 +55,13 @@ void main() {
     }
     vec3 position = view.position_near.xyz + ray * (view.position_near.w / (1.0 - depth));
     vec3 normal = decode_octahedral(from_bits(texelFetch(normals, at, 0).xy));
-    vec3 albedo = texelFetch(albedos, at, 0).rgb;
-    vec2 material = texelFetch(materials, at, 0).rg;
+    Material material = materials[texelFetch(material_numbers, at, 0).r - 1u];
+    vec3 albedo = material.albedo_roughness.rgb;
+    float roughness = material.albedo_roughness.a;
+    float metalness = material.emission_metalness.a;
     vec3 to_eye = -normalize(ray);
 
-    vec3 radiance = has_emission ? texelFetch(emissions, at, 0).rgb : vec3(0.0);
+    vec3 radiance = material.emission_metalness.rgb;
     for (uint index = 0; index < light_count; ++index) {
         Light light = lights[index];
         vec3 towards = light.position_layer.xyz - position;
@@ -72,18 +72,18 @@ void main() {
         float n_dot_l = dot(normal, direction);
         if (!(n_dot_l > 0.0))
             continue;
-        vec3 shaded = shade(normal, to_eye, direction, albedo, material.r, material.g);
+        vec3 shaded = shade(normal, to_eye, direction, albedo, roughness, metalness);
         if (has_shadows && light.position_layer.w >= 0.0)
             shaded *= lit(light, position, normal, n_dot_l, distance_to_light);
         radiance += shaded * light.intensity_texel.rgb / squared;
     }
     if (has_environment) {
         float n_dot_v = clamp(dot(normal, to_eye), 0.0, 1.0);
-        vec3 f0 = mix(vec3(0.04), albedo, material.g);
-        vec3 mirrored = environment_reflectance(f0, material.r, n_dot_v);
+        vec3 f0 = mix(vec3(0.04), albedo, metalness);
+        vec3 mirrored = environment_reflectance(f0, roughness, n_dot_v);
         radiance += mirrored * environment_radiance(environment, reflect(-to_eye, normal),
-                                                    material.r);
-        radiance += (1.0 - mirrored) * (1.0 - material.g) * albedo / pi *
+                                                    roughness);
+        radiance += (1.0 - mirrored) * (1.0 - metalness) * albedo / pi *
                     environment_irradiance(environment, normal);
     }
     imageStore(target, at, vec4(radiance, 1.0));

@@ -6,6 +6,7 @@
 #include "converter/result.h"
 #include "lutlib/bake_recipe.h"
 #include "lutlib/error.h"
+#include "lutlib/io/file.h"
 #include "lutlib/io/recipe_file.h"
 
 #include <fmt/core.h>
@@ -28,11 +29,17 @@ struct Options {
 // The recipe file, then IN as its base, then the flags.
 lutlib::Recipe assemble(const Options& o, std::string& base) {
     lutlib::Recipe recipe;
-    if (!o.recipe.empty()) {
-        recipe = io::read_recipe(o.recipe, read_lut);
-        base = io::base_path(recipe, o.recipe);
+    const bool input_is_recipe = io::extension_of(o.input) == "json";
+    if (input_is_recipe && !o.recipe.empty()) {
+        throw lutlib::UsageError("there are two recipes, '" + o.input + "' and '" + o.recipe +
+                                 "'; edit one");
     }
-    if (!o.input.empty() && o.input != "identity") {
+    const std::string& path = input_is_recipe ? o.input : o.recipe;
+    if (!path.empty()) {
+        recipe = io::read_recipe(path, read_lut);
+        base = io::base_path(recipe, path);
+    }
+    if (!o.input.empty() && !input_is_recipe && o.input != "identity") {
         io::set_base(recipe, o.input, read_lut);
         base = o.input;
     }
@@ -88,7 +95,7 @@ int run(const Options& o) {
 
 Run declare_edit(CLI::App& app) {
     const auto o = std::make_shared<Options>();
-    app.add_option("LUT", o->input, "a LUT file to edit, or the word identity");
+    app.add_option("LUT", o->input, "a LUT or recipe file to edit, or the word identity");
     app.add_option("-o,--output", o->output, "the baked LUT, or - for standard output");
     app.add_option("--recipe", o->recipe, "operators to start from");
     app.add_option("--save-recipe", o->save_recipe, "write the operators and their base here");

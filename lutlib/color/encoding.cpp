@@ -1,6 +1,7 @@
 #include "lutlib/color/encoding.h"
 
 #include "lutlib/color/transfer.h"
+#include "lutlib/color/transfer_all.h"
 
 #include <array>
 
@@ -11,30 +12,22 @@ double unchanged(double x) {
     return x;
 }
 
-template <double F(double)>
-void each(std::span<RgbD> colours) {
-    for (RgbD& c : colours) {
-        c = {F(c.r), F(c.g), F(c.b)};
-    }
-}
+void unchanged_all(std::span<RgbD>) {}
 
-template <double Decode(double), double Encode(double)>
-constexpr Encoding row(std::string_view name, std::string_view label, std::string_view source,
-                       const Primaries& primaries) {
-    return {name, label, source, primaries, Decode, Encode, each<Decode>, each<Encode>};
-}
-
-constexpr std::array<Encoding, 6> table{
-    row<srgb_decode, srgb_encode>("srgb", "sRGB", "IEC 61966-2-1", rec709),
-    row<gamma24_decode, gamma24_encode>("gamma24", "Rec.709, gamma 2.4", "ITU-R BT.1886", rec709),
-    row<unchanged, unchanged>("linear", "Linear, Rec.709 primaries", "", rec709),
-    row<logc3_decode, logc3_encode>("logc3", "ARRI LogC3 EI 800, ARRI Wide Gamut 3",
-                                    "ARRI, ALEXA Log C Curve, Usage in VFX", arri_wide_gamut3),
-    row<acescct_decode, acescct_encode>("acescct", "ACEScct, AP1 primaries", "S-2016-001",
-                                        aces_ap1),
-    row<pq_decode, pq_encode>("pq", "PQ, Rec.2020 primaries", "SMPTE ST 2084, ITU-R BT.2100",
-                              rec2020),
-};
+constexpr std::array<Encoding, 6> table{{
+    {"srgb", "sRGB", "IEC 61966-2-1", rec709, srgb_decode, srgb_encode, srgb_decode_all,
+     srgb_encode_all},
+    {"gamma24", "Rec.709, gamma 2.4", "ITU-R BT.1886", rec709, gamma24_decode, gamma24_encode,
+     gamma24_decode_all, gamma24_encode_all},
+    {"linear", "Linear, Rec.709 primaries", "", rec709, unchanged, unchanged, unchanged_all,
+     unchanged_all},
+    {"logc3", "ARRI LogC3 EI 800, ARRI Wide Gamut 3", "ARRI, ALEXA Log C Curve, Usage in VFX",
+     arri_wide_gamut3, logc3_decode, logc3_encode, logc3_decode_all, logc3_encode_all},
+    {"acescct", "ACEScct, AP1 primaries", "S-2016-001", aces_ap1, acescct_decode, acescct_encode,
+     acescct_decode_all, acescct_encode_all},
+    {"pq", "PQ, Rec.2020 primaries", "SMPTE ST 2084, ITU-R BT.2100", rec2020, pq_decode, pq_encode,
+     pq_decode_all, pq_encode_all},
+}};
 
 } // namespace
 

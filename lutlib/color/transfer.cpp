@@ -1,27 +1,11 @@
 #include "lutlib/color/transfer.h"
 
+#include "lutlib/color/transfer_constants.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace lutlib {
-namespace {
-
-constexpr double largest_light = 65504;
-constexpr double pq_white_nits = 100;
-
-// ARRI's published constants for EI 800.
-namespace logc3 {
-constexpr double cut = 0.010591, a = 5.555556, b = 0.052272, c = 0.247190, d = 0.385537,
-                 e = 5.367655, f = 0.092809;
-}
-
-namespace pq {
-constexpr double m1 = 2610.0 / 16384, m2 = 2523.0 / 4096 * 128, c1 = 3424.0 / 4096,
-                 c2 = 2413.0 / 4096 * 32, c3 = 2392.0 / 4096 * 32, peak = 10000;
-}
-
-} // namespace
-
 double srgb_decode(double code) {
     const double x = std::abs(code);
     const double linear = x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
@@ -57,15 +41,17 @@ double logc3_encode(double linear) {
 }
 
 double acescct_decode(double code) {
-    if (code <= 0.155251141552511) {
-        return (code - 0.0729055341958355) / 10.5402377416545;
+    using namespace acescct;
+    if (code <= code_cut) {
+        return (code - offset) / slope;
     }
-    return std::min(std::exp2(code * 17.52 - 9.72), largest_light);
+    return std::min(std::exp2(code * stops - lowest), largest_light);
 }
 
 double acescct_encode(double linear) {
-    return linear <= 0.0078125 ? 10.5402377416545 * linear + 0.0729055341958355
-                               : (std::log2(std::min(linear, largest_light)) + 9.72) / 17.52;
+    using namespace acescct;
+    return linear <= light_cut ? slope * linear + offset
+                               : (std::log2(std::min(linear, largest_light)) + lowest) / stops;
 }
 
 double pq_from_nits(double nits) {

@@ -1,9 +1,7 @@
 // The ASC Color Decision List, version 1.2: (x slope + offset)^power, then saturation.
+#include "lutlib/color/powers.h"
 #include "lutlib/ops/all.h"
 #include "lutlib/ops/luma.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace lutlib::op {
 namespace {
@@ -41,22 +39,19 @@ Transform compile(const Values& values, const OpContext&) {
                power = std::get<RgbD>(values[2]);
     const double saturation = std::get<double>(values[3]);
     const bool clamp = std::get<double>(values[4]) != 0;
-    const auto sop = [=](RgbD c) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            double x = c[i] * slope[i] + offset[i];
-            x = clamp ? std::clamp(x, 0.0, 1.0) : x;
-            c[i] = x > 0 && power[i] != 1 ? std::pow(x, power[i]) : x;
+    const auto clamped = [clamp](RgbD c) { return clamp ? lutlib::saturate(c) : c; };
+    return [=](std::span<RgbD> colours) {
+        for (RgbD& c : colours) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                c[i] = c[i] * slope[i] + offset[i];
+            }
+            c = clamped(c);
         }
-        return scale_saturation(c, saturation);
+        power_all(colours, power, Negative::kept);
+        for (RgbD& c : colours) {
+            c = clamped(scale_saturation(c, saturation));
+        }
     };
-    if (!clamp) {
-        return each_colour(sop);
-    }
-    return each_colour([sop](RgbD c) {
-        c = sop(c);
-        return RgbD{std::clamp(c.r, 0.0, 1.0), std::clamp(c.g, 0.0, 1.0),
-                    std::clamp(c.b, 0.0, 1.0)};
-    });
 }
 
 } // namespace

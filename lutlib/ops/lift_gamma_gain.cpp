@@ -1,6 +1,5 @@
+#include "lutlib/color/powers.h"
 #include "lutlib/ops/all.h"
-
-#include <cmath>
 
 namespace lutlib::op {
 namespace {
@@ -27,13 +26,14 @@ Transform compile(const Values& values, const OpContext&) {
     const auto lift = std::get<RgbD>(values[0]), gamma = std::get<RgbD>(values[1]),
                gain = std::get<RgbD>(values[2]);
     const RgbD power{1 / gamma.r, 1 / gamma.g, 1 / gamma.b};
-    return each_colour([lift, gain, power](RgbD c) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double x = gain[i] * (c[i] + lift[i] * (1 - c[i]));
-            c[i] = power[i] == 1 ? x : std::copysign(std::pow(std::abs(x), power[i]), x);
+    return [lift, gain, power](std::span<RgbD> colours) {
+        for (RgbD& c : colours) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                c[i] = gain[i] * (c[i] + lift[i] * (1 - c[i]));
+            }
         }
-        return c;
-    });
+        power_all(colours, power, Negative::mirrored);
+    };
 }
 
 } // namespace

@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::uint64_t figures_bytes = 4 * (1 + 4096);
 
-// As many groups of finish_shared.comp as the largest GPUs hold at once: more would only copy the
-// lattice more often.
-constexpr std::uint32_t most_groups = 1056;
-constexpr std::uint32_t tile_width = 32, tile_height = 8;
+// Groups of finish_shared.comp: as many as the largest GPUs hold at once, for more would only copy
+// the lattice more often.
+constexpr std::uint32_t most_groups = 264;
+constexpr std::uint32_t tile_width = 64, tile_height = 32;
 
 struct FilterBlock {
     std::array<std::array<float, 4>, BloomPlan::max_layers> layers{};
@@ -104,9 +104,12 @@ Finished add_finish(Graph& graph, Handle picture, const BloomLayers& bloom, cons
     const auto layers = static_cast<std::uint32_t>(plan.layers.size());
     const auto taps =
         layers == 1 ? static_cast<std::uint32_t>(plan.layers[0].taps.size()) : std::uint32_t{1};
+    const Format format = graph.image_desc(picture).format;
+    const bool unit =
+        format == Format::rgba8 || format == Format::rgb10a2 || format == Format::rgba16;
     const int tonemap = settings.tonemap ? settings.tonemap->shader : -1;
     pass.constants({static_cast<std::uint32_t>(tonemap), layers, taps, plan.threshold > 0,
-                    shader_of(a), shader_of(b), compare.shader});
+                    shader_of(a), shader_of(b), compare.shader, unit});
     pass.push(Push{std::exp2(settings.exposure), plan.strength, plan.threshold, plan.knee,
                    settings.split, settings.heat_scale});
     if (shared) {

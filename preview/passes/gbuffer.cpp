@@ -9,15 +9,12 @@ GBuffer add_gbuffer(Graph& graph, const SceneHandles& scene, Size size, std::vec
     Pass pass = graph.raster("g-buffer", "gbuffer.vert", "gbuffer.frag");
     pass.storage(scene.vertices);
     pass.storage(scene.objects);
-    pass.storage(scene.materials);
     pass.uniform(scene.view);
     pass.index_buffer(scene.indices);
     pass.draws(std::move(draws));
     GBuffer out;
     out.normal = pass.color(target("normal", Format::rg16ui), {});
-    out.albedo = pass.color(target("albedo", Format::rgba16), {});
-    out.material = pass.color(target("material", Format::rgba8), {});
-    out.emission = pass.color(target("emission", Format::rgba16f), {});
+    out.material = pass.color(target("material", Format::r32ui), {});
     out.depth = pass.depth(target("depth", Format::d32), 1);
     return out;
 }

@@ -9,9 +9,7 @@ namespace preview {
 struct GBuffer {
     Handle depth;    ///< d32, 0 near to 1 at infinity; 1 where there is nothing
     Handle normal;   ///< rg16ui, octahedral, world space
-    Handle albedo;   ///< rgba16
-    Handle material; ///< rgba8: roughness, metalness
-    Handle emission; ///< rgba16f
+    Handle material; ///< r32ui, number of the material + 1; 0 where there is nothing
 };
 
 GBuffer add_gbuffer(Graph& graph, const SceneHandles& scene, Size size, std::vector<Draw> draws);

@@ -5,16 +5,14 @@ namespace preview {
 Handle add_lighting(Graph& graph, const SceneHandles& scene, const LightingInputs& inputs) {
     const Size size = size_of(graph, inputs.surfaces.depth);
     Pass pass = graph.compute("lighting", "lighting.comp");
-    pass.constants(
-        {inputs.shadow_maps ? 1U : 0U, inputs.emission ? 1U : 0U, inputs.environment ? 1U : 0U});
+    pass.constants({inputs.shadow_maps ? 1U : 0U, inputs.environment ? 1U : 0U});
     pass.uniform(scene.view);
     pass.uniform(scene.environment);
     pass.storage(scene.lights);
     pass.read(inputs.surfaces.depth);
     pass.read(inputs.surfaces.normal);
-    pass.read(inputs.surfaces.albedo);
     pass.read(inputs.surfaces.material);
-    pass.read(inputs.emission ? inputs.surfaces.emission : Handle{});
+    pass.storage(scene.materials);
     pass.sample(inputs.shadow_maps, Sampler::shadow_compare, Neutral::lit);
     const Handle lit = pass.write(graph.image("lit", {Format::rgba16f, size.width, size.height}));
     pass.push(scene.light_count);

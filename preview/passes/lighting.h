@@ -9,7 +9,6 @@ namespace preview {
 struct LightingInputs {
     GBuffer surfaces;
     Handle shadow_maps; ///< empty: no light casts
-    bool emission = true;
     bool environment = true;
 };
 

@@ -37,8 +37,8 @@ Geometry geometry_of(const Scene& scene);
 std::uint32_t encode_octahedral(glm::vec3 unit);
 
 struct ObjectBlock {
-    glm::vec4 model[3];  ///< rows of the affine transform
-    glm::vec4 normal[3]; ///< rows of its cofactors, which carry normals
+    glm::vec4 model[3]{};  ///< rows of the affine transform
+    glm::vec4 normal[3]{}; ///< rows of its cofactors, which carry normals
     glm::uvec4 material{0};
 };
 
@@ -55,7 +55,7 @@ struct LightBlock {
 
 struct EnvironmentBlock {
     glm::vec4 zenith{0}, horizon{0}, ground{0}; ///< ground.w: how many soft boxes
-    glm::vec4 soft_boxes[2 * Environment::max_soft_boxes];
+    glm::vec4 soft_boxes[2 * Environment::max_soft_boxes]{};
 };
 
 struct ViewBlock {

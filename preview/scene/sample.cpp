@@ -41,7 +41,7 @@ void add_cove(SceneBuilder& build) {
         profile.push_back({-1.6f - 1.4f * std::sin(angle), 1.4f * (1 - std::cos(angle))});
     }
     profile.push_back({-3, 7});
-    const auto paper = build.material({linear_of(0x6a7482), 0.62f, 0, {}});
+    const auto paper = build.material({linear_of(0x545c6a), 0.55f, 0, {}});
     build.place(build.mesh(extrude(profile, 11)), paper, glm::mat4{1}, false);
 }
 
@@ -165,16 +165,16 @@ const Moving& moving_parts() {
 Scene sample_scene() {
     SceneBuilder build;
     add_still_life(build);
-    build.light({{-2.6f, 3.9f, 3.2f}, {47, 40, 31}, true, {0.2f, 0.3f, -0.2f}, 62, 1, 16});
-    build.light({spark_rest, {2.6f, 2.3f, 1.9f}, true, {0.3f, 0, 0.3f}, 118, 0.05f, 8});
-    build.light({{knot_rest.x, 0.98f, -1.25f}, {0.16f, 1.3f, 1.75f}, false, {}, 60, 0.1f, 20});
-    build.light({{2.3f, 0.7f, -0.9f}, {1.5f, 0.16f, 0.75f}, false, {}, 60, 0.1f, 20});
-    build.scene.environment.zenith = {0.050f, 0.058f, 0.075f};
-    build.scene.environment.horizon = {0.022f, 0.025f, 0.034f};
-    build.scene.environment.ground = {0.014f, 0.014f, 0.016f};
-    build.soft_box({-0.7f, 0.65f, 0.55f}, 38, {1.9f, 1.7f, 1.4f});
-    build.soft_box({0.9f, 0.35f, 0.25f}, 55, {0.5f, 0.62f, 0.95f});
-    build.soft_box({0.1f, 0.9f, -0.5f}, 30, {0.5f, 0.52f, 0.6f});
+    build.light({{-2.6f, 3.9f, 3.2f}, {104, 91, 73}, true, {0.2f, 0.3f, -0.2f}, 62, 1, 16});
+    build.light({spark_rest, {3.4f, 2.9f, 2.2f}, true, {0.3f, 0, 0.3f}, 118, 0.05f, 8});
+    build.light({{knot_rest.x, 0.98f, -1.25f}, {0.22f, 1.9f, 2.5f}, false, {}, 60, 0.1f, 20});
+    build.light({{2.3f, 0.7f, -0.9f}, {2.6f, 0.26f, 1.3f}, false, {}, 60, 0.1f, 20});
+    build.scene.environment.zenith = {0.095f, 0.108f, 0.140f};
+    build.scene.environment.horizon = {0.070f, 0.077f, 0.098f};
+    build.scene.environment.ground = {0.036f, 0.035f, 0.038f};
+    build.soft_box({-0.7f, 0.65f, 0.55f}, 26, {3.4f, 3.0f, 2.5f});
+    build.soft_box({0.9f, 0.35f, 0.25f}, 40, {1.1f, 1.4f, 2.1f});
+    build.soft_box({0.1f, 0.9f, -0.5f}, 24, {1.0f, 1.05f, 1.2f});
     return std::move(build.scene);
 }
 
@@ -186,7 +186,7 @@ Scene plain_scene() {
         material.emission = glm::vec3{0};
         material.roughness = std::max(material.roughness, 0.65f);
     }
-    build.light({{-2.6f, 3.9f, 3.2f}, {34, 31, 28}, false, {}, 60, 0.1f, 20});
+    build.light({{-2.6f, 3.9f, 3.2f}, {44, 41, 38}, false, {}, 60, 0.1f, 20});
     build.light({spark_rest, {0, 0, 0}, false, {}, 60, 0.1f, 20});
     build.scene.environment.zenith = {0.20f, 0.21f, 0.23f};
     build.scene.environment.horizon = {0.11f, 0.11f, 0.12f};

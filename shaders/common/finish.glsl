@@ -12,6 +12,7 @@ layout(constant_id = 3) const bool bloom_threshold = false;
 layout(constant_id = 4) const int lookup_a = 0;
 layout(constant_id = 5) const int lookup_b = 0;
 layout(constant_id = 6) const int compare = 0;
+layout(constant_id = 7) const bool unit_picture = false; // its format holds 0..1 only
 
 const int compare_a = 0;
 const int compare_b = 1;
@@ -97,8 +98,8 @@ bool on_split_line(int x, ivec2 size) {
     return abs(float(x) + 0.5 - push.split * float(size.x)) <= half_width;
 }
 
-void finish_texel(ivec2 at, ivec2 size) {
-    vec3 c = display_encoded(at);
+// Shows the looks of the display-encoded colour `c`.
+void store_texel(ivec2 at, ivec2 size, vec3 c) {
     if (compare == compare_a) {
         imageStore(target, at, vec4(graded_a(c), 1.0));
     } else if (compare == compare_b) {

@@ -1,8 +1,8 @@
 // A lattice of 16 nodes a side with codes of 8 bits, held in shared memory: 16 KB.
 //
-// Interpolation works on whole codes in float, without conversion instructions: a float of exponent
-// e holds an integer in its mantissa, so that OR-ing an exponent onto a masked field gives
-// 2^e + code, and the differences of such numbers are exact.
+// Interpolation works on whole codes in float, almost without conversion instructions, of which GPUs
+// have few: a float of exponent e holds an integer in its mantissa, so that OR-ing an exponent onto
+// a masked field gives 2^e + code, and the differences of such numbers are exact.
 #include "common/sanitise.glsl"
 
 const int lattice_nodes = 16 * 16 * 16;
@@ -13,11 +13,10 @@ uint pack_node(vec3 unorm) {
     return code.g << 7 | code.b << 15 | code.r << 24;
 }
 
-const vec3 node_bias = vec3(8388608.0, 65536.0, 256.0);
+const vec3 node_bias = vec3(0.0, 65536.0, 256.0);
 
 vec3 unpack_node(uint node) {
-    return vec3(uintBitsToFloat(0x4B000000u | node >> 24),
-                uintBitsToFloat(0x47800000u | node & 0x7F80u),
+    return vec3(float(node >> 24), uintBitsToFloat(0x47800000u | node & 0x7F80u),
                 uintBitsToFloat(0x43800000u | node & 0x7F8000u));
 }
 
@@ -29,13 +28,11 @@ struct Cell16 {
     vec3 f;
 };
 
+/// `c` within 0..1.
 Cell16 cell16_of(vec3 c) {
     const float magic = 12582912.0;
     precise vec3 shifted = fma(c, vec3(15.0), vec3(-0.5)) + magic;
     precise vec3 whole = shifted - magic;
     uvec3 cell = floatBitsToUint(shifted);
-    Cell16 out_;
-    out_.f = fma(c, vec3(15.0), -whole);
-    out_.node = (cell.r + (cell.g << 4) + (cell.b << 8)) & 0xFFFu;
-    return out_;
+    return Cell16((cell.r + (cell.g << 4) + (cell.b << 8)) & 0xFFFu, fma(c, vec3(15.0), -whole));
 }

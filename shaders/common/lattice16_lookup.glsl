@@ -3,11 +3,12 @@
 vec3 TETRAHEDRAL(vec3 c) {
     Cell16 cell = cell16_of(c);
     vec3 f = cell.f;
-    bool rg = f.r > f.g, gb = f.g > f.b, rb = f.r > f.b;
-    uint first = rg && rb ? 1u : !rg && !(f.b > f.g) ? 16u : 256u;
-    uint last = rg ? (gb ? 256u : 16u) : (f.b > f.r ? 1u : 256u);
-    float high = max(f.r, max(f.g, f.b)), low = min(f.r, min(f.g, f.b));
-    float middle = max(min(f.r, f.g), min(max(f.r, f.g), f.b));
+    float larger = max(f.r, f.g), smaller = min(f.r, f.g);
+    float high = max(larger, f.b), low = min(smaller, f.b);
+    float middle = max(smaller, min(larger, f.b));
+    // In the opposite order, so that of equal fractions the first and the last differ.
+    uint first = f.r == high ? 1u : f.g == high ? 16u : 256u;
+    uint last = f.b == low ? 256u : f.g == low ? 16u : 1u;
     precise vec3 n0 = unpack_node(NODES[cell.node]);
     precise vec3 n1 = unpack_node(NODES[cell.node + first]);
     precise vec3 n2 = unpack_node(NODES[cell.node + 273u - last]);

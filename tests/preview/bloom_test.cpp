@@ -67,9 +67,9 @@ TEST_P(EveryBloom, keeps_constant_light_constant_up_to_the_border) {
 TEST_P(EveryBloom, leaves_light_below_its_onset_alone) {
     Image image(40, 30);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        image.pixels[i] = {0.5 * static_cast<double>(i) / 1199, 0.1, 0.49};
+        image.pixels[i] = {static_cast<double>(i) / 1199, 0.1, 0.99};
     const Image out = reference::with_bloom(plan_for(*GetParam(), image), image);
-    EXPECT_EQ(bloom_onset({}), 0.5);
+    EXPECT_EQ(bloom_onset({}), 1);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         ASSERT_EQ(out.pixels[i], image.pixels[i]);
 }

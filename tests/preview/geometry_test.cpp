@@ -88,7 +88,6 @@ class GeometryTest : public GpuTest {
             add_gbuffer(graph, handles, size,
                         draws_of(scene, gpu_scene.geometry,
                                  visible_objects(scene, gpu_scene.geometry, view.clip)));
-        inputs.emission = scene.has_emitter();
         inputs.environment = !scene.environment.is_black();
         const Handle lit = add_lighting(graph, handles, inputs);
         graph.present(lit);
@@ -114,9 +113,8 @@ TEST_F(GeometryTest, lights_a_floor_as_the_double_reference_does) {
                     if (ray.y >= 0 || std::abs(at.x) > 9 || std::abs(at.z) > 9)
                         continue;
                     const glm::dvec3 towards = glm::dvec3(scene.lights[0].position) - at;
-                    // Material targets keep 8 bits of roughness.
-                    const double stored = std::round(roughness * 255) / 255;
-                    const reference::Surface surface{{0, 1, 0}, {0.8, 0.4, 0.1}, stored, metalness};
+                    const reference::Surface surface{
+                        {0, 1, 0}, {0.8, 0.4, 0.1}, roughness, metalness};
                     const lutlib::RgbD shaded =
                         reference::shade(surface, -glm::normalize(ray), glm::normalize(towards));
                     for (std::size_t c = 0; c < 3; ++c) {

@@ -176,6 +176,41 @@ INSTANTIATE_TEST_SUITE_P(Table, EveryLookup, testing::ValuesIn([] {
                              return name;
                          });
 
+using SharedLookupTest = FinishTest;
+
+// finish_shared.comp cuts a picture into runs of tiles; finish.comp does not.
+TEST_F(SharedLookupTest, every_texel_of_any_size_is_finished_as_by_the_plain_pass) {
+    const lutlib::CodePicture codes =
+        lutlib::bake(strong_look, *lutlib::engine_named("piccolo"), 16, 8).picture;
+    const GpuLook plain(device(), look_data(codes, 16, *lookup_named("strip")));
+    const GpuLook fast(device(), look_data(codes, 16, *lookup_named("shared-trilinear")));
+    for (const auto& [width, height] : {std::pair{1, 1}, {63, 31}, {65, 33}, {135, 67}}) {
+        SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height));
+        reference::Image picture(width, height);
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                picture.at(x, y) = {x * 0.02, y * 0.03, (x ^ y) * 0.01};
+        const gpu::Image image = image_of(picture);
+        const auto run = [&](const GpuLook& look) {
+            FinishSettings settings;
+            settings.tonemap = tonemap_named("agx");
+            settings.compare = &compare_side;
+            settings.format = Format::rgba32f;
+            Graph graph;
+            const Handle source = graph.import("picture", image, image.desc());
+            const BloomPlan plan =
+                bloom_plan(*bloom_named("dual-kawase"), {picture.width, picture.height}, {});
+            const Handle out =
+                add_finish(graph, source, add_bloom(graph, source, plan), &look, nullptr, settings)
+                    .picture;
+            graph.present(out);
+            return colors_of(run_and_read<float>(graph, out));
+        };
+        const std::vector<Rgb> wanted = run(plain);
+        expect_near(run(fast), wanted, wanted, float_bound);
+    }
+}
+
 TEST(Lookups, have_a_row_for_every_engine) {
     for (const lutlib::Engine& engine : lutlib::engines()) {
         const Lookup* row = lookup_named(engine.name);

@@ -1,8 +1,13 @@
 #include "lutlib/color/transfer.h"
 
+#include "lutlib/color/encoding.h"
+#include "lutlib/color/powers.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+#include <vector>
 
 namespace lutlib {
 namespace {
@@ -50,6 +55,48 @@ TEST_P(EveryTransfer, is_finite_for_every_finite_float) {
     for (const double x : {0.0, -0.0, 1e-40, -1e-40, 1e10, -1e10, 3.4e38, -3.4e38}) {
         EXPECT_TRUE(std::isfinite(GetParam().decode(x))) << x;
         EXPECT_TRUE(std::isfinite(GetParam().encode(x))) << x;
+    }
+}
+
+class EveryEncoding : public testing::TestWithParam<Encoding> {};
+INSTANTIATE_TEST_SUITE_P(Transfer, EveryEncoding,
+                         testing::ValuesIn(encodings().begin(), encodings().end()),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST_P(EveryEncoding, is_the_same_on_many_colours_as_on_one) {
+    std::vector<RgbD> in;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> near(-0.5, 1.5), exponent(-12, 38);
+    for (int i = 0; i < 20001; ++i) {
+        in.push_back({near(random), near(random), near(random)});
+        const double huge = std::pow(10, exponent(random));
+        in.push_back({huge, -huge, i % 2 ? 0.0 : -0.0});
+    }
+    for (const bool encode : {true, false}) {
+        std::vector<RgbD> many = in;
+        encode ? GetParam().encode_all(many) : GetParam().decode_all(many);
+        const auto one = encode ? GetParam().encode : GetParam().decode;
+        for (std::size_t i = 0; i < in.size(); ++i) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double want = one(in[i][c]);
+                // PQ raises to the power of 78.8 and back, which multiplies the rounding.
+                ASSERT_NEAR(many[i][c], want, 1e-12 * (1 + std::abs(want))) << in[i][c];
+            }
+        }
+    }
+}
+
+TEST(Powers, cube_root_is_exact_to_the_last_places_and_odd) {
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> exponent(-30, 38);
+    std::vector<double> in{0, -0.0, 1, -1, 8, -27, 1e-300, 3.4e38};
+    for (int i = 0; i < 10000; ++i) {
+        in.push_back((i % 2 ? 1 : -1) * std::pow(10, exponent(random)));
+    }
+    std::vector<double> out = in;
+    cube_root_all(out);
+    for (std::size_t i = 0; i < in.size(); ++i) {
+        ASSERT_NEAR(out[i], std::cbrt(in[i]), 1e-15 * std::abs(std::cbrt(in[i]))) << in[i];
     }
 }
 

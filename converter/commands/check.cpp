@@ -171,7 +171,7 @@ std::string check_list() {
 Run declare_check(CLI::App& app) {
     const auto o = std::make_shared<Options>();
     app.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input")->required();
-    app.add_flag("--strict", o->strict, "exit with 1 when there is a fault");
+    app.add_flag("--strict", o->strict, "exit with 1 when there is a fault (left)");
     app.add_flag("--repair", o->repair, "repair what can be repaired, into -o");
     app.add_flag("--clamp", o->repairs.clamp, "with --repair: clamp outputs to 0..1");
     app.add_option("-o,--output", o->output, "the repaired LUT, or - for standard output");

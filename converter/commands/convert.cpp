@@ -52,6 +52,7 @@ std::optional<Explanation> leave_out(lutlib::Lut& lut, const Options& o) {
                                                     : io::require_file_format(o.format);
     if (io::can_hold(less, format.holds)) {
         lut = std::move(less);
+        out.left_out = true;
     } else {
         out.kept = fmt::format("{} cannot hold it so", format.label);
     }

@@ -78,10 +78,6 @@ std::vector<RgbD> mapped(const Transform& look, std::vector<RgbD> colours) {
     return colours;
 }
 
-double largest_channel(RgbD d) {
-    return std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)});
-}
-
 std::vector<RgbD> colours_over(const Domain& domain, int lattice_size, const SampleCounts& counts) {
     std::vector<RgbD> out;
     for (const Rgb& c : sample_colors(lattice_size, counts)) {
@@ -125,8 +121,8 @@ struct Exam {
                     for (std::size_t k = 0; k < w.count; ++k) {
                         sum = sum + w.weight[k] * nodes[w.node[k]];
                     }
-                    out[i] = largest_channel(held ? saturate(sum) - saturate(targets[i])
-                                                  : sum - targets[i]);
+                    out[i] = largest_magnitude(held ? saturate(sum) - saturate(targets[i])
+                                                    : sum - targets[i]);
                 }
             });
         return out;

@@ -1,6 +1,7 @@
 // lutconv bake: a look becomes an engine's LUT picture.
 #include "lutlib/bake.h"
 #include "converter/command.h"
+#include "converter/explain.h"
 #include "converter/options.h"
 #include "converter/report.h"
 #include "lutlib/budget.h"
@@ -31,7 +32,7 @@ struct Options {
     int size = 0, bits = 0;
     InterpolationOption interpolation;
     double max_delta_e = 0;
-    bool fit = false, json = false;
+    bool fit = false, explain = false, json = false;
 };
 
 // A few thousand colours are enough to say how large the error is; `verify` looks at all.
@@ -189,6 +190,9 @@ std::optional<int> if_given(int value) {
 
 int run(const Options& o) {
     const lutlib::Engine& engine = o.engine.get();
+    if (o.explain && o.input == lutlib::io::standard_stream) {
+        throw lutlib::UsageError("--explain needs a file, not standard input");
+    }
     if (o.max_delta_e < 0) {
         throw lutlib::UsageError("--max-delta-e must be above 0");
     }
@@ -209,6 +213,12 @@ int run(const Options& o) {
                                                  name_of(o.interpolation.get()), filled.fitted}));
     }
     const LookupError error = measure(filled.bake, look.exact);
+    std::optional<Explanation> explanation;
+    if (o.explain) {
+        // What changes less than half a code is not seen in the picture.
+        explanation = explain(read_look(o.input), 0.5 / filled.bake.picture.maximum());
+        explanation->kept = "the engine reads a lattice of this size whatever the look is";
+    }
     if (o.json) {
         nlohmann::ordered_json json = as_json(o, filled, look.domain, error);
         if (filled.result.count > 0) {
@@ -217,9 +227,13 @@ int run(const Options& o) {
         if (budgeted) {
             json["budget"] = budget_json(o, *budgeted);
         }
+        if (explanation) {
+            json["explanation"] = to_json(*explanation);
+        }
         print(json, o.output);
     } else {
-        print(as_text(o, filled, look.domain, error) + (budgeted ? budget_text(o, *budgeted) : ""),
+        print(as_text(o, filled, look.domain, error) + (budgeted ? budget_text(o, *budgeted) : "") +
+                  (explanation ? to_text(*explanation) : ""),
               o.output);
     }
     if (budgeted && !budgeted->kept) {
@@ -249,6 +263,7 @@ Run declare_bake(CLI::App& app) {
         "--max-delta-e", o->max_delta_e,
         "take the smallest combination of size, bits and fit that the engine accepts and "
         "that stays within this dE2000; writes nothing, with exit code 1, when none does");
+    app.add_flag("--explain", o->explain, "say what of the look no picture would need");
     app.add_flag("--json", o->json, "print the figures as JSON");
     return [o] { return run(*o); };
 }

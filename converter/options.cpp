@@ -5,6 +5,7 @@
 #include "lutlib/edit.h"
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
+#include "lutlib/io/bake_report.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/recipe_file.h"
@@ -122,11 +123,7 @@ void write_look(const lutlib::Lut& lut, const std::string& path) {
 }
 
 std::string domain_text(const lutlib::Domain& domain) {
-    const auto channel = [&](std::size_t c) {
-        return fmt::format("{:.6g}..{:.6g}", domain.min[c], domain.max[c]);
-    };
-    const std::string r = channel(0), g = channel(1), b = channel(2);
-    return r == g && g == b ? r : r + ", " + g + ", " + b;
+    return lutlib::io::domain_text(domain);
 }
 
 } // namespace converter

@@ -1,5 +1,7 @@
 #include "converter/report.h"
 
+#include "lutlib/io/bake_report.h"
+
 #include "lutlib/io/file.h"
 
 #include <fmt/core.h>
@@ -18,8 +20,7 @@ nlohmann::ordered_json to_json(const lutlib::ErrorStats& stats) {
 }
 
 std::string to_text(const lutlib::ErrorStats& stats) {
-    return fmt::format("max {:.4g}, p99 {:.4g}, p95 {:.4g}, mean {:.4g}", stats.max, stats.p99,
-                       stats.p95, stats.mean);
+    return lutlib::io::figures_text(stats);
 }
 
 std::string loss_text(const lutlib::Loss& loss) {

@@ -1,10 +1,12 @@
 #include "preview/look_file.h"
 
+#include "lutlib/bake_recipe.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/lut_picture.h"
 #include "lutlib/io/png.h"
+#include "lutlib/io/recipe_file.h"
 #include "lutlib/recognise.h"
 
 namespace preview {
@@ -44,8 +46,17 @@ LoadedLook load_look(const std::string& path, const Lookup* lookup) {
     const std::string bytes = lutlib::io::read_file(path);
     if (lutlib::io::is_png(bytes))
         return from_picture_file(bytes, path, lookup);
+    if (lookup == nullptr)
+        lookup = lookup_named("tetrahedral");
+    if (lutlib::io::is_recipe(bytes)) {
+        const auto read_base = [](const std::string& file) {
+            return lutlib::io::read_lut(file).lut;
+        };
+        return look_for(lutlib::bake_recipe(lutlib::io::recipe_from(bytes, path, read_base)),
+                        *lookup);
+    }
     const lutlib::io::Reading reading = lutlib::io::decode_lut(bytes, path);
-    return look_for(reading.lut, lookup != nullptr ? *lookup : *lookup_named("tetrahedral"));
+    return look_for(reading.lut, *lookup);
 }
 
 } // namespace preview

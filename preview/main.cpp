@@ -4,61 +4,22 @@
 #include "lutlib/io/file.h"
 #include "lutlib/io/image.h"
 #include "lutlib/io/png.h"
+#include "preview/app.h"
 #include "preview/headless.h"
 #include "preview/look_file.h"
 #include "preview/options.h"
+#include "preview/shown.h"
 
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <optional>
 
 namespace preview {
 namespace {
 
 enum ExitCode { ok = 0, bad_input = 2, bad_usage = 3 };
-
-/// What is rendered, with everything that must outlive its frames.
-struct Shown {
-    std::optional<Scene> scene;
-    std::optional<GpuScene> gpu_scene;
-    std::optional<GpuPicture> picture;
-    Size picture_size;
-    std::optional<GpuLook> look_a, look_b;
-    std::string skipped; ///< lines of --explain
-
-    FrameInputs inputs() const {
-        FrameInputs out;
-        out.scene = scene ? &*scene : nullptr;
-        out.gpu_scene = gpu_scene ? &*gpu_scene : nullptr;
-        out.picture = picture ? &*picture : nullptr;
-        out.look_a = look_a ? &*look_a : nullptr;
-        out.look_b = look_b ? &*look_b : nullptr;
-        return out;
-    }
-};
-
-void load_input(Shown& shown, const gpu::Device& device, const Options& options) {
-    if (const SceneInfo* info = scene_named(options.input)) {
-        shown.scene = scene_at(*info, options.seconds);
-        shown.gpu_scene.emplace(device, *shown.scene);
-        return;
-    }
-    if (!std::filesystem::exists(options.input)) {
-        std::string names;
-        for (const SceneInfo& info : scenes())
-            names += (names.empty() ? "" : ", ") + std::string(info.name);
-        throw lutlib::UsageError("'" + options.input +
-                                 "' is neither a picture file nor a scene; scenes are: " + names);
-    }
-    const lutlib::io::FloatImage image = lutlib::io::read_image(options.input);
-    shown.picture_size = {static_cast<std::uint32_t>(image.width),
-                          static_cast<std::uint32_t>(image.height)};
-    shown.picture.emplace(device, shown.picture_size, image.rgba,
-                          lutlib::io::info_of(image.depth).integer);
-}
 
 std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& path,
                                  const Options& options, std::string& skipped, const char* side) {
@@ -126,9 +87,10 @@ int run(const Options& options) {
         print_list();
         return ok;
     }
-    if (!options.headless && !options.explain && !options.timings)
-        throw lutlib::UsageError("give --headless and -o FILE to render into a file, or --timings, "
-                                 "--explain or --list");
+    if (!options.headless && !options.explain && !options.timings && options.output.empty()) {
+        run_window(options);
+        return ok;
+    }
     if (options.headless && options.output.empty() && !options.explain && !options.timings)
         throw lutlib::UsageError("--headless needs -o FILE, --timings or --explain");
 
@@ -136,8 +98,7 @@ int run(const Options& options) {
     device_options.wanted = options.device;
     device_options.validation = options.validate;
     const gpu::Device device(device_options);
-    Shown shown;
-    load_input(shown, device, options);
+    const Shown shown = load_shown(device, options.input, options.seconds);
     FrameSettings settings = settings_of(options, shown.picture_size);
     if (shown.scene) {
         settings.exposure += shown.scene->exposure;
@@ -146,18 +107,22 @@ int run(const Options& options) {
         settings.orbit.elevation += options.elevation;
         settings.orbit.distance += options.distance;
         settings.orbit.field_of_view += options.field_of_view;
-    } else if (shown.picture->display_encoded) {
+    } else if (shown.display_encoded()) {
         settings.tonemap = nullptr;
     }
     settings.keep_hdr = writes_light(options.output);
-    shown.look_a = load_side(device, options.look_a, options, shown.skipped, "A");
-    shown.look_b = load_side(device, options.look_b, options, shown.skipped, "B");
+    std::string skipped; // lines of --explain
+    const auto look_a = load_side(device, options.look_a, options, skipped, "A");
+    const auto look_b = load_side(device, options.look_b, options, skipped, "B");
+    FrameInputs inputs = shown.inputs();
+    inputs.look_a = look_a ? &*look_a : nullptr;
+    inputs.look_b = look_b ? &*look_b : nullptr;
 
     Executor executor(device);
     if (!options.output.empty() || options.explain) {
-        const Rendered rendered = render_frame(executor, shown.inputs(), settings);
+        const Rendered rendered = render_frame(executor, inputs, settings);
         if (options.explain)
-            std::printf("%s%s", rendered.explanation.c_str(), shown.skipped.c_str());
+            std::printf("%s%s", rendered.explanation.c_str(), skipped.c_str());
         if (rendered.figures)
             std::printf("dE2000  mean %.3f  p95 %.3f  p99 %.3f  max %.3f\n", rendered.figures->mean,
                         rendered.figures->p95, rendered.figures->p99, rendered.figures->max);
@@ -167,7 +132,7 @@ int run(const Options& options) {
             write_picture(options.output, rendered);
     }
     if (options.timings) {
-        const Timings timings = time_frames(executor, shown.inputs(), settings, options.frames);
+        const Timings timings = time_frames(executor, inputs, settings, options.frames);
         std::fputs(options.json ? to_json(timings, device.name(), settings.output).c_str()
                                 : to_table(timings).c_str(),
                    stdout);

@@ -104,6 +104,9 @@ void declare(CLI::App& app, Options& options) {
     app.add_flag("--list", options.list,
                  "Print scenes, tone maps, blooms, lookups, views, devices");
     app.add_option("--device", options.device, "Part of a GPU's name, or its number in --list");
+    app.add_option("--places", options.places,
+                   "Keep in this file where the window's controls are, for scripts: a line "
+                   "'NAME X Y WIDTH HEIGHT' for each, in pixels");
     app.add_flag("--validate", options.validate, "Run under Vulkan's validation layers");
 }
 

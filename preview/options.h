@@ -25,6 +25,7 @@ struct Options {
     bool force_all = false, validate = false;
     int frames = 50;
     std::string output;
+    std::string places; ///< file that tells where the window's controls are
 };
 
 /// Declares every option on `app`; parsing fills `options`, which must outlive it.

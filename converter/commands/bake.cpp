@@ -6,14 +6,13 @@
 #include "converter/report.h"
 #include "lutlib/budget.h"
 #include "lutlib/error.h"
+#include "lutlib/io/bake_report.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/lut_picture.h"
-#include "lutlib/samples.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -25,6 +24,10 @@ using lutlib::BudgetBake;
 using lutlib::Domain;
 using lutlib::FilledBake;
 using lutlib::LookupError;
+using lutlib::io::bake_report;
+using lutlib::io::clamped_share;
+using lutlib::io::measure_bake;
+using lutlib::io::reachable_share;
 
 struct Options {
     std::string input, output;
@@ -34,43 +37,6 @@ struct Options {
     double max_delta_e = 0;
     bool fit = false, explain = false, json = false;
 };
-
-// A few thousand colours are enough to say how large the error is; `verify` looks at all.
-constexpr lutlib::SampleCounts quick_samples{.neutral = 256, .random = 2048, .lattice = false};
-
-// The share of the look's input domain that 0..1 reaches, in the channel that loses most.
-double reachable_share(const Domain& domain) {
-    double share = 1;
-    for (std::size_t c = 0; c < 3; ++c) {
-        const double low = std::max(0.0, static_cast<double>(domain.min[c]));
-        const double high = std::min(1.0, static_cast<double>(domain.max[c]));
-        const double width =
-            static_cast<double>(domain.max[c]) - static_cast<double>(domain.min[c]);
-        share = std::min(share, std::max(0.0, high - low) / width);
-    }
-    return share;
-}
-
-// The share of the engine's inputs 0..1 that lie outside the look's domain and are clamped to it.
-double clamped_share(const Domain& domain) {
-    double share = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-        const double low = std::clamp(static_cast<double>(domain.min[c]), 0.0, 1.0);
-        const double high = std::clamp(static_cast<double>(domain.max[c]), 0.0, 1.0);
-        share = std::max(share, 1 - (high - low));
-    }
-    return share;
-}
-
-LookupError measure(const Bake& bake, const lutlib::ExactLook& look) {
-    const std::vector<lutlib::Rgb> inputs = lutlib::sample_colors(bake.size, quick_samples);
-    std::vector<lutlib::Rgb> expected;
-    expected.reserve(inputs.size());
-    for (const lutlib::Rgb& in : inputs) {
-        expected.push_back(to_float(look(to_double(in))));
-    }
-    return lookup_error(*bake.engine, decoded(bake.picture), bake.size, inputs, expected);
-}
 
 std::string fit_text(const FilledBake& filled) {
     const lutlib::ErrorStats &before = filled.point_sampled, &after = filled.result;
@@ -96,46 +62,6 @@ std::string budget_text(const Options& o, const BudgetBake& found) {
         found.kept ? "" : "; this comes nearest", found.chosen_on.delta_e.count,
         to_text(found.chosen_on.delta_e), found.checked_on.delta_e.count,
         to_text(found.checked_on.delta_e));
-}
-
-std::string as_text(const Options& o, const FilledBake& filled, const Domain& domain,
-                    const LookupError& error) {
-    const Bake& bake = filled.bake;
-    const lutlib::Engine& engine = *bake.engine;
-    std::string out = fmt::format(
-        "{} -> {}\n  {}x{} pixels, {} nodes a side, {} bits, layout {}, {} sRGB tag: {}\n",
-        lutlib::io::input_name(o.input), lutlib::io::output_name(o.output), bake.picture.width,
-        bake.picture.height, bake.size, bake.picture.bits, engine.layout,
-        engine.srgb_tag == lutlib::SrgbTag::present ? "with" : "no", engine.label);
-    out += fmt::format("  input: {}\n  import: {}\n", engine.input, engine.import);
-    const auto values = static_cast<std::size_t>(bake.size) * static_cast<std::size_t>(bake.size) *
-                        static_cast<std::size_t>(bake.size) * 3;
-    if (bake.loss.clamped_values > 0) {
-        out += fmt::format("  lost: {} of {} values lie outside 0..1 and were clamped, by {:.4g} "
-                           "at most\n",
-                           bake.loss.clamped_values, values, bake.loss.most_clamped);
-    }
-    if (reachable_share(domain) < 1) {
-        out += fmt::format("  lost: the engine reaches {:.3g} % of the look's input domain "
-                           "({}); it feeds 0..1\n",
-                           100 * reachable_share(domain), domain_text(domain));
-    }
-    if (clamped_share(domain) > 0) {
-        out += fmt::format("  lost: {:.3g} % of the engine's inputs lie outside the look's domain "
-                           "({}) and are clamped to it\n",
-                           100 * clamped_share(domain), domain_text(domain));
-    }
-    if (!filled.fitted) {
-        out += fmt::format("  lost: rounding to {} bits, max {:.4g}, mean {:.4g}\n",
-                           bake.picture.bits, bake.loss.max_rounding, bake.loss.mean_rounding);
-    }
-    if (filled.result.count > 0) {
-        out += fit_text(filled);
-    }
-    out += fmt::format("  error of {}'s lookup against the look, {} colours: {}\n", engine.name,
-                       error.absolute.count, to_text(error.absolute));
-    out += fmt::format("  as dE2000: {}\n", to_text(error.delta_e));
-    return out;
 }
 
 nlohmann::ordered_json as_json(const Options& o, const FilledBake& filled, const Domain& domain,
@@ -212,7 +138,7 @@ int run(const Options& o) {
                                                 {lutlib::io::input_name(o.input), look.title,
                                                  name_of(o.interpolation.get()), filled.fitted}));
     }
-    const LookupError error = measure(filled.bake, look.exact);
+    const LookupError error = measure_bake(filled.bake, look.exact);
     std::optional<Explanation> explanation;
     if (o.explain) {
         // What changes less than half a code is not seen in the picture.
@@ -232,7 +158,10 @@ int run(const Options& o) {
         }
         print(json, o.output);
     } else {
-        print(as_text(o, filled, look.domain, error) + (budgeted ? budget_text(o, *budgeted) : "") +
+        print(bake_report(lutlib::io::input_name(o.input), lutlib::io::output_name(o.output),
+                          filled.bake, look.domain, error) +
+                  (filled.result.count > 0 ? fit_text(filled) : "") +
+                  (budgeted ? budget_text(o, *budgeted) : "") +
                   (explanation ? to_text(*explanation) : ""),
               o.output);
     }

@@ -1,0 +1,110 @@
+#include "preview/ui/look_baker.h"
+
+#include "lutlib/bake.h"
+#include "lutlib/bake_recipe.h"
+#include "lutlib/edit.h"
+
+#include <chrono>
+#include <tuple>
+
+namespace preview::ui {
+
+namespace {
+
+auto values_of(const lutlib::Recipe& r) {
+    return std::tie(r.input, r.output, r.base_lut, r.bake, r.operations);
+}
+
+const Lookup& float_table() {
+    static const Lookup& row = *lookup_named("tetrahedral");
+    return row;
+}
+
+} // namespace
+
+bool same(const LookRequest& a, const LookRequest& b) {
+    return values_of(a.recipe) == values_of(b.recipe) && a.sides == b.sides;
+}
+
+LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side) {
+    switch (side.source) {
+    case SideSource::none:
+        break;
+    case SideSource::source:
+        if (recipe.base_lut)
+            return look_for(*recipe.base_lut, float_table());
+        break;
+    case SideSource::file:
+        if (side.lut)
+            return look_for(*side.lut, float_table());
+        break;
+    case SideSource::recipe:
+        return look_for(lutlib::bake_recipe(recipe), float_table());
+    case SideSource::baked: {
+        const lutlib::Engine& engine = *side.engine->engine;
+        const lutlib::Edit edit(recipe);
+        const lutlib::Bake baked = lutlib::bake([&](lutlib::RgbD in) { return edit(in); }, engine,
+                                                side.size > 0 ? side.size : engine.default_size,
+                                                side.bits > 0 ? side.bits : engine.default_bits);
+        return {look_data(baked.picture, baked.size, *side.engine), {}};
+    }
+    }
+    return {no_look(), "there is none"};
+}
+
+LookBaker::LookBaker(std::function<void()> on_ready)
+    : on_ready_(std::move(on_ready)), thread_([this] { run(); }) {}
+
+LookBaker::~LookBaker() {
+    {
+        const std::lock_guard lock(mutex_);
+        ends_ = true;
+    }
+    changed_.notify_one();
+    thread_.join();
+}
+
+void LookBaker::request(LookRequest request) {
+    {
+        const std::lock_guard lock(mutex_);
+        waiting_ = std::move(request);
+    }
+    changed_.notify_one();
+}
+
+std::optional<BakedLooks> LookBaker::take() {
+    const std::lock_guard lock(mutex_);
+    std::optional<BakedLooks> out = std::move(finished_);
+    finished_.reset();
+    return out;
+}
+
+void LookBaker::run() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        changed_.wait(lock, [this] { return ends_ || waiting_; });
+        if (ends_)
+            return;
+        const LookRequest request = std::move(*waiting_);
+        waiting_.reset();
+        lock.unlock();
+        BakedLooks baked;
+        const auto start = std::chrono::steady_clock::now();
+        try {
+            for (std::size_t i = 0; i < 2; ++i)
+                baked.sides[i] = look_of(request.recipe, request.sides[i]);
+        } catch (const std::exception& error) {
+            baked.error = error.what();
+        }
+        baked.milliseconds =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+                .count();
+        lock.lock();
+        finished_ = std::move(baked);
+        lock.unlock();
+        on_ready_();
+        lock.lock();
+    }
+}
+
+} // namespace preview::ui

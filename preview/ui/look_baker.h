@@ -1,0 +1,56 @@
+// Bakes the looks of both sides on a thread of its own, so that a frame never waits for one.
+#pragma once
+
+#include "preview/look_bake.h"
+#include "preview/ui/model.h"
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace preview::ui {
+
+/// What the look of a side depends on.
+struct LookRequest {
+    lutlib::Recipe recipe;
+    std::array<Side, 2> sides;
+};
+bool same(const LookRequest& a, const LookRequest& b);
+
+struct BakedLooks {
+    std::array<LoadedLook, 2> sides;
+    std::string error; ///< why there are none; empty when there are
+    double milliseconds = 0;
+};
+
+/// The look of one side. Throws lutlib::Error for what its lookup cannot hold.
+LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side);
+
+class LookBaker {
+  public:
+    /// `on_ready` is called on the baking thread after each bake.
+    explicit LookBaker(std::function<void()> on_ready);
+    ~LookBaker();
+    LookBaker(const LookBaker&) = delete;
+    LookBaker& operator=(const LookBaker&) = delete;
+
+    /// Replaces a request that is still waiting: only the newest is baked.
+    void request(LookRequest request);
+    /// The newest finished looks, once.
+    std::optional<BakedLooks> take();
+
+  private:
+    void run();
+
+    std::function<void()> on_ready_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::optional<LookRequest> waiting_;
+    std::optional<BakedLooks> finished_;
+    bool ends_ = false;
+    std::thread thread_;
+};
+
+} // namespace preview::ui

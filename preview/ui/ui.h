@@ -1,0 +1,83 @@
+// The panels of the window, drawn with Dear ImGui. They change the model and ask for commands; they
+// know no GPU object.
+#pragma once
+
+#include "preview/ui/model.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace preview::ui {
+
+/// A part of the window, in its pixels.
+struct Rect {
+    float x = 0, y = 0, width = 0, height = 0;
+};
+
+struct PassTime {
+    std::string name;
+    double milliseconds = 0;
+};
+
+/// What the panels show and do not change.
+struct Facts {
+    std::string device, input;
+    bool is_scene = true;         ///< there is a camera to move
+    bool display_encoded = false; ///< there is nothing to tone map
+    double bake_milliseconds = 0;
+    std::optional<DifferenceFigures> figures; ///< of the frame, when it compares by difference
+    std::vector<PassTime> passes;
+    std::string explanation; ///< a line for each pass, kept or left out, and why
+};
+
+struct Ui {
+    explicit Ui(State first) : history(std::move(first)) {}
+
+    History history;
+    Facts facts;
+    std::vector<std::string> errors; ///< shown until they are closed
+    std::string report;              ///< of the last export
+    bool shows_help = false;
+    bool shows_passes = false;     ///< set by the passes panel while it is seen: timings are wanted
+    const Compare* held = nullptr; ///< shown instead while a key is held
+    /// Files to open as look or picture, for the program to take.
+    std::vector<std::string> to_open;
+    /// Waits for "replace?"; empty: nothing does.
+    std::string to_replace;
+    std::function<void()> replace;
+    /// Where controls are, by name: for scripts that press them.
+    std::map<std::string, Rect> places;
+
+    std::string recipe_file, lut_file, strip_file, open_file;
+    std::size_t export_engine = 0;
+};
+
+/// Does `action`; what it throws becomes an error in the window, and the state is as before.
+void attempt(Ui& ui, const std::function<void()>& action);
+/// Asks before `action` writes over a file.
+void attempt_writing(Ui& ui, const std::string& path, std::function<void()> action);
+
+/// Everything over the picture; returns the part of the window that is left for the picture.
+Rect draw(Ui& ui);
+
+// The parts.
+void look_panel(Ui& ui);
+void view_panel(Ui& ui);
+void file_panel(Ui& ui);
+void passes_panel(Ui& ui);
+void dialogs(Ui& ui);
+void handle_shortcuts(Ui& ui);
+/// Mouse on the picture: the split line, the camera.
+void picture_area(Ui& ui, const Rect& area);
+
+/// Draws a curve and lets its knots be changed; true when they were.
+bool curve_editor(Ui& ui, const lutlib::Parameter& parameter, lutlib::Knots& knots,
+                  const std::string& place);
+
+/// Remembers where the last item is.
+void mark(Ui& ui, const std::string& name);
+
+} // namespace preview::ui

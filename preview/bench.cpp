@@ -38,6 +38,12 @@ struct Row {
     bool exact = true;  ///< not left to the texture unit's filter
 };
 
+/// The sample scene with everything on, by one rasteriser.
+struct FrameTimings {
+    std::string raster;
+    Timings timings;
+};
+
 constexpr int repeats = 8; ///< of a pass within a frame
 constexpr int warm_up = 5;
 
@@ -127,7 +133,7 @@ class Bench {
     }
 
     const std::vector<Row>& rows() const { return rows_; }
-    const Timings& frame() const { return frame_; }
+    const std::vector<FrameTimings>& frames() const { return frames_; }
 
   private:
     Handle display(Graph& graph) const {
@@ -246,15 +252,25 @@ class Bench {
         settings.orbit = scene.orbit;
         settings.tonemap = tonemap_named("agx");
         settings.bloom = bloom_named("glare");
-        Graph graph;
-        build_frame(graph, inputs, settings);
-        frame_ = time_frames(executor_, inputs, settings, options_.frames);
-        Row row;
-        row.group = "frame";
-        row.name = "sample scene, everything on";
-        row.bytes = bytes_moved(graph);
-        row.milliseconds = frame_.gpu.median;
-        add(std::move(row), copy_);
+        const Raster automatic = rasters().front().on(device_, size_);
+        for (const RasterChoice& choice : rasters().subspan(1)) {
+            try {
+                settings.raster = choice.on(device_, size_);
+            } catch (const lutlib::UsageError&) {
+                continue; // not on this device
+            }
+            Graph graph;
+            build_frame(graph, inputs, settings);
+            const Timings timings = time_frames(executor_, inputs, settings, options_.frames);
+            Row row;
+            row.group = "frame, sample scene";
+            row.name = fmt::format("{} raster{}", choice.name,
+                                   settings.raster == automatic ? ", auto" : "");
+            row.bytes = bytes_moved(graph);
+            row.milliseconds = timings.gpu.median;
+            add(std::move(row), copy_);
+            frames_.push_back({std::string(choice.name), timings});
+        }
     }
 
     const gpu::Device& device_;
@@ -264,7 +280,7 @@ class Bench {
     std::optional<gpu::Image> display_, light_;
     Row copy_;
     std::vector<Row> rows_;
-    Timings frame_;
+    std::vector<FrameTimings> frames_;
 };
 
 std::string table_of(const Bench& bench, const std::string& device, Size size) {
@@ -277,7 +293,10 @@ std::string table_of(const Bench& bench, const std::string& device, Size size) {
                             static_cast<double>(row.bytes) * 1e-6, row.ratio, row.allowed,
                             static_cast<double>(row.bytes) * 1e-6 / row.milliseconds,
                             row.exact ? "" : "  filtered by the texture unit");
-    return text + "\nThe frame, pass by pass\n" + to_table(bench.frame());
+    for (const FrameTimings& frame : bench.frames())
+        text += fmt::format("\nThe frame, pass by pass, {} raster\n{}", frame.raster,
+                            to_table(frame.timings));
+    return text;
 }
 
 std::string json_of(const Bench& bench, const std::string& device, Size size) {
@@ -290,11 +309,14 @@ std::string json_of(const Bench& bench, const std::string& device, Size size) {
                         {"ratio_to_copy", row.ratio},
                         {"allowed_ms", row.allowed},
                         {"exact", row.exact}});
+    nlohmann::json frames = nlohmann::json::object();
+    for (const FrameTimings& frame : bench.frames())
+        frames[frame.raster] = nlohmann::json::parse(to_json(frame.timings, device, size));
     nlohmann::json all = {{"device", device},
                           {"width", size.width},
                           {"height", size.height},
                           {"rows", rows},
-                          {"frame", nlohmann::json::parse(to_json(bench.frame(), device, size))}};
+                          {"frames", frames}};
     return all.dump(2) + "\n";
 }
 

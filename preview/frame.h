@@ -9,6 +9,7 @@
 #include "preview/passes/lighting.h"
 #include "preview/passes/resolve.h"
 #include "preview/passes/view.h"
+#include "preview/rasters.h"
 
 #include <optional>
 #include <span>
@@ -30,6 +31,7 @@ struct FrameSettings {
     float heat_scale = 8;
     bool fxaa = true;
     std::uint32_t shadow_size = 1024;
+    Raster raster = Raster::hardware;
     /// Show this intermediate and nothing else.
     const DebugView* view = nullptr;
     /// Present the HDR result before tone mapping too.

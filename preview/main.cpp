@@ -149,6 +149,7 @@ int run(const Options& options) {
     } else if (shown.picture->display_encoded) {
         settings.tonemap = nullptr;
     }
+    settings.raster = raster_of(options, device, picture_size(settings.output, *settings.compare));
     settings.keep_hdr = writes_light(options.output);
     shown.look_a = load_side(device, options.look_a, options, shown.skipped, "A");
     shown.look_b = load_side(device, options.look_b, options, shown.skipped, "B");

@@ -129,7 +129,7 @@ class Bench {
         time_copies();
         time_lookups();
         time_finishing();
-        time_frame();
+        time_sample();
     }
 
     const std::vector<Row>& rows() const { return rows_; }
@@ -238,7 +238,7 @@ class Bench {
             }
     }
 
-    void time_frame() {
+    void time_sample() {
         const Scene scene = scene_at(*scene_named("sample"), 0);
         const GpuScene gpu_scene(device_, scene);
         const GpuLook look(device_,
@@ -252,25 +252,33 @@ class Bench {
         settings.orbit = scene.orbit;
         settings.tonemap = tonemap_named("agx");
         settings.bloom = bloom_named("glare");
-        const Raster automatic = rasters().front().on(device_, size_);
         for (const RasterChoice& choice : rasters().subspan(1)) {
             try {
                 settings.raster = choice.on(device_, size_);
             } catch (const lutlib::UsageError&) {
                 continue; // not on this device
             }
-            Graph graph;
-            build_frame(graph, inputs, settings);
-            const Timings timings = time_frames(executor_, inputs, settings, options_.frames);
-            Row row;
-            row.group = "frame, sample scene";
-            row.name = fmt::format("{} raster{}", choice.name,
-                                   settings.raster == automatic ? ", auto" : "");
-            row.bytes = bytes_moved(graph);
-            row.milliseconds = timings.gpu.median;
-            add(std::move(row), copy_);
-            frames_.push_back({std::string(choice.name), timings});
+            time_frame(std::string(choice.name), inputs, settings);
+            frames_.push_back({std::string(choice.name), frame_});
         }
+        if (settings.raster != Raster::compute)
+            return;
+        for (const std::uint32_t side : {8U, 24U, 32U}) {
+            settings.visibility.small_side = side;
+            time_frame(fmt::format("compute, small up to {}", side), inputs, settings);
+        }
+    }
+
+    void time_frame(std::string name, const FrameInputs& inputs, const FrameSettings& settings) {
+        Graph graph;
+        build_frame(graph, inputs, settings);
+        frame_ = time_frames(executor_, inputs, settings, options_.frames);
+        Row row;
+        row.group = "frame, by rasteriser";
+        row.name = std::move(name);
+        row.bytes = bytes_moved(graph);
+        row.milliseconds = frame_.gpu.median;
+        add(std::move(row), copy_);
     }
 
     const gpu::Device& device_;
@@ -280,6 +288,7 @@ class Bench {
     std::optional<gpu::Image> display_, light_;
     Row copy_;
     std::vector<Row> rows_;
+    Timings frame_; ///< of the last row of a frame
     std::vector<FrameTimings> frames_;
 };
 

@@ -3,7 +3,6 @@
 #include "lutlib/error.h"
 #include "preview/passes/fxaa.h"
 #include "preview/passes/shadow.h"
-#include "preview/passes/visibility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +65,7 @@ Handle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSettings
         add_shadows(graph, declared.handles, settings.shadow_size, std::move(declared.shadow_maps));
     handles.surfaces =
         settings.raster == Raster::compute
-            ? add_visibility(graph, declared.handles, size, declared.visible)
+            ? add_visibility(graph, declared.handles, size, declared.visible, settings.visibility)
             : add_gbuffer(graph, declared.handles, size, std::move(declared.visible));
     handles.materials = declared.handles.materials;
     LightingInputs lighting;

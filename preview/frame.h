@@ -9,6 +9,7 @@
 #include "preview/passes/lighting.h"
 #include "preview/passes/resolve.h"
 #include "preview/passes/view.h"
+#include "preview/passes/visibility.h"
 #include "preview/rasters.h"
 
 #include <optional>
@@ -32,6 +33,7 @@ struct FrameSettings {
     bool fxaa = true;
     std::uint32_t shadow_size = 1024;
     Raster raster = Raster::hardware;
+    VisibilityLimits visibility; ///< of Raster::compute
     /// Show this intermediate and nothing else.
     const DebugView* view = nullptr;
     /// Present the HDR result before tone mapping too.

@@ -61,6 +61,8 @@ bool list_large(Triangle t, PixelBox box) {
 
 /// Front faces wind counter-clockwise in the picture, which has y down: a negative cross product.
 void draw(vec4 p, vec4 q, vec4 r, uint number) {
+    if (!(min(p.w, min(q.w, r.w)) > 0.0))
+        return;
     Triangle t = Triangle(on_grid(p), on_grid(r), on_grid(q), p.z / p.w, r.z / r.w, q.z / q.w,
                           number);
     if (cross_64(t.b - t.a, t.c - t.a) <= 0)

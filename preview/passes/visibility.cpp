@@ -9,9 +9,6 @@ namespace {
 constexpr std::uint32_t most_groups = 65535; ///< in one direction, on every device
 constexpr std::uint64_t key_bytes = 8;
 constexpr std::uint64_t large_triangle_bytes = 48; ///< LargeTriangle of common/raster.glsl
-/// Workgroups that share the tiles of the large triangles: enough to fill the largest GPUs, few
-/// enough to cost nothing where there is no tile.
-constexpr std::uint32_t tile_groups = 4096;
 
 struct SharedPush {
     std::int32_t width = 0, height = 0;
@@ -49,7 +46,7 @@ Handle rasterise(Graph& graph, const SceneHandles& scene, SharedPush size, Handl
     tiles.storage(large);
     keys = tiles.modify(keys);
     tiles.push(TilesPush{size, limits.large_triangles});
-    tiles.dispatch(tile_groups);
+    tiles.dispatch(limits.tile_groups);
     return keys;
 }
 

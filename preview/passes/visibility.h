@@ -30,6 +30,9 @@ struct VisibilityLimits {
     std::uint32_t small_side = 16;
     /// How many larger ones are left to whole workgroups; invocations rasterise the rest.
     std::uint32_t large_triangles = 1U << 16U;
+    /// Workgroups that share the large ones' tiles: enough to fill the largest GPUs, few enough to
+    /// cost nothing where there is no tile.
+    std::uint32_t tile_groups = 4096;
 };
 
 /// As add_gbuffer(), pixels on edges apart: vertices snap to 1/256 pixel, and both rasterisers may

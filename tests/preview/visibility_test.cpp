@@ -280,6 +280,19 @@ TEST_F(VisibilityTest, a_triangle_far_larger_than_the_picture_fills_it_with_its_
     }
 }
 
+TEST_F(VisibilityTest, what_lies_before_the_near_plane_is_cut_off) {
+    // z = x/4 over the whole picture, with corners near enough that nothing else clips it.
+    const Scene scene = scene_of({{-3, -3, -0.75F}, {-3, 9, -0.75F}, {9, -3, 2.25F}}, {0, 1, 2});
+    for (const VisibilityLimits& limits : ways) {
+        const Surfaces found = compute(scene, {}, limits);
+        for (std::size_t at = 0; at < found.depth.size(); ++at) {
+            const float x = (static_cast<float>(at % size.width) + 0.5F) / size.width * 2 - 1;
+            ASSERT_EQ(found.material[at], x > 0 ? 1U : 0U) << at;
+            ASSERT_NEAR(found.depth[at], x > 0 ? 0.25F * x : 1, 1e-5F) << at;
+        }
+    }
+}
+
 TEST_F(VisibilityTest, what_has_no_front_in_the_picture_draws_nothing) {
     constexpr float inf = std::numeric_limits<float>::infinity();
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();

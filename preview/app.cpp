@@ -26,6 +26,7 @@ namespace {
 
 // Dear ImGui needs a frame to notice an event, and one to show what it led to.
 constexpr int frames_after_event = 3;
+constexpr int frames_in_flight = 2;
 
 std::string glfw_error() {
     const char* text = nullptr;
@@ -105,6 +106,7 @@ class App {
         return *static_cast<App*>(glfwGetWindowUserPointer(window));
     }
     void set_callbacks();
+    void wake() { frames_due_ = frames_after_event; }
     void open(const std::string& path);
     void show(Shown shown);
     void resize_if_asked();
@@ -129,7 +131,8 @@ class App {
     bool baking_ = false;
     ui::LookBaker baker_;
     std::optional<Overlay> overlay_;
-    FrameSettings measured_for_; ///< of the frame whose HDR maximum is on its way
+    FrameSettings measured_for_; ///< of the light in the newest frames
+    int frames_of_light_ = 0;    ///< how many of those frames there are
     std::optional<float> hdr_maximum_;
     int frames_due_ = frames_after_event;
     bool resize_ = true;
@@ -143,8 +146,8 @@ Size window_size(const Options& options) {
 App::App(const Options& options)
     : options_(options), window_(window_size(options)), device_(device_options(options)),
       swapchain_(device_, make_surface(device_, window_.handle)),
-      executor_(device_), looks_{LookSlot(device_), LookSlot(device_)}, ui_(ui::initial_state()),
-      baker_([] { glfwPostEmptyEvent(); }) {
+      executor_(device_, frames_in_flight), looks_{LookSlot(device_), LookSlot(device_)},
+      ui_(ui::initial_state()), baker_([] { glfwPostEmptyEvent(); }) {
     set_callbacks();
     overlay_.emplace(device_, window_.handle, swapchain_.format(), layout_path());
     if (!overlay_->notice().empty())
@@ -184,7 +187,14 @@ void App::set_callbacks() {
     glfwSetWindowUserPointer(window_.handle, this);
     glfwSetFramebufferSizeCallback(window_.handle,
                                    [](GLFWwindow* window, int, int) { of(window).resize_ = true; });
+    // Dear ImGui calls these after its own.
+    glfwSetCursorPosCallback(window_.handle, [](GLFWwindow* w, double, double) { of(w).wake(); });
+    glfwSetMouseButtonCallback(window_.handle, [](GLFWwindow* w, int, int, int) { of(w).wake(); });
+    glfwSetScrollCallback(window_.handle, [](GLFWwindow* w, double, double) { of(w).wake(); });
+    glfwSetKeyCallback(window_.handle, [](GLFWwindow* w, int, int, int, int) { of(w).wake(); });
+    glfwSetCharCallback(window_.handle, [](GLFWwindow* w, unsigned) { of(w).wake(); });
     glfwSetDropCallback(window_.handle, [](GLFWwindow* window, int count, const char** paths) {
+        of(window).wake();
         for (int i = 0; i < count; ++i)
             of(window).ui_.to_open.emplace_back(paths[i]);
     });
@@ -194,6 +204,7 @@ void App::show(Shown shown) {
     device_.vk().waitIdle();
     shown_ = std::move(shown);
     hdr_maximum_.reset();
+    frames_of_light_ = 0;
     ui::State& state = ui_.history.draft();
     if (shown_.scene) {
         state.orbit = shown_.scene->orbit;
@@ -258,7 +269,8 @@ void App::frame() {
     request_looks();
     take_looks();
     render(area);
-    write_places();
+    if (frames_due_ == 0 && !baker_.is_busy())
+        write_places();
 }
 
 void App::request_looks() {
@@ -318,6 +330,7 @@ void App::render(const ui::Rect& area) {
     if (!same_light(settings, measured_for_)) {
         hdr_maximum_.reset();
         measured_for_ = settings;
+        frames_of_light_ = 0;
     }
     FrameInputs inputs = shown_.inputs();
     inputs.look_a = looks_[0].look();
@@ -375,6 +388,15 @@ void App::learn_from(const Graph& graph, const FrameSettings& settings, Size pic
         for (const StepTime& step : executor_.timings())
             ui_.facts.passes.push_back({step.name, step.milliseconds});
     }
+    // Once every frame in flight has this light, the newest that has finished measured it.
+    if (++frames_of_light_ >= frames_in_flight && !hdr_maximum_) {
+        const std::vector<std::byte> bytes = executor_.finished_buffer("hdr maximum");
+        if (bytes.size() == sizeof(float)) {
+            float maximum = 0;
+            std::memcpy(&maximum, bytes.data(), sizeof maximum);
+            hdr_maximum_ = maximum;
+        }
+    }
     ui_.facts.figures.reset();
     if (settings.compare == &compare_difference) {
         const std::vector<std::byte> bytes = executor_.finished_buffer("figures");
@@ -389,14 +411,11 @@ void App::learn_from(const Graph& graph, const FrameSettings& settings, Size pic
 void App::write_places() const {
     if (options_.places.empty())
         return;
-    std::string text;
+    std::string text = fmt::format("frame {} 0 0 0\n", ImGui::GetFrameCount());
     for (const auto& [name, place] : ui_.places)
         text += fmt::format("{} {:.0f} {:.0f} {:.0f} {:.0f}\n", name, place.x, place.y, place.width,
                             place.height);
-    static std::string written;
-    if (text != written)
-        lutlib::io::write_file(options_.places, text);
-    written = text;
+    lutlib::io::write_file(options_.places, text);
 }
 
 } // namespace

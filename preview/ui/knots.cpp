@@ -33,7 +33,8 @@ std::size_t insert(Knots& knots, Knot knot) {
     const auto place =
         std::upper_bound(knots.begin(), knots.end(), knot,
                          [](const Knot& value, const Knot& other) { return value.x < other.x; });
-    return static_cast<std::size_t>(knots.insert(place, knot) - knots.begin());
+    const auto added = knots.insert(place, knot);
+    return static_cast<std::size_t>(added - knots.begin());
 }
 
 Knot held(const Parameter& parameter, Knot knot) {

@@ -79,6 +79,11 @@ std::optional<BakedLooks> LookBaker::take() {
     return out;
 }
 
+bool LookBaker::is_busy() {
+    const std::lock_guard lock(mutex_);
+    return waiting_ || bakes_ || finished_;
+}
+
 void LookBaker::run() {
     std::unique_lock lock(mutex_);
     for (;;) {
@@ -87,6 +92,7 @@ void LookBaker::run() {
             return;
         const LookRequest request = std::move(*waiting_);
         waiting_.reset();
+        bakes_ = true;
         lock.unlock();
         BakedLooks baked;
         const auto start = std::chrono::steady_clock::now();
@@ -101,6 +107,7 @@ void LookBaker::run() {
                 .count();
         lock.lock();
         finished_ = std::move(baked);
+        bakes_ = false;
         lock.unlock();
         on_ready_();
         lock.lock();

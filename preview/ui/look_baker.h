@@ -40,6 +40,8 @@ class LookBaker {
     void request(LookRequest request);
     /// The newest finished looks, once.
     std::optional<BakedLooks> take();
+    /// A request is waiting, being baked, or has not been taken.
+    bool is_busy();
 
   private:
     void run();
@@ -49,7 +51,7 @@ class LookBaker {
     std::condition_variable changed_;
     std::optional<LookRequest> waiting_;
     std::optional<BakedLooks> finished_;
-    bool ends_ = false;
+    bool bakes_ = false, ends_ = false;
     std::thread thread_;
 };
 

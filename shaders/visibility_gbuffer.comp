@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "common/scene.glsl"
 #include "common/keys.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 layout(std430, binding = 0) readonly buffer Vertices { Vertex vertices[]; };
 layout(std430, binding = 1) readonly buffer Indices { uint indices[]; };
 layout(std430, binding = 2) readonly buffer Objects { Object objects[]; };

@@ -64,7 +64,9 @@ vec3 tonemap_reinhard(vec3 c) {
 
 vec3 uncharted2_curve(vec3 x) {
     const float a = 0.15, b = 0.50, c = 0.10, d = 0.20, e = 0.02, f = 0.30;
-    return (x * (a * x + c * b) + d * e) / (x * (a * x + b) + d * f) - e / f;
+    // The curve minus its value e/f at 0, over one denominator: exactly 0 at black, where the
+    // power after it would magnify what a subtraction leaves.
+    return x * (a * (f - e) * x + b * (c * f - e)) / (f * (x * (a * x + b) + d * f));
 }
 
 vec3 tonemap_uncharted2(vec3 c) {

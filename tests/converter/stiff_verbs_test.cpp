@@ -44,6 +44,7 @@ Runs runs_of(const std::string& verb, const std::string& look, const Folder& fol
         {"info", {{look}, {look, "--json"}}},
         {"eval", {{look, "0.5", "0.25", "1", "nan", "inf", "-inf", "-0", "1e30", "1e-45"}}},
         {"identity", {{"--size", "5", "-o", cube}}},
+        {"report", {{look, "--sizes", "8", "-o", folder.path("report.html")}}},
     };
     const auto row = rows.find(verb);
     return row == rows.end() ? Runs{{{look, "-o", cube}}, 3} : Runs{row->second, 2};

@@ -38,6 +38,7 @@ Run declare_eval(CLI::App& app);
 Run declare_identity(CLI::App& app);
 Run declare_info(CLI::App& app);
 Run declare_invert(CLI::App& app);
+Run declare_report(CLI::App& app);
 Run declare_resample(CLI::App& app);
 Run declare_verify(CLI::App& app);
 

@@ -18,6 +18,7 @@ constexpr auto table = std::to_array<Command>({
     {"blend", "A mixture of two looks", declare_blend},
     {"compare", "How far apart two looks are, and where most", declare_compare},
     {"apply", "A picture through a LUT", declare_apply},
+    {"report", "Error against run time and bytes of every way to keep a look", declare_report},
     {"info", "What is in a LUT", declare_info},
     {"eval", "Colours through a LUT", declare_eval},
     {"identity", "A LUT that changes nothing", declare_identity},

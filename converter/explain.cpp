@@ -15,19 +15,23 @@ std::string remains(const lutlib::Lut& lut) {
 } // namespace
 
 Explanation explain(const lutlib::Lut& lut, double tolerance) {
-    return {simplify(lut, {tolerance}), unreachable_nodes(lut)};
+    return {simplify(lut, {tolerance}), unreachable_nodes(lut), false, {}};
 }
 
 std::string to_text(const Explanation& explanation) {
     std::string out;
     for (const lutlib::Omission& omission : explanation.simplified.omissions) {
-        out += fmt::format("  left out: {} (differs by at most {:.3g})\n", omission.words,
+        out += fmt::format("  {}: {} (differs by at most {:.3g})\n",
+                           explanation.left_out ? "left out" : "not needed", omission.words,
                            omission.bound);
     }
     if (out.empty()) {
-        out = "  left out: nothing\n";
+        out = "  everything is needed\n";
+    } else if (!explanation.kept.empty()) {
+        out += "  kept: " + explanation.kept + "\n";
     } else {
-        out += fmt::format("  remains: {}, equal within {:.3g}\n",
+        out += fmt::format("  {}: {}, equal within {:.3g}\n",
+                           explanation.left_out ? "remains" : "would remain",
                            remains(explanation.simplified.lut), explanation.simplified.bound);
     }
     const lutlib::Unreachable& nodes = explanation.unreachable;
@@ -49,7 +53,13 @@ nlohmann::ordered_json to_json(const Explanation& explanation) {
             {{"rule", omission.name}, {"words", omission.words}, {"bound", omission.bound}});
     }
     const lutlib::Unreachable& nodes = explanation.unreachable;
-    return {{"left_out", list},
+    nlohmann::ordered_json kept;
+    if (!explanation.kept.empty()) {
+        kept = explanation.kept;
+    }
+    return {{"not_needed", list},
+            {"left_out", explanation.left_out},
+            {"kept_because", kept},
             {"bound", explanation.simplified.bound},
             {"remains", remains(explanation.simplified.lut)},
             {"unreachable_nodes",

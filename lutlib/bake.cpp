@@ -42,7 +42,7 @@ void check_contract(const Engine& engine, int size, int bits) {
     }
 }
 
-Bake bake(const ExactLook& look, const Engine& engine, int size, int bits) {
+Bake lay_out(const std::vector<RgbD>& nodes, const Engine& engine, int size, int bits) {
     check_contract(engine, size, bits);
     const Layout& layout = *layout_named(engine.layout);
     const PictureSize extent = *layout.picture(size);
@@ -54,22 +54,18 @@ Bake bake(const ExactLook& look, const Engine& engine, int size, int bits) {
                              static_cast<std::size_t>(extent.height) * 3);
     const double maximum = out.picture.maximum();
     double sum = 0;
-    std::vector<double> input(static_cast<std::size_t>(size));
-    for (int i = 0; i < size; ++i) {
-        input[static_cast<std::size_t>(i)] = engine.node_input(i, size);
-    }
-    const auto at = [&](int i) { return input[static_cast<std::size_t>(i)]; };
+    auto node = nodes.begin();
     for (int b = 0; b < size; ++b) {
         for (int g = 0; g < size; ++g) {
-            for (int r = 0; r < size; ++r) {
-                const RgbD value = look({at(r), at(g), at(b)});
+            for (int r = 0; r < size; ++r, ++node) {
                 const Pixel p = layout.pixel(size, r, g, b);
                 for (std::size_t c = 0; c < 3; ++c) {
-                    const double held = saturate(value[c]);
-                    if (!(held == value[c])) {
+                    const double value = (*node)[c];
+                    const double held = saturate(value);
+                    if (!(held == value)) {
                         ++out.loss.clamped_values;
                         out.loss.most_clamped =
-                            std::max(out.loss.most_clamped, std::abs(value[c] - held));
+                            std::max(out.loss.most_clamped, std::abs(value - held));
                     }
                     const double code = std::floor(held * maximum + 0.5);
                     const double rounding = std::abs(code / maximum - held);
@@ -82,6 +78,24 @@ Bake bake(const ExactLook& look, const Engine& engine, int size, int bits) {
     }
     out.loss.mean_rounding = sum / (3.0 * size * size * size);
     return out;
+}
+
+Bake bake(const ExactLook& look, const Engine& engine, int size, int bits) {
+    check_contract(engine, size, bits);
+    std::vector<double> input;
+    for (int i = 0; i < size; ++i) {
+        input.push_back(engine.node_input(i, size));
+    }
+    std::vector<RgbD> nodes;
+    nodes.reserve(input.size() * input.size() * input.size());
+    for (const double b : input) {
+        for (const double g : input) {
+            for (const double r : input) {
+                nodes.push_back(look({r, g, b}));
+            }
+        }
+    }
+    return lay_out(nodes, engine, size, bits);
 }
 
 Picture decoded(const CodePicture& codes) {
@@ -102,7 +116,7 @@ LookupError lookup_error(const Engine& engine, const Picture& picture, int size,
         const RgbD got = to_double(engine.lookup(picture, size, inputs[i]));
         const RgbD right = saturate(to_double(expected[i]));
         const RgbD d = got - right;
-        absolute[i] = std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)});
+        absolute[i] = largest_magnitude(d);
         delta_e[i] = delta_e_2000(got, right);
     }
     LookupError out{error_stats(std::move(absolute)), error_stats(std::move(delta_e)), {}};

@@ -50,6 +50,9 @@ struct Bake {
 /// or depth.
 Bake bake(const ExactLook& look, const Engine& engine, int size, int bits);
 
+/// Lays out nodes that are there already (red fastest), as bake() does with its samples.
+Bake lay_out(const std::vector<RgbD>& nodes, const Engine& engine, int size, int bits);
+
 /// The codes as the engine's sampler sees them: code / maximum.
 Picture decoded(const CodePicture& codes);
 

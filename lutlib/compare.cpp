@@ -14,30 +14,32 @@ namespace {
 
 constexpr double diffuse_white_nits = 100;
 
-// std::max would drop a NaN.
-double largest_channel(RgbD d) {
-    const double largest = std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)});
-    return std::isnan(d.r + d.g + d.b) ? INFINITY : largest;
-}
-
 } // namespace
 
 Difference compare(const Transform& a, const Transform& b, const std::vector<Rgb>& inputs,
                    const Encoding& output) {
+    std::vector<RgbD> results_a(inputs.size()), results_b(inputs.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, inputs.size(), 1024),
+                      [&](const auto& range) {
+                          for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                              results_a[i] = results_b[i] = to_double(inputs[i]);
+                          }
+                          a(std::span(results_a).subspan(range.begin(), range.size()));
+                          b(std::span(results_b).subspan(range.begin(), range.size()));
+                      });
+    return difference_of(inputs, results_a, results_b, output);
+}
+
+Difference difference_of(const std::vector<Rgb>& inputs, const std::vector<RgbD>& a,
+                         const std::vector<RgbD>& b, const Encoding& output) {
     const std::size_t count = inputs.size();
-    std::vector<RgbD> results_a(count), results_b(count);
     std::vector<double> absolute(count), lab(count), itp(count), square(count);
     const Matrix3 to_rec709 = rgb_to_rgb(output.primaries, rec709);
     const Matrix3 to_rec2020 = rgb_to_rgb(output.primaries, rec2020);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            results_a[i] = results_b[i] = to_double(inputs[i]);
-        }
-        a(std::span(results_a).subspan(range.begin(), range.size()));
-        b(std::span(results_b).subspan(range.begin(), range.size()));
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            const RgbD p = results_a[i], q = results_b[i], d = p - q;
-            absolute[i] = largest_channel(d);
+            const RgbD p = a[i], q = b[i], d = p - q;
+            absolute[i] = largest_magnitude(d);
             square[i] = d.r * d.r + d.g * d.g + d.b * d.b;
             const auto light = [&output](RgbD c) {
                 return RgbD{output.decode(c.r), output.decode(c.g), output.decode(c.b)};
@@ -59,7 +61,7 @@ Difference compare(const Transform& a, const Transform& b, const std::vector<Rgb
     out.delta_e_2000 = error_stats(std::move(lab));
     out.delta_e_itp = error_stats(std::move(itp));
     const auto at = [&](std::size_t i) {
-        return count ? WorstColour{inputs[i], results_a[i], results_b[i]} : WorstColour{};
+        return count ? WorstColour{inputs[i], a[i], b[i]} : WorstColour{};
     };
     out.worst = at(out.absolute.worst);
     out.worst_to_eye = at(out.delta_e_2000.worst);

@@ -31,6 +31,10 @@ struct Difference {
 Difference compare(const Transform& a, const Transform& b, const std::vector<Rgb>& inputs,
                    const Encoding& output);
 
+/// The same of results that are there already: a[i] and b[i] are what inputs[i] became.
+Difference difference_of(const std::vector<Rgb>& inputs, const std::vector<RgbD>& a,
+                         const std::vector<RgbD>& b, const Encoding& output);
+
 /// sample_colors() over a domain: its corners, its neutral axis, the nodes and cell centres of a
 /// lattice, and points spread evenly.
 std::vector<Rgb> samples_over(const Domain& domain, int lattice_size, int random_count = 100000);

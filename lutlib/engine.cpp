@@ -1,7 +1,5 @@
 #include "lutlib/engine.h"
 
-#include "lutlib/interpolation.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -96,6 +94,14 @@ double at_texel_centre(int i, int n) {
     return i == 0 ? 0.0 : i == n - 1 ? 1.0 : (i + 0.5) / n;
 }
 
+double place_at_lattice(double in, int n) {
+    return in * (n - 1);
+}
+
+double place_at_texel_centre(double in, int n) {
+    return std::clamp(in * n - 0.5, 0.0, n - 1.0);
+}
+
 Rgb piccolo(const Picture& picture, int n, Rgb in) {
     return trilinear(lattice_of(picture, "strip", n), saturate(in) * static_cast<float>(n - 1));
 }
@@ -169,11 +175,14 @@ constexpr std::array<Engine, 8> table{{
      "eight texel fetches, trilinear",
      "Piccolo, color_grading.frag and its six LUT pictures",
      at_lattice,
+     place_at_lattice,
+     Interpolation::trilinear,
      piccolo},
     {"unreal", "Unreal Engine", "strip", 16, only_16, 8, only_8_bits, SrgbTag::absent,
      display_encoded, "group ColorLookupTable, sRGB off, no mipmaps",
      "two bilinear fetches blended on blue, x*15/16 + 0.5/16",
-     "Unreal, PostProcessCombineLUTs.usf, low-dynamic-range path", at_lattice, unreal},
+     "Unreal, PostProcessCombineLUTs.usf, low-dynamic-range path", at_lattice, place_at_lattice,
+     Interpolation::trilinear, unreal},
     {"unity",
      "Unity",
      "strip-up",
@@ -187,6 +196,8 @@ constexpr std::array<Engine, 8> table{{
      "two bilinear fetches blended on blue",
      "Unity, Color.hlsl ApplyLut2D",
      at_lattice,
+     place_at_lattice,
+     Interpolation::trilinear,
      unity},
     {"godot",
      "Godot 4",
@@ -201,6 +212,8 @@ constexpr std::array<Engine, 8> table{{
      "one trilinear fetch at the raw colour, without half-texel remap",
      "Godot, tonemap.glsl apply_color_correction",
      at_texel_centre,
+     place_at_texel_centre,
+     Interpolation::trilinear,
      godot},
     {"reshade",
      "ReShade LUT.fx",
@@ -215,10 +228,13 @@ constexpr std::array<Engine, 8> table{{
      "two bilinear fetches blended on blue",
      "ReShade, LUT.fx",
      at_lattice,
+     place_at_lattice,
+     Interpolation::trilinear,
      reshade},
     {"obs", "OBS Studio", "tiles", 64, only_64, 8, only_8_bits, SrgbTag::absent, display_encoded,
      "512x512 PNG of the Apply LUT filter", "one trilinear fetch of a 3D texture",
-     "OBS Studio, color-grade-filter.c", at_lattice, obs},
+     "OBS Studio, color-grade-filter.c", at_lattice, place_at_lattice, Interpolation::trilinear,
+     obs},
     {"hald",
      "HALD (ffmpeg haldclut, RawTherapee)",
      "hald",
@@ -232,6 +248,8 @@ constexpr std::array<Engine, 8> table{{
      "four nodes, tetrahedral",
      "ffmpeg, vf_lut3d.c",
      at_lattice,
+     place_at_lattice,
+     Interpolation::tetrahedral,
      hald},
     {"ocio",
      "OpenColorIO lut image",
@@ -246,6 +264,8 @@ constexpr std::array<Engine, 8> table{{
      "four nodes, tetrahedral",
      "OpenColorIO, ociolutimage and Lut3DOpCPU",
      at_lattice,
+     place_at_lattice,
+     Interpolation::tetrahedral,
      ocio},
 }};
 

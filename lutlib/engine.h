@@ -2,6 +2,7 @@
 // lookup), as a table.
 #pragma once
 
+#include "lutlib/interpolation.h"
 #include "lutlib/layout.h"
 
 #include <span>
@@ -29,6 +30,10 @@ struct Engine {
     std::string_view source; ///< where the contract and the lookup are documented
     /// The input at which the engine reads node i of n exactly, 0..1.
     double (*node_input)(int i, int n);
+    /// Where the lookup finds an input of 0..1 between the nodes, 0 .. n-1; does not fall.
+    double (*place)(double in, int n);
+    /// How the lookup weighs the nodes around that place.
+    Interpolation interpolation;
     /// The engine's arithmetic in float over a picture of codes/maximum; `n` is the lattice size.
     Rgb (*lookup)(const Picture& picture, int n, Rgb in);
 };

@@ -121,6 +121,13 @@ RgbD tetrahedral_exact(const Lut3D& cube, RgbD in) {
     return sum;
 }
 
+void add_node(NodeWeights& out, std::size_t node, double weight) {
+    if (weight > 0) {
+        out.node[out.count] = node;
+        out.weight[out.count++] = weight;
+    }
+}
+
 template <class T>
 BasicRgb<T> evaluate_curve(const Lut1D& curve, BasicRgb<T> in) {
     BasicRgb<T> out;
@@ -156,6 +163,42 @@ std::string_view name_of(Interpolation kind) {
         }
     }
     return {};
+}
+
+NodeWeights node_weights(Interpolation how, int size, RgbD place) {
+    const auto n = static_cast<std::size_t>(size);
+    const std::array<std::size_t, 3> stride{1, n, n * n};
+    const auto last = static_cast<float>(size - 1);
+    std::size_t first = 0;
+    std::array<double, 3> f{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto axis = locate(place[c], 0.0F, last, size);
+        first += static_cast<std::size_t>(axis.i) * stride[c];
+        f[c] = axis.f;
+    }
+    NodeWeights out;
+    if (how == Interpolation::nearest) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            first += f[c] >= 0.5 ? stride[c] : 0;
+        }
+        add_node(out, first, 1);
+    } else if (how == Interpolation::trilinear) {
+        for (std::size_t corner = 0; corner < 8; ++corner) {
+            const bool r = corner & 1, g = corner & 2, b = corner & 4;
+            add_node(out, first + (r ? stride[0] : 0) + (g ? stride[1] : 0) + (b ? stride[2] : 0),
+                     (r ? f[0] : 1 - f[0]) * (g ? f[1] : 1 - f[1]) * (b ? f[2] : 1 - f[2]));
+        }
+    } else {
+        std::array<std::size_t, 3> order{0, 1, 2};
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::size_t a, std::size_t b) { return f[a] > f[b]; });
+        add_node(out, first, 1 - f[order[0]]);
+        for (std::size_t step = 0; step < 3; ++step) {
+            first += stride[order[step]];
+            add_node(out, first, f[order[step]] - (step < 2 ? f[order[step + 1]] : 0.0));
+        }
+    }
+    return out;
 }
 
 Rgb evaluate(const Lut1D& curve, Rgb in) {

@@ -6,6 +6,7 @@
 
 #include "lutlib/lut.h"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -29,6 +30,16 @@ std::string_view name_of(Interpolation kind);
 Rgb evaluate(const Lut1D& curve, Rgb in);
 Rgb evaluate(const Lut3D& cube, Rgb in, Interpolation how);
 Rgb evaluate(const Lut& lut, Rgb in, Interpolation how = Interpolation::tetrahedral);
+
+/// What an interpolation makes of a lattice, as the nodes that it reads and their shares: a colour
+/// is the sum of weight * node. Indices rise; nodes of weight 0 are left out.
+struct NodeWeights {
+    std::size_t count = 0;
+    std::array<std::size_t, 8> node{};
+    std::array<double, 8> weight{};
+};
+/// `place` in units of nodes, clamped to 0 .. size-1.
+NodeWeights node_weights(Interpolation how, int size, RgbD place);
 
 /// The same functions in double, written from the definitions: trilinear as the weighted sum of
 /// eight corners, tetrahedral by sorting the fractions (Kanamori, "Color interpolation", 1993).

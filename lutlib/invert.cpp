@@ -17,10 +17,6 @@ namespace {
 
 constexpr int largest_size = 129;
 
-double largest_channel(RgbD d) {
-    return std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)});
-}
-
 // A curve that rises or falls strictly, read backwards, per channel.
 double inverse_of_curve(const Lut1D& curve, double y, std::size_t c) {
     const auto entry = [&](int i) {
@@ -70,16 +66,16 @@ Answer solve(const OutputIndex& index, RgbD wanted, double width) {
         out.input = nearest.input;
         out.distance = nearest.distance;
         // Rounding may leave a colour on the gamut's surface a hair outside.
-        out.missing = nearest.distance > 1e-6 * std::max(1.0, largest_channel(wanted));
+        out.missing = nearest.distance > 1e-6 * std::max(1.0, largest_magnitude(wanted));
         return out;
     }
     // Of several, the input nearest to the wanted colour: the sheet that an unfolded look has.
     const auto closer = [&](RgbD a, RgbD b) {
-        return largest_channel(a - wanted) < largest_channel(b - wanted);
+        return largest_magnitude(a - wanted) < largest_magnitude(b - wanted);
     };
     out.input = *std::min_element(found.begin(), found.end(), closer);
     for (const RgbD& other : found) {
-        out.spread = std::max(out.spread, largest_channel(other - out.input));
+        out.spread = std::max(out.spread, largest_magnitude(other - out.input));
     }
     out.spread = out.spread > same ? out.spread : 0;
     return out;

@@ -16,10 +16,6 @@ constexpr std::array<std::array<std::size_t, 3>, 6> paths{
 
 using Place = std::array<double, 3>; // in nodes, 0 .. size-1
 
-double largest_channel(RgbD d) {
-    return std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)});
-}
-
 double square(RgbD d) {
     return d.r * d.r + d.g * d.g + d.b * d.b;
 }
@@ -242,7 +238,7 @@ Nearest OutputIndex::descend(RgbD wanted, Place at) const {
             damping *= 4;
         }
     }
-    return {place(at), largest_channel(residual)};
+    return {place(at), largest_magnitude(residual)};
 }
 
 Nearest OutputIndex::nearest(RgbD wanted) const {

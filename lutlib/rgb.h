@@ -1,7 +1,10 @@
 // A colour of three channels, in float for pictures and LUTs, in double for oracles.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 
 namespace lutlib {
@@ -45,6 +48,12 @@ constexpr T saturate(T x) {
 template <class T>
 constexpr BasicRgb<T> saturate(BasicRgb<T> c) {
     return {saturate(c.r), saturate(c.g), saturate(c.b)};
+}
+
+/// The largest channel by absolute value; +Inf when a channel is NaN, which std::max would drop.
+inline double largest_magnitude(RgbD c) {
+    const double largest = std::max({std::abs(c.r), std::abs(c.g), std::abs(c.b)});
+    return std::isnan(c.r + c.g + c.b) ? std::numeric_limits<double>::infinity() : largest;
 }
 
 } // namespace lutlib

@@ -32,8 +32,8 @@ std::vector<Rgb> sample_colors(int lattice_size, const SampleCounts& counts) {
         append_lattice(out, lattice_size, 0, 1.0 / (lattice_size - 1));
         append_lattice(out, lattice_size - 1, 0.5, 1.0 / (lattice_size - 1));
     }
-    RgbD point{0.5, 0.5, 0.5};
     const RgbD step{1 / r3_root, 1 / (r3_root * r3_root), 1 / (r3_root * r3_root * r3_root)};
+    RgbD point = RgbD{0.5, 0.5, 0.5} + step * static_cast<double>(counts.skipped);
     for (int i = 0; i < counts.random; ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
             point[c] += step[c];

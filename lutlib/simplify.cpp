@@ -10,12 +10,8 @@
 namespace lutlib {
 namespace {
 
-double largest_channel(const RgbD& d) {
-    return std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)});
-}
-
 double distance(const Rgb& a, const Rgb& b) {
-    return largest_channel(to_double(a) - to_double(b));
+    return largest_magnitude(to_double(a) - to_double(b));
 }
 
 template <class F>
@@ -36,8 +32,8 @@ Omission drop_identity_cube(Lut& lut, double tolerance) {
     }
     double bound = 0;
     each_node(*lut.cube, [&](int r, int g, int b) {
-        bound = std::max(bound, largest_channel(to_double(lut.cube->at(r, g, b)) -
-                                                node_position(*lut.cube, r, g, b)));
+        bound = std::max(bound, largest_magnitude(to_double(lut.cube->at(r, g, b)) -
+                                                  node_position(*lut.cube, r, g, b)));
     });
     // After a 1D table the cube also clamps; it goes only where the table stays within its domain.
     for (std::size_t i = 0; lut.shaper && i < lut.shaper->entries.size(); ++i) {
@@ -68,8 +64,8 @@ Omission drop_identity_curve(Lut& lut, double tolerance) {
     double bound = 0;
     for (int i = 0; i < lut.shaper->size(); ++i) {
         bound = std::max(
-            bound, largest_channel(to_double(lut.shaper->entries[static_cast<std::size_t>(i)]) -
-                                   entry_position(*lut.shaper, i)));
+            bound, largest_magnitude(to_double(lut.shaper->entries[static_cast<std::size_t>(i)]) -
+                                     entry_position(*lut.shaper, i)));
     }
     if (bound > tolerance) {
         return {};
@@ -225,8 +221,8 @@ Omission drop_cube_nodes(Lut& lut, double tolerance) {
                 for (int r = 0; r < fine.size; ++r) {
                     const RgbD in = node_position(fine, r, g, b);
                     for (const auto how : {Interpolation::trilinear, Interpolation::tetrahedral}) {
-                        bound = std::max(bound, largest_channel(evaluate_exact(coarse, in, how) -
-                                                                to_double(fine.at(r, g, b))));
+                        bound = std::max(bound, largest_magnitude(evaluate_exact(coarse, in, how) -
+                                                                  to_double(fine.at(r, g, b))));
                     }
                 }
             }
@@ -259,7 +255,7 @@ Omission drop_curve_entries(Lut& lut, double tolerance) {
             const RgbD there = evaluate_exact(coarse, entry_position(fine, i));
             bound = std::max(
                 bound,
-                largest_channel(there - to_double(fine.entries[static_cast<std::size_t>(i)])));
+                largest_magnitude(there - to_double(fine.entries[static_cast<std::size_t>(i)])));
         }
         if (bound <= tolerance) {
             const std::string words =

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -38,8 +39,16 @@ struct Row {
     bool exact = true;  ///< not left to the texture unit's filter
 };
 
+/// The sample scene with everything on, by one rasteriser.
+struct FrameTimings {
+    std::string raster;
+    Timings timings;
+};
+
 constexpr int repeats = 8; ///< of a pass within a frame
 constexpr int warm_up = 5;
+// A GPU lowers its clocks while pipelines are made, and takes its time to raise them again.
+constexpr std::chrono::milliseconds settling{400};
 
 /// A look that mixes channels and bends tones: saturation and an S-curve.
 lutlib::Lut sample_look(int size) {
@@ -123,11 +132,11 @@ class Bench {
         time_copies();
         time_lookups();
         time_finishing();
-        time_frame();
+        time_sample();
     }
 
     const std::vector<Row>& rows() const { return rows_; }
-    const Timings& frame() const { return frame_; }
+    const std::vector<FrameTimings>& frames() const { return frames_; }
 
   private:
     Handle display(Graph& graph) const {
@@ -138,14 +147,18 @@ class Bench {
     /// divided by `divisor`.
     double time(const Graph& graph, const std::function<bool(const std::string&)>& counts,
                 int divisor) {
+        executor_.render(graph);
+        executor_.wait();
+        const auto settled = std::chrono::steady_clock::now() + settling;
+        for (int frame = 0; frame < warm_up || std::chrono::steady_clock::now() < settled; ++frame)
+            executor_.render(graph);
         std::vector<double> sums;
-        for (int frame = 0; frame < warm_up + options_.frames; ++frame) {
+        for (int frame = 0; frame < options_.frames; ++frame) {
             executor_.render(graph);
             double sum = 0;
             for (const StepTime& step : executor_.timings())
                 sum += counts(step.name) ? step.milliseconds : 0;
-            if (frame >= warm_up)
-                sums.push_back(sum / divisor);
+            sums.push_back(sum / divisor);
         }
         return median(sums);
     }
@@ -232,7 +245,7 @@ class Bench {
             }
     }
 
-    void time_frame() {
+    void time_sample() {
         const Scene scene = scene_at(*scene_named("sample"), 0);
         const GpuScene gpu_scene(device_, scene);
         const GpuLook look(device_,
@@ -246,12 +259,31 @@ class Bench {
         settings.orbit = scene.orbit;
         settings.tonemap = tonemap_named("agx");
         settings.bloom = bloom_named("glare");
+        for (const RasterChoice& choice : rasters().subspan(1)) {
+            try {
+                settings.raster = choice.on(device_, size_);
+            } catch (const lutlib::UsageError&) {
+                continue; // not on this device
+            }
+            time_frame(std::string(choice.name), inputs, settings);
+            frames_.push_back({std::string(choice.name), frame_});
+        }
+        if (settings.raster != Raster::compute)
+            return;
+        for (const std::uint32_t side : {8U, 24U, 32U}) {
+            settings.visibility.small_side = side;
+            time_frame(fmt::format("compute, small up to {}", side), inputs, settings);
+        }
+    }
+
+    void time_frame(std::string name, const FrameInputs& inputs, const FrameSettings& settings) {
         Graph graph;
         build_frame(graph, inputs, settings);
+        time_frames(executor_, inputs, settings, options_.frames); // until the clocks have settled
         frame_ = time_frames(executor_, inputs, settings, options_.frames);
         Row row;
-        row.group = "frame";
-        row.name = "sample scene, everything on";
+        row.group = "frame, by rasteriser";
+        row.name = std::move(name);
         row.bytes = bytes_moved(graph);
         row.milliseconds = frame_.gpu.median;
         add(std::move(row), copy_);
@@ -264,7 +296,8 @@ class Bench {
     std::optional<gpu::Image> display_, light_;
     Row copy_;
     std::vector<Row> rows_;
-    Timings frame_;
+    Timings frame_; ///< of the last row of a frame
+    std::vector<FrameTimings> frames_;
 };
 
 std::string table_of(const Bench& bench, const std::string& device, Size size) {
@@ -277,7 +310,10 @@ std::string table_of(const Bench& bench, const std::string& device, Size size) {
                             static_cast<double>(row.bytes) * 1e-6, row.ratio, row.allowed,
                             static_cast<double>(row.bytes) * 1e-6 / row.milliseconds,
                             row.exact ? "" : "  filtered by the texture unit");
-    return text + "\nThe frame, pass by pass\n" + to_table(bench.frame());
+    for (const FrameTimings& frame : bench.frames())
+        text += fmt::format("\nThe frame, pass by pass, {} raster\n{}", frame.raster,
+                            to_table(frame.timings));
+    return text;
 }
 
 std::string json_of(const Bench& bench, const std::string& device, Size size) {
@@ -290,11 +326,14 @@ std::string json_of(const Bench& bench, const std::string& device, Size size) {
                         {"ratio_to_copy", row.ratio},
                         {"allowed_ms", row.allowed},
                         {"exact", row.exact}});
+    nlohmann::json frames = nlohmann::json::object();
+    for (const FrameTimings& frame : bench.frames())
+        frames[frame.raster] = nlohmann::json::parse(to_json(frame.timings, device, size));
     nlohmann::json all = {{"device", device},
                           {"width", size.width},
                           {"height", size.height},
                           {"rows", rows},
-                          {"frame", nlohmann::json::parse(to_json(bench.frame(), device, size))}};
+                          {"frames", frames}};
     return all.dump(2) + "\n";
 }
 

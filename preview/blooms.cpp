@@ -33,8 +33,9 @@ class Planner {
         BloomStep step{source, 0, 2, std::move(taps)};
         step.karis = karis;
         step.prefilter = prefilters_ && source == BloomPlan::picture_image;
-        // What pre() does to single texels is lost when it sees averages of four.
-        if (step.prefilter && !karis)
+        // What pre() does to single texels is lost when it sees averages of four; and the whole
+        // picture is halved fastest by single texels (shaders/bloom_halve.comp).
+        if (source == BloomPlan::picture_image && !karis)
             step.taps = texel_taps(step.taps);
         return add(std::move(step), {(from.width + 1) / 2, (from.height + 1) / 2});
     }

@@ -63,7 +63,10 @@ Handle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSettings
     DeclaredScene declared = declare_scene(graph, scene, *inputs.gpu_scene, settings, size);
     handles.shadow_maps =
         add_shadows(graph, declared.handles, settings.shadow_size, std::move(declared.shadow_maps));
-    handles.surfaces = add_gbuffer(graph, declared.handles, size, std::move(declared.visible));
+    handles.surfaces =
+        settings.raster == Raster::compute
+            ? add_visibility(graph, declared.handles, size, declared.visible, settings.visibility)
+            : add_gbuffer(graph, declared.handles, size, std::move(declared.visible));
     handles.materials = declared.handles.materials;
     LightingInputs lighting;
     lighting.surfaces = handles.surfaces;

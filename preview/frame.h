@@ -9,6 +9,8 @@
 #include "preview/passes/lighting.h"
 #include "preview/passes/resolve.h"
 #include "preview/passes/view.h"
+#include "preview/passes/visibility.h"
+#include "preview/rasters.h"
 
 #include <optional>
 #include <span>
@@ -30,6 +32,8 @@ struct FrameSettings {
     float heat_scale = 8;
     bool fxaa = true;
     std::uint32_t shadow_size = 1024;
+    Raster raster = Raster::hardware;
+    VisibilityLimits visibility; ///< of Raster::compute
     /// Show this intermediate and nothing else.
     const DebugView* view = nullptr;
     /// Present the HDR result before tone mapping too.

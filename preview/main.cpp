@@ -110,6 +110,7 @@ int run(const Options& options) {
     } else if (shown.display_encoded()) {
         settings.tonemap = nullptr;
     }
+    settings.raster = raster_of(options, device, picture_size(settings.output, *settings.compare));
     settings.keep_hdr = writes_light(options.output);
     std::string skipped; // lines of --explain
     const auto look_a = load_side(device, options.look_a, options, skipped, "A");

@@ -87,6 +87,7 @@ void declare(CLI::App& app, Options& options) {
         ->each([&options](const std::string&) { options.fxaa_given = true; });
     app.add_option("--shadow-size", options.shadow_size, "Texels of a shadow map's side")
         ->check(CLI::Range(16U, 8192U));
+    app.add_option("--raster", options.raster, "Who rasterises, from --list");
     app.add_flag("--headless", options.headless, "Render without a window");
     app.add_option("--size", options.size,
                    "Size of the output; by default the picture's own or "
@@ -139,6 +140,10 @@ FrameSettings settings_of(const Options& options, Size input_size) {
     return settings;
 }
 
+Raster raster_of(const Options& options, const gpu::Device& device, Size size) {
+    return require_row(rasters(), options.raster, "rasteriser")->on(device, size);
+}
+
 std::string listing() {
     const auto help = [](const auto& row) { return row.help; };
     const auto label = [](const auto& row) { return row.label; };
@@ -146,7 +151,8 @@ std::string listing() {
            section("Blooms (--bloom)", blooms(), label) +
            section("Lookups (--engine)", lookups(), label) +
            section("Comparisons (--compare)", compares, label) +
-           section("Views (--debug-view)", debug_views(), help);
+           section("Views (--debug-view)", debug_views(), help) +
+           section("Rasterisers (--raster)", rasters(), label);
 }
 
 } // namespace preview

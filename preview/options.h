@@ -14,6 +14,7 @@ namespace preview {
 struct Options {
     std::string input = "sample"; ///< a built-in scene or a picture file
     std::string look_a = "none", look_b;
+    std::string raster = "auto";
     std::string compare, engine, tonemap = "agx", bloom = "glare", size, debug_view, device;
     float split = 0.5F, heat_scale = 8, exposure = 0;
     double seconds = 0;
@@ -35,7 +36,11 @@ void declare(CLI::App& app, Options& options);
 /// Throws lutlib::UsageError for names that no table has, with those that it has.
 FrameSettings settings_of(const Options& options, Size input_size);
 
-/// The tables: scenes, tone maps, blooms, lookups, comparisons and views.
+/// Which rasteriser the options choose for the device. Throws lutlib::UsageError for a name that no
+/// row has, and where the device cannot do it.
+Raster raster_of(const Options& options, const gpu::Device& device, Size size);
+
+/// The tables: scenes, tone maps, blooms, lookups, comparisons, views and rasterisers.
 std::string listing();
 
 } // namespace preview

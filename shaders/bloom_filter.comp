@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "common/sanitise.glsl"
 #include "common/bloom.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 layout(constant_id = 0) const int tap_count = 1;
 layout(constant_id = 1) const bool prefilter = false;
 layout(constant_id = 2) const bool karis = false; // groups of four taps

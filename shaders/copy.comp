@@ -1,12 +1,16 @@
 // Copies an image texel by texel.
 #version 460
-layout(local_size_x = 8, local_size_y = 8) in;
+#extension GL_GOOGLE_include_directive : require
+#include "common/tile.glsl"
 layout(binding = 0) uniform sampler2D source;
 layout(binding = 1) writeonly uniform image2D target;
 
 void main() {
-    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(at, imageSize(target))))
-        return;
-    imageStore(target, at, texelFetch(source, at, 0));
+    ivec2 size = imageSize(target);
+    vec4 texels[texels_each];
+    for (int i = 0; i < texels_each; ++i)
+        texels[i] = texelFetch(source, min(tile_texel(i), size - 1), 0);
+    for (int i = 0; i < texels_each; ++i)
+        if (all(lessThan(tile_texel(i), size)))
+            imageStore(target, tile_texel(i), texels[i]);
 }

@@ -1,7 +1,7 @@
-// Bloom's last filter, tone map, looks and comparison (common/finish.glsl), a texel a thread.
+// Bloom's last filter, tone map, looks and comparison (common/finish.glsl), eight texels a thread.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-layout(local_size_x = 8, local_size_y = 8) in;
+#include "common/tile.glsl"
 
 vec3 graded_a(vec3 c);
 vec3 graded_b(vec3 c);
@@ -17,7 +17,13 @@ vec3 graded_b(vec3 c) {
 }
 
 void main() {
-    ivec2 at = ivec2(gl_GlobalInvocationID.xy), size = textureSize(picture, 0);
-    if (all(lessThan(at, size)))
-        store_texel(at, size, display_encoded(at));
+    ivec2 size = textureSize(picture, 0);
+    vec3 texels[texels_each];
+    for (int i = 0; i < texels_each; ++i)
+        texels[i] = picture_at(min(tile_texel(i), size - 1));
+    for (int i = 0; i < texels_each; ++i) {
+        ivec2 at = tile_texel(i);
+        if (all(lessThan(at, size)))
+            store_texel(at, size, display_encoded(at, texels[i]));
+    }
 }

@@ -1,8 +1,8 @@
 // The same as finish.comp with lattices of 16 nodes read from shared memory: each group copies the
-// lattices once and then finishes a run of tiles, two texels of each a thread.
+// lattices once and then finishes a run of tiles, four texels of each a thread.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-layout(local_size_x = 32, local_size_y = 32) in;
+layout(local_size_x = 32, local_size_y = 16) in;
 
 vec3 graded_a(vec3 c);
 vec3 graded_b(vec3 c);
@@ -50,6 +50,20 @@ vec3 graded_b(vec3 c) {
     return apply_lookup(lookup_b, picture_b, volume_b, shaper_b, look_b, c);
 }
 
+const int texels_each = 4;
+const ivec2 tile = ivec2(64, 32);
+
+ivec2 size;
+
+ivec2 tile_texel(ivec2 place, int k) {
+    return place * tile + ivec2(gl_LocalInvocationID.xy) + ivec2(k & 1, k >> 1) * (tile / 2);
+}
+
+void fetch_tile(ivec2 place, out vec3 texels[texels_each]) {
+    for (int k = 0; k < texels_each; ++k)
+        texels[k] = picture_at(min(tile_texel(place, k), size - 1));
+}
+
 void main() {
     const uint threads = gl_WorkGroupSize.x * gl_WorkGroupSize.y;
     for (uint i = gl_LocalInvocationIndex; i < uint(lattice_nodes); i += threads) {
@@ -61,8 +75,7 @@ void main() {
     }
     barrier();
 
-    ivec2 size = textureSize(picture, 0);
-    ivec2 group = ivec2(gl_WorkGroupSize.xy), tile = group * ivec2(2, 1);
+    size = textureSize(picture, 0);
     int columns = (size.x + tile.x - 1) / tile.x;
     int tiles = columns * ((size.y + tile.y - 1) / tile.y);
     int groups = int(gl_NumWorkGroups.x);
@@ -70,17 +83,19 @@ void main() {
     int first = int(gl_WorkGroupID.x) * run;
     int count = min(run, tiles - first);
     ivec2 place = ivec2(first % columns, first / columns);
+    // The next tile's texels are under way while this one's are finished.
+    vec3 next[texels_each];
+    fetch_tile(place, next);
     for (int i = 0; i < count; ++i) {
-        ivec2 left = place * tile + ivec2(gl_LocalInvocationID.xy);
-        ivec2 right = left + ivec2(group.x, 0);
-        vec3 left_c = display_encoded(min(left, size - 1));
-        vec3 right_c = display_encoded(min(right, size - 1));
-        if (left.y < size.y) {
-            if (left.x < size.x)
-                store_texel(left, size, left_c);
-            if (right.x < size.x)
-                store_texel(right, size, right_c);
-        }
+        vec3 texels[texels_each] = next;
+        ivec2 here = place;
         place = place.x + 1 < columns ? ivec2(place.x + 1, place.y) : ivec2(0, place.y + 1);
+        if (i + 1 < count)
+            fetch_tile(place, next);
+        for (int k = 0; k < texels_each; ++k) {
+            ivec2 at = tile_texel(here, k);
+            if (all(lessThan(at, size)))
+                store_texel(at, size, display_encoded(at, texels[k]));
+        }
     }
 }

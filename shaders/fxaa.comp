@@ -3,7 +3,8 @@
 // are softened by how far they stand from their neighbours' mean. reference/fxaa.cpp is its twin.
 // Every position is a texel centre along the edge, so nothing is left to the texture unit's filter.
 #version 460
-layout(local_size_x = 8, local_size_y = 8) in;
+#extension GL_GOOGLE_include_directive : require
+#include "common/tile.glsl"
 layout(binding = 0) uniform sampler2D source;
 layout(binding = 1) writeonly uniform image2D target;
 
@@ -34,11 +35,7 @@ void walk(ivec2 at, ivec2 across, ivec2 along, float mean, float gradient, out i
     }
 }
 
-void main() {
-    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    size = textureSize(source, 0);
-    if (any(greaterThanEqual(at, size)))
-        return;
+vec3 antialiased(ivec2 at) {
     vec3 own = color_at(at);
     float m = luma_at(at);
     float n = luma_at(at + ivec2(0, -1)), s = luma_at(at + ivec2(0, 1));
@@ -46,10 +43,8 @@ void main() {
     float brightest = max(m, max(max(n, s), max(w, e)));
     float darkest = min(m, min(min(n, s), min(w, e)));
     float contrast = brightest - darkest;
-    if (!(contrast >= max(least_contrast, relative_contrast * brightest))) {
-        imageStore(target, at, vec4(own, 1.0));
-        return;
-    }
+    if (!(contrast >= max(least_contrast, relative_contrast * brightest)))
+        return own;
     float nw = luma_at(at + ivec2(-1, -1)), ne = luma_at(at + ivec2(1, -1));
     float sw = luma_at(at + ivec2(-1, 1)), se = luma_at(at + ivec2(1, 1));
 
@@ -78,5 +73,14 @@ void main() {
     // The edge bends towards this texel only if the nearer end is not on this texel's side of it.
     float shift = (m < edge) != (departure < 0.0) ? 0.5 - nearer / float(back + forth) : 0.0;
     shift = max(shift, soft);
-    imageStore(target, at, vec4(mix(own, color_at(at + across), shift), 1.0));
+    return mix(own, color_at(at + across), shift);
+}
+
+void main() {
+    size = textureSize(source, 0);
+    for (int i = 0; i < texels_each; ++i) {
+        ivec2 at = tile_texel(i);
+        if (all(lessThan(at, size)))
+            imageStore(target, at, vec4(antialiased(at), 1.0));
+    }
 }

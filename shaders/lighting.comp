@@ -4,7 +4,7 @@
 #include "common/scene.glsl"
 #include "common/brdf.glsl"
 #include "common/environment.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 layout(constant_id = 0) const bool has_shadows = true;
 layout(constant_id = 1) const bool has_environment = true;
 layout(binding = 0) uniform Views { View view; };

@@ -3,7 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "common/sanitise.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
+#include "common/tile.glsl"
 layout(constant_id = 0) const bool resized = false;
 layout(binding = 0) uniform sampler2D source;
 layout(binding = 1) writeonly uniform image2D target;
@@ -41,14 +41,19 @@ void main() {
     if (gl_LocalInvocationIndex == 0)
         group_maximum = 0u;
     barrier();
-    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     ivec2 size = imageSize(target);
-    if (all(lessThan(at, size))) {
-        vec3 light = round_to_half(resized ? filtered(at, size) : light_at(at));
-        imageStore(target, at, vec4(light, 1.0));
-        // Non-negative floats order like their bits.
-        atomicMax(group_maximum, floatBitsToUint(max(light.r, max(light.g, light.b))));
+    vec3 light[texels_each];
+    float brightest = 0.0;
+    for (int i = 0; i < texels_each; ++i) {
+        ivec2 at = min(tile_texel(i), size - 1);
+        light[i] = round_to_half(resized ? filtered(at, size) : light_at(at));
+        brightest = max(brightest, max(light[i].r, max(light[i].g, light[i].b)));
     }
+    for (int i = 0; i < texels_each; ++i)
+        if (all(lessThan(tile_texel(i), size)))
+            imageStore(target, tile_texel(i), vec4(light[i], 1.0));
+    // Non-negative floats order like their bits.
+    atomicMax(group_maximum, floatBitsToUint(brightest));
     barrier();
     if (gl_LocalInvocationIndex == 0)
         atomicMax(maximum, group_maximum);

@@ -5,7 +5,7 @@
 #include "common/sanitise.glsl"
 #include "common/scene.glsl"
 #include "common/srgb.glsl"
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 layout(constant_id = 0) const int mode = 3;
 layout(binding = 0) uniform usampler2D source;
 layout(binding = 1) writeonly uniform image2D target;

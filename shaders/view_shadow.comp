@@ -1,6 +1,6 @@
 // Shows the layers of a depth array side by side; near is bright.
 #version 460
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 layout(binding = 0) uniform sampler2DArray source;
 layout(binding = 1) writeonly uniform image2D target;
 

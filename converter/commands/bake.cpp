@@ -1,22 +1,28 @@
 // lutconv bake: a look becomes an engine's LUT picture.
 #include "lutlib/bake.h"
 #include "converter/command.h"
+#include "converter/explain.h"
 #include "converter/options.h"
 #include "converter/report.h"
+#include "lutlib/budget.h"
 #include "lutlib/error.h"
 #include "lutlib/io/bake_report.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/lut_picture.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <memory>
+#include <optional>
 
 namespace converter {
 namespace {
 
 using lutlib::Bake;
+using lutlib::BudgetBake;
 using lutlib::Domain;
+using lutlib::FilledBake;
 using lutlib::LookupError;
 using lutlib::io::bake_report;
 using lutlib::io::clamped_share;
@@ -28,11 +34,39 @@ struct Options {
     EngineOption engine;
     int size = 0, bits = 0;
     InterpolationOption interpolation;
-    bool json = false;
+    double max_delta_e = 0;
+    bool fit = false, explain = false, json = false;
 };
 
-nlohmann::ordered_json as_json(const Options& o, const Bake& bake, const Domain& domain,
+std::string fit_text(const FilledBake& filled) {
+    const lutlib::ErrorStats &before = filled.point_sampled, &after = filled.result;
+    if (!filled.fitted) {
+        return "  fitting does not help this look at this size; its nodes are point samples\n";
+    }
+    return fmt::format("  fitted to the engine's lookup: mean error {:.4g} instead of {:.4g} "
+                       "({:.1f} % less), max {:.4g} instead of {:.4g}; over {} colours that the "
+                       "fit has not seen\n",
+                       after.mean, before.mean, 100 * (1 - after.mean / before.mean), after.max,
+                       before.max, after.count);
+}
+
+std::string budget_text(const Options& o, const BudgetBake& found) {
+    const Bake& bake = found.filled.bake;
+    return fmt::format(
+        "  {} the promise of dE2000 {:g}: {} nodes, {} bits, {}, {} bytes of codes, {} tried{}\n"
+        "    on the {} colours it was chosen on: {}\n"
+        "    on {} others, and uphill from the worst of them: {}\n",
+        found.kept ? "keeps" : "NOTHING KEEPS", o.max_delta_e, bake.size, bake.picture.bits,
+        found.filled.fitted ? "fitted" : "point-sampled",
+        lutlib::lattice_bytes(bake.size, bake.picture.bits), found.tried,
+        found.kept ? "" : "; this comes nearest", found.chosen_on.delta_e.count,
+        to_text(found.chosen_on.delta_e), found.checked_on.delta_e.count,
+        to_text(found.checked_on.delta_e));
+}
+
+nlohmann::ordered_json as_json(const Options& o, const FilledBake& filled, const Domain& domain,
                                const LookupError& error) {
+    const Bake& bake = filled.bake;
     return {{"input", o.input},
             {"output", o.output},
             {"engine", bake.engine->name},
@@ -49,25 +83,95 @@ nlohmann::ordered_json as_json(const Options& o, const Bake& bake, const Domain&
               {"clamped_input_share", clamped_share(domain)},
               {"max_rounding", bake.loss.max_rounding},
               {"mean_rounding", bake.loss.mean_rounding}}},
+            {"fitted", filled.fitted},
             {"absolute_error", to_json(error.absolute)},
             {"delta_e_2000", to_json(error.delta_e)}};
 }
 
-int run(const Options& o) {
-    const lutlib::Engine& engine = o.engine.get();
+nlohmann::ordered_json fit_json(const FilledBake& filled) {
+    return {{"point_sampled", to_json(filled.point_sampled)}, {"result", to_json(filled.result)}};
+}
+
+nlohmann::ordered_json budget_json(const Options& o, const BudgetBake& found) {
+    return {
+        {"max_delta_e", o.max_delta_e},
+        {"kept", found.kept},
+        {"tried", found.tried},
+        {"bytes", lutlib::lattice_bytes(found.filled.bake.size, found.filled.bake.picture.bits)},
+        {"chosen_on", to_json(found.chosen_on.delta_e)},
+        {"checked_on", to_json(found.checked_on.delta_e)}};
+}
+
+FilledBake fill(const Options& o, const Look& look, const lutlib::Engine& engine) {
     const int size = o.size ? o.size : engine.default_size;
     const int bits = o.bits ? o.bits : engine.default_bits;
     check_contract(engine, size, bits);
+    return o.fit ? bake_fitted(look.exact, engine, size, bits)
+                 : FilledBake{bake(look.exact, engine, size, bits), false, {}, {}};
+}
+
+std::optional<int> if_given(int value) {
+    return value ? std::optional(value) : std::nullopt;
+}
+
+int run(const Options& o) {
+    const lutlib::Engine& engine = o.engine.get();
+    if (o.explain && o.input == lutlib::io::standard_stream) {
+        throw lutlib::UsageError("--explain needs a file, not standard input");
+    }
+    if (o.max_delta_e < 0) {
+        throw lutlib::UsageError("--max-delta-e must be above 0");
+    }
     const Look look = open_look(o.input, o.interpolation.get());
-    const Bake result = bake(look.exact, engine, size, bits);
-    lutlib::io::write_file(
-        o.output, lutlib::io::picture_bytes(result, {lutlib::io::input_name(o.input), look.title,
-                                                     name_of(o.interpolation.get())}));
-    const LookupError error = measure_bake(result, look.exact);
-    o.json ? print(as_json(o, result, look.domain, error), o.output)
-           : print(bake_report(lutlib::io::input_name(o.input), lutlib::io::output_name(o.output),
-                               result, look.domain, error),
-                   o.output);
+    std::optional<BudgetBake> budgeted;
+    FilledBake filled;
+    if (o.max_delta_e > 0) {
+        budgeted = bake_within(look.exact, engine,
+                               {o.max_delta_e, if_given(o.size), if_given(o.bits), true});
+        filled = budgeted->filled;
+    } else {
+        filled = fill(o, look, engine);
+    }
+    if (!budgeted || budgeted->kept) {
+        lutlib::io::write_file(
+            o.output, lutlib::io::picture_bytes(filled.bake,
+                                                {lutlib::io::input_name(o.input), look.title,
+                                                 name_of(o.interpolation.get()), filled.fitted}));
+    }
+    const LookupError error = measure_bake(filled.bake, look.exact);
+    std::optional<Explanation> explanation;
+    if (o.explain) {
+        // What changes less than half a code is not seen in the picture.
+        explanation = explain(read_look(o.input), 0.5 / filled.bake.picture.maximum());
+        explanation->kept = "the engine reads a lattice of this size whatever the look is";
+    }
+    if (o.json) {
+        nlohmann::ordered_json json = as_json(o, filled, look.domain, error);
+        if (filled.result.count > 0) {
+            json["fit"] = fit_json(filled);
+        }
+        if (budgeted) {
+            json["budget"] = budget_json(o, *budgeted);
+        }
+        if (explanation) {
+            json["explanation"] = to_json(*explanation);
+        }
+        print(json, o.output);
+    } else {
+        print(bake_report(lutlib::io::input_name(o.input), lutlib::io::output_name(o.output),
+                          filled.bake, look.domain, error) +
+                  (filled.result.count > 0 ? fit_text(filled) : "") +
+                  (budgeted ? budget_text(o, *budgeted) : "") +
+                  (explanation ? to_text(*explanation) : ""),
+              o.output);
+    }
+    if (budgeted && !budgeted->kept) {
+        print(fmt::format("  nothing was written; raise --max-delta-e above {:.4g}{}\n",
+                          budgeted->largest_delta_e(),
+                          o.size || o.bits ? ", or leave --size and --bits open" : ""),
+              std::string(lutlib::io::standard_stream));
+        return verification_failed;
+    }
     return ok;
 }
 
@@ -81,6 +185,14 @@ Run declare_bake(CLI::App& app) {
     app.add_option("--size", o->size, "nodes a side (default: the engine's)");
     app.add_option("--bits", o->bits, "8 or 16 bits a sample (default: the engine's)");
     o->interpolation.declare(app, "how the look is read between its own nodes");
+    app.add_flag("--fit", o->fit,
+                 "choose the nodes so that the engine's lookup comes nearest to the look between "
+                 "them; keeps point samples where that does not help");
+    app.add_option(
+        "--max-delta-e", o->max_delta_e,
+        "take the smallest combination of size, bits and fit that the engine accepts and "
+        "that stays within this dE2000; writes nothing, with exit code 1, when none does");
+    app.add_flag("--explain", o->explain, "say what of the look no picture would need");
     app.add_flag("--json", o->json, "print the figures as JSON");
     return [o] { return run(*o); };
 }

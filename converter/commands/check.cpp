@@ -1,5 +1,6 @@
 // lutconv check: what is broken, folded, steep or flat in a look, and what can be repaired.
 #include "converter/command.h"
+#include "converter/explain.h"
 #include "converter/options.h"
 #include "converter/report.h"
 #include "lutlib/error.h"
@@ -24,7 +25,8 @@ using lutlib::Severity;
 
 struct Options {
     std::string input, output;
-    bool strict = false, repair = false, json = false;
+    bool strict = false, repair = false, explain = false, json = false;
+    double tolerance = lutlib::SimplifyOptions{}.tolerance;
     lutlib::RepairOptions repairs;
 };
 
@@ -112,6 +114,9 @@ nlohmann::ordered_json repair_json(const lutlib::Repaired& repaired) {
 }
 
 int run(const Options& o) {
+    if (o.repairs.clamp && !o.repair) {
+        throw lutlib::UsageError("--clamp is a part of --repair");
+    }
     if (o.repair == o.output.empty()) {
         throw lutlib::UsageError(o.repair ? "--repair needs -o LUT, the file to write"
                                           : "-o is for what --repair makes");
@@ -123,8 +128,9 @@ int run(const Options& o) {
                     domain_text(lut.domain()), findings_text(health));
     nlohmann::ordered_json json{{"input", o.input}};
     json.update(findings_json(health));
+    lutlib::Repaired repaired{lut, {}};
     if (o.repair) {
-        const lutlib::Repaired repaired = repair(lut, o.repairs);
+        repaired = repair(lut, o.repairs);
         write_look(repaired.lut, o.output);
         health = examine(repaired.lut);
         text += fmt::format("{}\n{}{}", io::output_name(o.output), repair_text(repaired),
@@ -132,6 +138,16 @@ int run(const Options& o) {
         json["output"] = o.output;
         json["repairs"] = repair_json(repaired);
         json["after"] = findings_json(health);
+    }
+    if (o.explain) {
+        // What holds values that are no numbers is beyond simplifying.
+        if (health.non_finite > 0) {
+            throw lutlib::Error("--explain needs a look whose values are all numbers; use --repair",
+                                {io::input_name(o.input), 0, {}});
+        }
+        const Explanation explanation = explain(repaired.lut, o.tolerance);
+        text += "what it does not need:\n" + to_text(explanation);
+        json["explanation"] = to_json(explanation);
     }
     o.json ? print(json, o.output) : print(text, o.output);
     const bool healthy = verdict(health) < Severity::fault;
@@ -155,10 +171,15 @@ std::string check_list() {
 Run declare_check(CLI::App& app) {
     const auto o = std::make_shared<Options>();
     app.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input")->required();
-    app.add_flag("--strict", o->strict, "exit with 1 when there is a fault");
+    app.add_flag("--strict", o->strict, "exit with 1 when there is a fault (left)");
     app.add_flag("--repair", o->repair, "repair what can be repaired, into -o");
     app.add_flag("--clamp", o->repairs.clamp, "with --repair: clamp outputs to 0..1");
     app.add_option("-o,--output", o->output, "the repaired LUT, or - for standard output");
+    app.add_flag("--explain", o->explain, "say what the look does not need; convert leaves it out");
+    app.add_option("--tolerance", o->tolerance,
+                   "with --explain: the largest difference of a channel that counts as none")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     app.add_flag("--json", o->json, "print the figures as JSON");
     app.footer(check_list());
     return [o] { return run(*o); };

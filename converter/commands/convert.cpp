@@ -1,16 +1,20 @@
 // lutconv convert: a LUT from any format to any other, saying what the target cannot hold.
 #include "converter/command.h"
+#include "converter/explain.h"
 #include "converter/options.h"
 #include "converter/report.h"
 #include "lutlib/error.h"
 #include "lutlib/io/describe.h"
 #include "lutlib/io/file.h"
+#include "lutlib/io/fit_format.h"
 #include "lutlib/io/formats.h"
+#include "lutlib/limits.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <memory>
+#include <optional>
 
 namespace converter {
 namespace {
@@ -20,7 +24,7 @@ namespace io = lutlib::io;
 struct Options {
     std::string input, output, from, format;
     io::SaveOptions save;
-    bool strict = false, json = false;
+    bool strict = false, explain = false, json = false;
 };
 
 std::string format_list() {
@@ -29,6 +33,28 @@ std::string format_list() {
         const char* const ways = !row.write ? "read" : !row.read ? "write" : "read, write";
         out += fmt::format("  {:<18} {:<12} .{:<7} {}\n", row.name, ways, row.extensions.front(),
                            row.label);
+    }
+    return out;
+}
+
+// The look without what it does not need, where the format can hold that as it is; a file needs a
+// table even of an identity. Returns what was left out.
+std::optional<Explanation> leave_out(lutlib::Lut& lut, const Options& o) {
+    if (!o.explain) {
+        return std::nullopt;
+    }
+    Explanation out = explain(lut, lutlib::SimplifyOptions{}.tolerance);
+    lutlib::Lut less = out.simplified.lut;
+    if (!less.shaper && !less.cube) {
+        less.cube = lutlib::identity_cube(lutlib::limits::min_cube_size, lut.domain());
+    }
+    const io::FileFormat& format = o.format.empty() ? io::format_for_writing(o.output, less)
+                                                    : io::require_file_format(o.format);
+    if (io::can_hold(less, format.holds)) {
+        lut = std::move(less);
+        out.left_out = true;
+    } else {
+        out.kept = fmt::format("{} cannot hold it so", format.label);
     }
     return out;
 }
@@ -59,6 +85,7 @@ std::string as_text(const Options& o, const io::FileFormat& format, const io::En
 
 int run(const Options& o) {
     io::Reading source = read_look(o.input, {o.save.size}, o.from);
+    const std::optional<Explanation> explanation = leave_out(source.lut, o);
     const io::FileFormat& format = o.format.empty() ? io::format_for_writing(o.output, source.lut)
                                                     : io::require_file_format(o.format);
     io::Encoded file = io::encode_lut(source.lut, format, o.save);
@@ -71,7 +98,15 @@ int run(const Options& o) {
             {io::output_name(o.output), 0, {}});
     }
     io::write_file(o.output, file.bytes);
-    o.json ? print(as_json(o, format, file), o.output) : print(as_text(o, format, file), o.output);
+    if (o.json) {
+        nlohmann::ordered_json json = as_json(o, format, file);
+        if (explanation) {
+            json["explanation"] = to_json(*explanation);
+        }
+        print(json, o.output);
+    } else {
+        print(as_text(o, format, file) + (explanation ? to_text(*explanation) : ""), o.output);
+    }
     return ok;
 }
 
@@ -92,6 +127,8 @@ Run declare_convert(CLI::App& app) {
         ->capture_default_str();
     app.add_option("--title", o->save.title, "title to write instead of the input's");
     app.add_flag("--strict", o->strict, "write nothing when anything would be lost");
+    app.add_flag("--explain", o->explain,
+                 "leave out what the look does not need, and say what and within which bound");
     app.add_flag("--json", o->json, "print the figures as JSON");
     app.footer(format_list());
     return [o] { return run(*o); };

@@ -39,7 +39,7 @@ lutlib::ErrorStats distance_from_identity(const lutlib::Lut& lut) {
     std::vector<double> moves;
     for (const Rgb& in : lutlib::identity_cube(17, lut.domain()).nodes) {
         const lutlib::RgbD d = evaluate_exact(lut, to_double(in)) - to_double(in);
-        moves.push_back(std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)}));
+        moves.push_back(largest_magnitude(d));
     }
     return lutlib::error_stats(std::move(moves));
 }

@@ -70,7 +70,7 @@ class CubeReader {
             return;
         }
         if (line.front() == '#') {
-            lut_.comments.emplace_back(trimmed(line.substr(1)));
+            read_comment(trimmed(line.substr(1)));
             return;
         }
         const Words words = words_of(line);
@@ -83,6 +83,15 @@ class CubeReader {
             } else {
                 read_keyword(uncommented, line);
             }
+        }
+    }
+
+    void read_comment(std::string_view comment) {
+        constexpr std::string_view quoted_title = "TITLE \"";
+        if (lut_.title.empty() && comment.substr(0, quoted_title.size()) == quoted_title) {
+            read_title(comment.substr(5));
+        } else {
+            lut_.comments.emplace_back(comment);
         }
     }
 

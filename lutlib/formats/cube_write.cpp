@@ -61,7 +61,10 @@ void append_range(std::string& out, std::string_view keyword, const Domain& doma
 }
 
 // Comments that were keywords unknown to the reader go back as they were read, as comments.
-void append_head(std::string& out, const Lut& lut, const WriteOptions& options) {
+// Resolve's dialect knows no TITLE, and OpenColorIO refuses a file of it that has one; there the
+// title is a comment, which our reader knows again.
+void append_head(std::string& out, const Lut& lut, CubeDialect dialect,
+                 const WriteOptions& options) {
     const auto one_line = [](std::string text) {
         for (char& c : text) {
             c = (c == '\n' || c == '\r' || c == '\0') ? ' ' : c;
@@ -76,6 +79,7 @@ void append_head(std::string& out, const Lut& lut, const WriteOptions& options) 
         c = c == '"' ? '\'' : c;
     }
     if (!title.empty()) {
+        out += dialect == CubeDialect::resolve ? "# " : "";
         out += "TITLE \"" + title + "\"\n";
     }
 }
@@ -133,7 +137,7 @@ std::string write_cube(const Lut& lut, CubeDialect dialect, const WriteOptions& 
     const std::size_t rows =
         (lut.cube ? lut.cube->nodes.size() : 0) + (lut.shaper ? lut.shaper->entries.size() : 0);
     out.reserve(1024 + rows * 34);
-    append_head(out, lut, options);
+    append_head(out, lut, dialect, options);
     const bool resolve = dialect == CubeDialect::resolve;
     if (lut.shaper) {
         out += "LUT_1D_SIZE " + std::to_string(lut.shaper->size()) + '\n';

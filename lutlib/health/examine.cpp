@@ -31,15 +31,17 @@ void each_output(const Lut& lut, F visit) {
 
 bool all_codes(const Lut& lut, double maximum) {
     bool all = true;
+    double highest = 0;
     each_output(lut, [&](const Rgb& value, const Rgb&) {
         for (std::size_t c = 0; c < 3; ++c) {
             const double code = static_cast<double>(value[c]) * maximum;
             // A code divided by its maximum in float, and read back from six decimals.
             all = all && std::abs(code - std::round(code)) < maximum * 6e-7 && code >= 0 &&
                   code <= maximum;
+            highest = std::max(highest, code);
         }
     });
-    return all;
+    return all && highest >= 1;
 }
 
 } // namespace

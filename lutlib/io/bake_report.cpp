@@ -84,8 +84,10 @@ std::string bake_report(const std::string& input, const std::string& output, con
                            "({}) and are clamped to it\n",
                            100 * clamped_share(domain), domain_text(domain));
     }
-    out += fmt::format("  lost: rounding to {} bits, max {:.4g}, mean {:.4g}\n", bake.picture.bits,
-                       bake.loss.max_rounding, bake.loss.mean_rounding);
+    if (bake.loss.max_rounding > 0) {
+        out += fmt::format("  lost: rounding to {} bits, max {:.4g}, mean {:.4g}\n",
+                           bake.picture.bits, bake.loss.max_rounding, bake.loss.mean_rounding);
+    }
     out += fmt::format("  error of {}'s lookup against the look, {} colours: {}\n", engine.name,
                        error.absolute.count, figures_text(error.absolute));
     out += fmt::format("  as dE2000: {}\n", figures_text(error.delta_e));

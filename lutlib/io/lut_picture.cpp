@@ -15,6 +15,7 @@ std::string picture_bytes(const Bake& bake, const BakeOrigin& origin) {
                   {"Title", origin.title},
                   {"Engine", std::string(bake.engine->name)},
                   {"Interpolation", std::string(origin.interpolation)},
+                  {"Lattice", origin.fitted ? "fitted" : "point-sampled"},
                   {"Software", "lutconv"}};
     return write_png(image);
 }

@@ -15,10 +15,11 @@ struct BakeOrigin {
     std::string source;
     std::string title;
     std::string_view interpolation;
+    bool fitted = false; ///< to the engine's lookup, rather than sampled at the nodes
 };
 
 /// The file's bytes, with the engine's sRGB tag and text entries Source, Title, Engine,
-/// Interpolation and Software.
+/// Interpolation, Lattice ("fitted" or "point-sampled") and Software.
 std::string picture_bytes(const Bake& bake, const BakeOrigin& origin);
 
 /// The RGB codes of a PNG, alpha left out.

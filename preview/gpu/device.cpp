@@ -114,6 +114,13 @@ std::string missing_of(const vk::raii::PhysicalDevice& device) {
     return {};
 }
 
+bool supports_int64_atomics(const vk::raii::PhysicalDevice& device) {
+    const auto chain =
+        device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
+    return chain.get<vk::PhysicalDeviceFeatures2>().features.shaderInt64 == VK_TRUE &&
+           chain.get<vk::PhysicalDeviceVulkan12Features>().shaderBufferInt64Atomics == VK_TRUE;
+}
+
 std::optional<std::uint32_t> graphics_family(const vk::raii::PhysicalDevice& device) {
     const auto families = device.getQueueFamilyProperties();
     constexpr auto both = vk::QueueFlagBits::eGraphics | vk::QueueFlagBits::eCompute;
@@ -219,6 +226,11 @@ Device::Device(const DeviceOptions& options) : messages_(std::make_unique<Messag
     vk::PhysicalDeviceFeatures2 features;
     features.features.shaderStorageImageWriteWithoutFormat = VK_TRUE;
     features.pNext = &v13;
+    vk::PhysicalDeviceVulkan12Features v12;
+    has_int64_atomics_ = supports_int64_atomics(physical_);
+    v12.shaderBufferInt64Atomics = has_int64_atomics_ ? VK_TRUE : VK_FALSE;
+    features.features.shaderInt64 = has_int64_atomics_ ? VK_TRUE : VK_FALSE;
+    v13.pNext = &v12;
     vk::DeviceCreateInfo info({}, queue_info, {}, options.device_extensions, nullptr, &features);
     device_ = {physical_, info};
     queue_ = {device_, queue_family_, 0};

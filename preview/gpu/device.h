@@ -46,6 +46,8 @@ class Device {
     const vk::raii::Queue& queue() const { return queue_; }
     std::uint32_t queue_family() const { return queue_family_; }
     const std::string& name() const { return name_; }
+    /// 64-bit integers in shaders, with atomics on buffers of them.
+    bool has_int64_atomics() const { return has_int64_atomics_; }
     const vk::PhysicalDeviceLimits& limits() const { return limits_; }
 
     /// The index of a memory type among `type_bits` with `wanted`, preferably also `preferred`.
@@ -74,6 +76,7 @@ class Device {
     vk::raii::CommandPool once_pool_ = nullptr;
     std::uint32_t queue_family_ = 0;
     std::string name_;
+    bool has_int64_atomics_ = false;
     vk::PhysicalDeviceLimits limits_;
     vk::PhysicalDeviceMemoryProperties memory_;
     mutable std::uint64_t allocation_count_ = 0;

@@ -293,8 +293,8 @@ void Pass::dispatch(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     record().groups = {x, y, z};
 }
 
-void Pass::dispatch_over(std::uint32_t width, std::uint32_t height) {
-    dispatch((width + 7) / 8, (height + 7) / 8);
+void Pass::dispatch_over(std::uint32_t width, std::uint32_t height, Tile tile) {
+    dispatch((width + tile.width - 1) / tile.width, (height + tile.height - 1) / tile.height);
 }
 
 void Pass::dispatch_indirect(Handle buffer) {

@@ -11,7 +11,7 @@
 //                                       {Format::rgba8, size.width, size.height}));
 //         pass.constants({row.index});                                 // constant_id 0
 //         pass.push(exposure);                                         // push constants
-//         pass.dispatch_over(size.width, size.height);                 // 8x8 pixels a group
+//         pass.dispatch_over(size.width, size.height);                 // 16x16 pixels a group
 //         return out;
 //     }
 //
@@ -26,8 +26,8 @@
 //   `modify`-ed from a shader (layout(r32ui)); other read-modify-write takes a second image.
 // - Specialisation constants: 32-bit words, ids 0, 1, 2...; bools as 0 and 1.
 // - Push constants: one trivially copyable struct of up to 128 bytes, laid out as std430.
-// - Compute shaders over images have local_size 8x8 and return outside the size that they ask
-//   imageSize() of their target for.
+// - Compute shaders over images have local_size 16x16 or divide the image as common/tile.glsl does,
+//   and touch nothing outside the size that they ask imageSize() of their target for.
 // - Names are for people: they appear in --explain, in --timings and in error messages.
 //
 // Handles are versions. Writing an image returns a new handle and retires the old one; reading a
@@ -55,6 +55,13 @@ namespace gpu {
 class Image;
 class Buffer;
 } // namespace gpu
+
+/// The texels that one group of a compute shader covers.
+struct Tile {
+    std::uint32_t width = 0, height = 0;
+};
+constexpr Tile one_each{16, 16};  ///< a texel a thread of 16x16
+constexpr Tile many_each{32, 16}; ///< shaders/common/tile.glsl
 
 /// One version of an image or a buffer.
 struct Handle {
@@ -188,8 +195,8 @@ class Pass {
         push_bytes(std::as_bytes(std::span(&block, 1)));
     }
     void dispatch(std::uint32_t x, std::uint32_t y = 1, std::uint32_t z = 1);
-    /// As many groups of 8x8 as cover the image.
-    void dispatch_over(std::uint32_t width, std::uint32_t height);
+    /// As many groups as cover the image.
+    void dispatch_over(std::uint32_t width, std::uint32_t height, Tile tile = one_each);
     /// Group counts are read from the first 12 bytes of the buffer.
     void dispatch_indirect(Handle buffer);
 

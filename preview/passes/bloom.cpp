@@ -1,5 +1,7 @@
 #include "preview/passes/bloom.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace preview {
@@ -11,6 +13,24 @@ Handle taps_block(Graph& graph, const std::string& name, const std::vector<Bloom
     for (std::size_t i = 0; i < taps.size(); ++i)
         block[i] = {taps[i].x, taps[i].y, taps[i].weight, 0};
     return graph.data_of(name + " taps", block);
+}
+
+/// The weights of a step that bloom_halve.comp can do, by row.
+Handle texel_weights(Graph& graph, const std::string& name, const std::vector<BloomTap>& taps) {
+    std::array<std::array<float, 4>, 4> rows{};
+    for (const BloomTap& tap : taps)
+        rows[static_cast<std::size_t>(tap.y + 1.5F)][static_cast<std::size_t>(tap.x + 1.5F)] +=
+            tap.weight;
+    return graph.data_of(name + " weights", rows);
+}
+
+/// Whether bloom_halve.comp can do it: the taps are single texels of the four by four about the
+/// target's.
+bool halves_by_texels(const BloomStep& step) {
+    const auto on_texel = [](float v) { return std::abs(v) == 0.5F || std::abs(v) == 1.5F; };
+    return step.scale == 2 && !step.karis && step.own < 0 &&
+           std::all_of(step.taps.begin(), step.taps.end(),
+                       [&](const BloomTap& tap) { return on_texel(tap.x) && on_texel(tap.y); });
 }
 
 } // namespace
@@ -30,14 +50,22 @@ BloomLayers add_bloom(Graph& graph, Handle hdr, const BloomPlan& plan, Format wo
         const bool separable = step.axis != BloomStep::Axis::both;
         const Handle target = graph.image(name, {work, width, height});
 
-        Pass pass = graph.compute(name, separable ? "bloom_gaussian.comp" : "bloom_filter.comp");
+        const bool by_texels = !separable && halves_by_texels(step);
+
+        Pass pass = graph.compute(name, separable   ? "bloom_gaussian.comp"
+                                        : by_texels ? "bloom_halve.comp"
+                                                    : "bloom_filter.comp");
         pass.sample(image(step.source), Sampler::linear_clamp);
-        if (!separable)
+        if (!separable && !by_texels)
             pass.read(step.own < 0 ? Handle{} : image(step.own));
-        pass.uniform(taps_block(graph, name, step.taps));
+        pass.uniform(by_texels ? texel_weights(graph, name, step.taps)
+                               : taps_block(graph, name, step.taps));
         images[static_cast<std::size_t>(step.target)] = pass.write(target);
         if (separable) {
             pass.constants({count, step.axis == BloomStep::Axis::x});
+        } else if (by_texels) {
+            pass.constants({step.prefilter});
+            pass.push(std::array{plan.threshold, plan.knee});
         } else {
             pass.constants({count, step.prefilter, step.karis, step.own >= 0});
             pass.push(std::array{step.scale, step.keep, plan.threshold, plan.knee});

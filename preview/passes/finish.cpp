@@ -117,7 +117,7 @@ Finished add_finish(Graph& graph, Handle picture, const BloomLayers& bloom, cons
                                     ((size.height + tile_height - 1) / tile_height);
         pass.dispatch(std::min(tiles, most_groups));
     } else {
-        pass.dispatch_over(size.width, size.height);
+        pass.dispatch_over(size.width, size.height, many_each);
     }
     return out;
 }

@@ -7,7 +7,7 @@ Handle add_fxaa(Graph& graph, Handle picture) {
     Pass pass = graph.compute("fxaa", "fxaa.comp");
     pass.read(picture);
     const Handle out = pass.write(graph.image("antialiased", desc));
-    pass.dispatch_over(desc.width, desc.height);
+    pass.dispatch_over(desc.width, desc.height, many_each);
     return out;
 }
 

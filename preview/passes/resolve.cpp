@@ -11,7 +11,7 @@ Resolved add_resolve(Graph& graph, Handle source, Size size, float exposure) {
     out.hdr = pass.write(graph.image("hdr", {Format::rgba16f, size.width, size.height}));
     out.maximum = pass.modify(zero);
     pass.push(exposure);
-    pass.dispatch_over(size.width, size.height);
+    pass.dispatch_over(size.width, size.height, many_each);
     return out;
 }
 

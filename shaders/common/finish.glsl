@@ -58,8 +58,11 @@ vec3 bloom_at(vec2 at, sampler2D layer, vec4 scale_weight) {
     return textureLod(layer, uv, 0.0).rgb * scale_weight.y;
 }
 
-vec3 bloomed(ivec2 at) {
-    vec3 light = texelFetch(picture, at, 0).rgb;
+vec3 picture_at(ivec2 at) {
+    return texelFetch(picture, at, 0).rgb;
+}
+
+vec3 bloomed(ivec2 at, vec3 light) {
     if (bloom_layers == 0)
         return light;
     vec2 centre = vec2(at) + 0.5;
@@ -86,10 +89,9 @@ vec3 bloomed(ivec2 at) {
     return light + push.strength * (glow - own);
 }
 
-vec3 display_encoded(ivec2 at) {
-    if (tonemap_row < 0)
-        return texelFetch(picture, at, 0).rgb;
-    return tonemap(tonemap_row, bloomed(at) * push.exposure);
+/// `texel` is the picture's at `at`.
+vec3 display_encoded(ivec2 at, vec3 texel) {
+    return tonemap_row < 0 ? texel : tonemap(tonemap_row, bloomed(at, texel) * push.exposure);
 }
 
 // A line two texels wide at 1080 lines, at least one.

@@ -37,11 +37,10 @@ vec3 tonemap_agx(vec3 c) {
     const float low = -12.47393, high = 4.026069;
     vec3 x = clamp((log2(max(inset * c, 1e-10)) - low) / (high - low), 0.0, 1.0);
     vec3 d = x - 10.0 / 16.5;
-    vec3 above = max(d, 0.0), below = max(-d, 0.0);
-    vec3 bend = mix(pow(1.0 + 59.507875 * below * below * below, vec3(-1.0 / 3.0)),
-                    pow(1.0 + 69.86278913545539 * above * above * above * sqrt(sqrt(above)),
-                        vec3(-4.0 / 13.0)),
-                    greaterThan(d, vec3(0.0)));
+    vec3 m = abs(d);
+    bvec3 above = greaterThan(d, vec3(0.0));
+    vec3 bend = pow(1.0 + mix(vec3(59.507875), 69.86278913545539 * sqrt(sqrt(m)), above) * m * m * m,
+                    mix(vec3(-1.0 / 3.0), vec3(-4.0 / 13.0), above));
     return clamp(outset * (0.5 + 2.0 * d * bend), 0.0, 1.0);
 }
 

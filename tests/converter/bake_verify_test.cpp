@@ -50,6 +50,59 @@ TEST_P(BakeEngine, bakes_what_verify_proves_against_opencolorio) {
     EXPECT_LT(figures["lookup"]["absolute_error"]["mean"].get<double>(), 0.01);
 }
 
+TEST_P(BakeEngine, fits_what_verify_finds_no_worse_than_point_samples) {
+    const Folder folder;
+    const std::string look = folder.write("look.cube", saturated_cube(17));
+    const std::string picture = folder.path("strip.png");
+    const std::string engine(GetParam().name);
+    // Sizes that every engine of several takes; 64 nodes are slow to fit under sanitizers.
+    const bool small = GetParam().sizes.empty();
+    std::vector<std::string> words{"bake", look, "-o", picture, "--engine", engine, "--json"};
+    words.push_back("--fit");
+    if (small) {
+        words.insert(words.end(), {"--size", "16"});
+    }
+    const Result baked = lutconv(words);
+    ASSERT_EQ(baked.exit_code, 0) << baked.err;
+    const json figures = json::parse(baked.out);
+    EXPECT_LE(figures["fit"]["result"]["mean"], figures["fit"]["point_sampled"]["mean"]);
+    EXPECT_LE(figures["fit"]["result"]["max"], figures["fit"]["point_sampled"]["max"]);
+    const Result verified = lutconv({"verify", picture, "--against", look, "--samples", "2000"});
+    EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
+    EXPECT_EQ(verified.out.find("the lattice is fitted") != std::string::npos, figures["fitted"]);
+}
+
+TEST(Bake, keeps_a_promise_with_the_smallest_lattice_that_can) {
+    const Folder folder;
+    const std::string look = folder.write("look.cube", saturated_cube(17));
+    const std::string picture = folder.path("strip.png");
+    const auto within = [&](const char* promise) {
+        const Result result =
+            lutconv({"bake", look, "-o", picture, "--max-delta-e", promise, "--json"});
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        const json figures = json::parse(result.out);
+        EXPECT_TRUE(figures["budget"]["kept"]);
+        EXPECT_LE(figures["budget"]["checked_on"]["max"], std::stod(promise));
+        EXPECT_LE(figures["delta_e_2000"]["max"], std::stod(promise));
+        return figures["size"].get<int>();
+    };
+    const int loose = within("4"), tight = within("1");
+    EXPECT_LT(loose, tight);
+    EXPECT_TRUE(std::filesystem::exists(picture));
+}
+
+TEST(Bake, says_that_no_combination_keeps_a_promise_and_which_comes_nearest) {
+    const Folder folder;
+    const std::string look = folder.write("look.cube", saturated_cube(17));
+    const std::string picture = folder.path("strip.png");
+    const Result result =
+        lutconv({"bake", look, "-o", picture, "--engine", "unreal", "--max-delta-e", "0.01"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.out.find("NOTHING KEEPS"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("this comes nearest"), std::string::npos) << result.out;
+    EXPECT_FALSE(std::filesystem::exists(picture));
+}
+
 TEST(Bake, reads_standard_input_and_writes_standard_output) {
     const Folder folder;
     const std::string look = saturated_cube(9);

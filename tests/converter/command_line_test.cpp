@@ -8,20 +8,6 @@
 namespace converter_test {
 namespace {
 
-// The verbs as the program itself lists them, so that a new one is tested unasked.
-std::vector<std::string> verbs() {
-    std::vector<std::string> out;
-    const std::string help = lutconv({"--help"}).out;
-    std::size_t at = help.find("Subcommands:");
-    while ((at = help.find("\n  ", at)) != std::string::npos) {
-        at += 3;
-        if (help[at] != ' ') {
-            out.push_back(help.substr(at, help.find(' ', at) - at));
-        }
-    }
-    return out;
-}
-
 TEST(CommandLine, lists_its_verbs_and_each_has_help_and_refuses_nonsense) {
     const std::vector<std::string> all = verbs();
     ASSERT_GE(all.size(), 5U);

@@ -43,6 +43,19 @@ Result lutconv(const std::vector<std::string>& arguments, const std::string& inp
     return {WEXITSTATUS(status), contents(out), contents(err)};
 }
 
+std::vector<std::string> verbs() {
+    std::vector<std::string> out;
+    const std::string help = lutconv({"--help"}).out;
+    std::size_t at = help.find("Subcommands:");
+    while ((at = help.find("\n  ", at)) != std::string::npos) {
+        at += 3;
+        if (help[at] != ' ') {
+            out.push_back(help.substr(at, help.find(' ', at) - at));
+        }
+    }
+    return out;
+}
+
 Folder::Folder() {
     std::string pattern = (std::filesystem::temp_directory_path() / "lutconv-XXXXXX").string();
     path_ = mkdtemp(pattern.data());

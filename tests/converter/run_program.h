@@ -15,6 +15,9 @@ struct Result {
 /// Runs lutconv with these arguments and this standard input.
 Result lutconv(const std::vector<std::string>& arguments, const std::string& input = "");
 
+/// The verbs as the program itself lists them, so that a new one is tested unasked.
+std::vector<std::string> verbs();
+
 /// A new empty folder, removed with the object.
 class Folder {
   public:

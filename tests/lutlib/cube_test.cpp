@@ -83,6 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
         Oddity{"lone_cr", replaced(plain, "\n", "\r")},
         Oddity{"byte_order_mark", "\xEF\xBB\xBF" + plain},
         Oddity{"unquoted_title", replaced(plain, "\"A look\"", "A look")},
+        Oddity{"title_as_a_comment", replaced(plain, "TITLE", "# TITLE")},
         Oddity{"title_without_closing_quote", replaced(plain, "look\"", "look")},
         Oddity{"comment_behind_a_row", replaced(plain, "0 1 0\n", "0 1 0 # green\n")},
         Oddity{"comment_between_rows", replaced(plain, "0 1 0\n", "# green\n0 1 0\n")},

@@ -1,4 +1,5 @@
 #include "lutlib/interpolation.h"
+#include "lutlib/resample.h"
 #include "lutlib/stiff_suite.h"
 
 #include <gtest/gtest.h>
@@ -74,6 +75,16 @@ TEST_P(EveryStiffLook, gives_finite_colours_for_every_input_with_every_interpola
     const float inputs[] = {nan,     inf,     -inf,  0,      -0.0F, 1e-45F, 1e-38F,
                             -1e30F,  1e30F,   0.25F, 0.499F, 0.5F,  0.501F, 1,
                             d.min.r, d.max.r, 2e5F,  3e-7F,  3e38F, -3e38F, 0.5000005F};
+    for (const ResamplingMethod& method : resampling_methods()) {
+        for (std::size_t i = 0; lut.cube && i < std::size(inputs); ++i) {
+            for (const float b : inputs) {
+                const RgbD out =
+                    method.cube(*lut.cube, {inputs[i], inputs[(i * 5) % std::size(inputs)], b});
+                ASSERT_TRUE(std::isfinite(out.r) && std::isfinite(out.g) && std::isfinite(out.b))
+                    << method.name << " of " << inputs[i] << " " << b;
+            }
+        }
+    }
     for (const InterpolationInfo& how : interpolations()) {
         for (const float r : inputs) {
             for (const float g : inputs) {

@@ -1,13 +1,16 @@
 // Base of the tests that run on a Vulkan device: lavapipe, with the validation layers and
-// synchronisation validation on. Any message of theirs fails the test.
+// synchronisation validation on. Any message of theirs fails the test. The environment variable
+// LUT_TEST_DEVICE names another device.
 #pragma once
 
 #include "preview/graph/execute.h"
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <cstring>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace preview {
@@ -16,8 +19,14 @@ class GpuTest : public testing::Test {
   protected:
     /// One device a program: making one takes longer than most tests.
     static const gpu::Device& device() {
-        static const gpu::Device made({"llvmpipe", true, {}, {}});
+        static const gpu::Device made({wanted_device(), true, {}, {}});
         return made;
+    }
+
+    /// Part of a device's name.
+    static std::string wanted_device() {
+        const char* const wanted = std::getenv("LUT_TEST_DEVICE");
+        return wanted != nullptr ? wanted : "llvmpipe";
     }
 
     void SetUp() override { messages_before_ = device().validation_messages().size(); }

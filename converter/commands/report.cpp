@@ -1,0 +1,153 @@
+// lutconv report: what every way of keeping a look costs in error, time and bytes.
+#include "converter/report.h"
+#include "converter/command.h"
+#include "converter/options.h"
+#include "converter/recipe_options.h"
+#include "converter/survey_page.h"
+#include "lutlib/error.h"
+#include "lutlib/io/file.h"
+#include "lutlib/io/recipe_file.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace converter {
+namespace {
+
+namespace io = lutlib::io;
+
+struct Options {
+    std::string input, suite, output, json, csv, input_encoding, output_encoding;
+    std::vector<int> sizes;
+    double promise = 1;
+};
+
+// A bar on a terminal; nothing where standard error is a file.
+class ProgressBar {
+  public:
+    ~ProgressBar() {
+        if (drawn_) {
+            std::fputs("\r\033[K", stderr);
+        }
+    }
+
+    void draw(double share, const std::string& doing) {
+        const int percent = static_cast<int>(100 * share);
+        if (!terminal_ || (percent == percent_ && doing == doing_)) {
+            return;
+        }
+        percent_ = percent;
+        doing_ = doing;
+        drawn_ = true;
+        constexpr int width = 32;
+        const auto full = static_cast<std::size_t>(width * share);
+        std::fputs(
+            fmt::format("\r[{:<{}}] {:3} % {}\033[K", std::string(full, '#'), width, percent, doing)
+                .c_str(),
+            stderr);
+        std::fflush(stderr);
+    }
+
+  private:
+    const bool terminal_ = isatty(STDERR_FILENO) != 0;
+    bool drawn_ = false;
+    int percent_ = -1;
+    std::string doing_;
+};
+
+struct Report {
+    std::string html, csv, words;
+    nlohmann::ordered_json json;
+};
+
+// A recipe file with its base, or a LUT of any kind as the base of an empty recipe.
+lutlib::Recipe recipe_of(const std::string& path) {
+    if (path != io::standard_stream && io::is_recipe(io::read_file(path))) {
+        return io::read_recipe(path, read_lut);
+    }
+    lutlib::Recipe recipe;
+    io::set_base(recipe, path, read_lut);
+    return recipe;
+}
+
+Report report_on_look(const Options& o) {
+    lutlib::Recipe recipe = recipe_of(o.input);
+    if (!o.input_encoding.empty()) {
+        recipe.input = &encoding_of(o.input_encoding, "--input-encoding");
+    }
+    if (!o.output_encoding.empty()) {
+        recipe.output = &encoding_of(o.output_encoding, "--output-encoding");
+    }
+    ProgressBar bar;
+    lutlib::SurveySettings settings;
+    settings.promise = o.promise;
+    if (!o.sizes.empty()) {
+        settings.sizes = o.sizes;
+        std::for_each(o.sizes.begin(), o.sizes.end(), lutlib::check_cube_size);
+    }
+    const lutlib::Survey survey = lutlib::survey(
+        recipe, settings, [&](double share, const std::string& doing) { bar.draw(share, doing); });
+    const std::string name = std::filesystem::path(io::input_name(o.input)).filename().string();
+    return {survey_html(survey, name), survey_csv(survey),
+            fmt::format("{} combinations\n{}\n", survey.rows.size(), recommendation_text(survey)),
+            survey_json(survey, name)};
+}
+
+Report report_on_suite() {
+    ProgressBar bar;
+    const lutlib::StiffSurvey survey = lutlib::survey_stiff_suite(
+        [&](double share, const std::string& doing) { bar.draw(share, doing); });
+    return {stiff_html(survey), stiff_csv(survey), fmt::format("{} errors\n", survey.rows.size()),
+            stiff_json(survey)};
+}
+
+int run(const Options& o) {
+    if (o.input.empty() == o.suite.empty()) {
+        throw lutlib::UsageError("report takes either a look or --suite stiff");
+    }
+    if (!o.suite.empty() && o.suite != "stiff") {
+        throw lutlib::UsageError("there is no suite '" + o.suite + "'; there is stiff");
+    }
+    if (!(o.promise > 0)) {
+        throw lutlib::UsageError("--max-delta-e must be above 0");
+    }
+    const Report report = o.suite.empty() ? report_on_look(o) : report_on_suite();
+    io::write_file(o.output, report.html);
+    if (!o.json.empty()) {
+        io::write_file(o.json, report.json.dump(2) + "\n");
+    }
+    if (!o.csv.empty()) {
+        io::write_file(o.csv, report.csv);
+    }
+    print(report.words, o.output);
+    return ok;
+}
+
+} // namespace
+
+Run declare_report(CLI::App& app) {
+    const auto o = std::make_shared<Options>();
+    app.add_option("LOOK", o->input, "a LUT or recipe file, or - for standard input");
+    app.add_option("--suite", o->suite, "instead of a look: stiff, errors against stiffness");
+    app.add_option("-o,--output", o->output, "the HTML page, or - for standard output")->required();
+    app.add_option("--json", o->json, "every figure as JSON, into this file");
+    app.add_option("--csv", o->csv, "every figure as CSV, into this file");
+    app.add_option("--sizes", o->sizes,
+                   "only these lattice sizes (default: 8 16 17 25 32 33 49 64 65)");
+    app.add_option("--max-delta-e", o->promise, "what the recommendation must keep, in dE2000")
+        ->capture_default_str();
+    app.add_option("--input-encoding", o->input_encoding,
+                   "what the look's input is: " + encoding_names());
+    app.add_option("--output-encoding", o->output_encoding, "what its results are encoded in");
+    return [o] { return run(*o); };
+}
+
+} // namespace converter

@@ -1,0 +1,24 @@
+// Who finds the visible triangles: the GPU's rasteriser, or compute shaders.
+#pragma once
+
+#include "preview/gpu/device.h"
+#include "preview/passes/pass.h"
+
+#include <span>
+#include <string_view>
+
+namespace preview {
+
+enum class Raster { hardware, compute };
+
+struct RasterChoice {
+    std::string_view name;
+    std::string_view label;
+    /// For a picture of that size. Throws lutlib::UsageError when the device cannot do it.
+    Raster (*on)(const gpu::Device& device, Size size);
+};
+
+/// The first row decides by itself.
+std::span<const RasterChoice> rasters();
+
+} // namespace preview

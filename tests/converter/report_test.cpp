@@ -1,0 +1,106 @@
+#include "tests/converter/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace converter_test {
+namespace {
+
+using nlohmann::json;
+
+std::size_t count(const std::string& text, const std::string& what) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
+        ++found;
+    }
+    return found;
+}
+
+// The page as a browser has it after running its scripts; empty when there is no Chromium.
+std::string opened_in_chromium(const Folder& folder, const std::string& page) {
+    const char* const browser = "/usr/bin/chromium";
+    if (!std::filesystem::exists(browser)) {
+        return {};
+    }
+    const std::string command =
+        std::string("timeout 120 ") + browser +
+        " --headless --no-sandbox --disable-gpu --disable-quic --no-first-run "
+        "--disable-background-networking --disable-component-update --disable-sync "
+        "--user-data-dir='" +
+        folder.path("profile") + "' --dump-dom 'file://" + page + "' 2>/dev/null >'" +
+        folder.path("dom") + "'";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    return contents(folder.path("dom"));
+}
+
+TEST(Report, is_a_page_whose_points_chromium_shows_with_the_figures_of_its_json) {
+    const Folder folder;
+    const std::string look = folder.write("look.cube", saturated_cube(9));
+    const std::string page = folder.path("report.html");
+    const Result result = lutconv({"report", look, "--sizes", "8", "16", "-o", page, "--json",
+                                   folder.path("r.json"), "--csv", folder.path("r.csv")});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("Take "), std::string::npos) << result.out;
+
+    const json figures = json::parse(contents(folder.path("r.json")));
+    const std::size_t rows = figures["rows"].size();
+    EXPECT_GT(rows, 100u);
+    EXPECT_EQ(count(contents(folder.path("r.csv")), "\n"), rows + 1);
+    EXPECT_FALSE(figures["machine"].get<std::string>().empty());
+    std::size_t front = 0;
+    for (const json& row : figures["rows"]) {
+        front += row["on_front"].get<bool>();
+        EXPECT_EQ(row["on_front"].get<bool>(), !row.contains("dominated_by"));
+    }
+    EXPECT_GT(front, 0u);
+    EXPECT_LT(front, rows);
+
+    const std::string source = contents(page);
+    // Self-contained: nothing is loaded.
+    EXPECT_EQ(source.find("http"), std::string::npos);
+    EXPECT_EQ(source.find("src="), std::string::npos);
+    EXPECT_EQ(source.find(">nan<"), std::string::npos);
+    EXPECT_EQ(source.find("nan\""), std::string::npos);
+
+    const std::string dom = opened_in_chromium(folder, page);
+    if (dom.empty()) {
+        GTEST_SKIP()
+            << "there is no /usr/bin/chromium to open the page in (Debian package chromium)";
+    }
+    // Five views of two plots with a point for each combination, and a row of the table.
+    EXPECT_EQ(count(dom, "data-row=\""), 10 * rows);
+    EXPECT_EQ(count(dom, "<tr id=\"row-"), rows);
+    EXPECT_EQ(count(dom, "class=\"front\""), 10u);
+    EXPECT_EQ(count(dom, "class=\"mark best\""), 10u);
+    // The script ran: headings have become buttons that sort.
+    EXPECT_GT(count(dom, "role=\"button\""), 10u);
+}
+
+TEST(Report, plots_the_stiff_suite) {
+    const Folder folder;
+    const std::string page = folder.path("stiff.html");
+    const Result result =
+        lutconv({"report", "--suite", "stiff", "-o", page, "--json", folder.path("s.json")});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const json figures = json::parse(contents(folder.path("s.json")));
+    ASSERT_GT(figures["rows"].size(), 100u);
+    for (const json& row : figures["rows"]) {
+        EXPECT_TRUE(row["error"]["max"].is_number()) << row;
+        EXPECT_TRUE(row["stiffness"].is_number()) << row;
+    }
+    EXPECT_EQ(count(contents(page), "data-row=\""), 3 * figures["rows"].size());
+}
+
+TEST(Report, wants_a_look_or_a_suite) {
+    EXPECT_EQ(lutconv({"report", "-o", "-"}).exit_code, 3);
+    EXPECT_EQ(lutconv({"report", "--suite", "soft", "-o", "-"}).exit_code, 3);
+}
+
+} // namespace
+} // namespace converter_test

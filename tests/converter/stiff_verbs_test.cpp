@@ -1,0 +1,156 @@
+// Every verb and every interpolation over the suite of stiff and extreme looks: a defined answer or
+// a clear error, never a crash, never a silent NaN.
+#include "lutlib/formats/cube.h"
+#include "lutlib/interpolation.h"
+#include "lutlib/io/formats.h"
+#include "lutlib/resample.h"
+#include "lutlib/stiff_suite.h"
+#include "tests/converter/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+namespace converter_test {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+struct Runs {
+    std::vector<Arguments> each;
+    int highest_exit_code;
+};
+
+// What follows a verb's name. A verb without a row is run on the look, with a .cube to write; it
+// may say that it is used otherwise.
+Runs runs_of(const std::string& verb, const std::string& look, const Folder& folder) {
+    const std::string cube = folder.path(verb + ".cube"), png = folder.path(verb + ".png");
+    const std::string baked = folder.path("bake.png");
+    const std::map<std::string, std::vector<Arguments>> rows{
+        {"bake", {{look, "-o", png}, {look, "-o", png, "--engine", "unreal", "--explain"}}},
+        {"verify", {{baked, "--against", look, "--samples", "1000"}}},
+        {"check",
+         {{look}, {look, "--explain", "--json"}, {look, "--repair", "--clamp", "-o", cube}}},
+        {"convert", {{look, "-o", cube, "--explain"}, {look, "-o", folder.path("convert.csp")}}},
+        {"edit", {{look, "--contrast", "1.2", "--saturation", "1.1", "--size", "9", "-o", cube}}},
+        {"resample", {{look, "--size", "9", "-o", cube}}},
+        {"compose", {{look, look, "--size", "9", "-o", cube}}},
+        {"invert", {{look, "--size", "5", "-o", cube}}},
+        {"blend", {{look, look, "--size", "9", "-o", cube}}},
+        {"compare", {{look, "identity", "--samples", "1000"}}},
+        {"apply", {{look, baked, "-o", png}}},
+        {"info", {{look}, {look, "--json"}}},
+        {"eval", {{look, "0.5", "0.25", "1", "nan", "inf", "-inf", "-0", "1e30", "1e-45"}}},
+        {"identity", {{"--size", "5", "-o", cube}}},
+    };
+    const auto row = rows.find(verb);
+    return row == rows.end() ? Runs{{{look, "-o", cube}}, 3} : Runs{row->second, 2};
+}
+
+// Those that the verb's own help offers. verify's oracle knows no nearest node, and says so.
+std::vector<std::string> interpolations_of(const std::string& verb) {
+    const std::string help = lutconv({verb, "--help"}).out;
+    const std::size_t at = help.find("--interpolation");
+    std::vector<std::string> out;
+    if (at == std::string::npos) {
+        return out;
+    }
+    const std::string text = help.substr(at, help.find("\n  -", at) - at);
+    for (const lutlib::InterpolationInfo& row : lutlib::interpolations()) {
+        if (text.find(" " + std::string(row.name)) != std::string::npos &&
+            !(verb == "verify" && row.kind == lutlib::Interpolation::nearest)) {
+            out.emplace_back(row.name);
+        }
+    }
+    for (const lutlib::ResamplingMethod& row : lutlib::resampling_methods()) {
+        const std::string name(row.name);
+        if (text.find(" " + name) != std::string::npos &&
+            std::find(out.begin(), out.end(), name) == out.end()) {
+            out.push_back(name);
+        }
+    }
+    EXPECT_GE(out.size(), 2U) << verb;
+    return out;
+}
+
+bool says_nan(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (std::size_t at = text.find("nan"); at != std::string::npos;
+         at = text.find("nan", at + 1)) {
+        const bool begins = at == 0 || !std::isalpha(static_cast<unsigned char>(text[at - 1]));
+        const bool ends =
+            at + 3 == text.size() || !std::isalpha(static_cast<unsigned char>(text[at + 3]));
+        if (begins && ends) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void run_and_judge(const std::string& verb, const Arguments& arguments, int highest_exit_code,
+                   const Folder& folder) {
+    Arguments words{verb};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::string line = "lutconv";
+    for (const std::string& word : words) {
+        line += " " + word;
+    }
+    SCOPED_TRACE(line);
+    const Result result = lutconv(words);
+    EXPECT_GE(result.exit_code, 0);
+    EXPECT_LE(result.exit_code, highest_exit_code) << result.err;
+    EXPECT_FALSE(says_nan(result.out)) << result.out;
+    if (result.exit_code >= 2) {
+        EXPECT_EQ(result.err.rfind("lutconv: ", 0), 0U) << "an error without words";
+        return;
+    }
+    // What was written is read again, which refuses values that are no numbers.
+    const std::string cube = folder.path(verb + ".cube");
+    const std::vector<std::string> names = folder.names();
+    if (std::find(names.begin(), names.end(), verb + ".cube") != names.end()) {
+        EXPECT_NO_THROW(lutlib::io::read_lut(cube));
+    }
+    if (verb == "eval") {
+        EXPECT_EQ(result.exit_code, 0);
+        EXPECT_EQ(result.out.find("inf"), std::string::npos) << result.out;
+    }
+}
+
+class EveryVerb : public testing::TestWithParam<lutlib::StiffLook> {};
+INSTANTIATE_TEST_SUITE_P(Suite, EveryVerb,
+                         testing::ValuesIn(lutlib::stiff_suite().begin(),
+                                           lutlib::stiff_suite().end()),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST_P(EveryVerb, gives_a_defined_answer_or_a_clear_error) {
+    const lutlib::Lut lut = GetParam().make();
+    const Folder folder;
+    const std::string look = folder.write("look.cube", write_cube(lut, best_dialect(lut)));
+    const std::vector<std::string> all = verbs();
+    ASSERT_GE(all.size(), 10U);
+    // Of the largest files one run of each verb is enough for a test that is run often.
+    const bool large = lut.cube && lut.cube->size > 65;
+    for (const std::string& verb : all) {
+        const Runs runs = runs_of(verb, look, folder);
+        for (const Arguments& arguments : runs.each) {
+            run_and_judge(verb, arguments, runs.highest_exit_code, folder);
+            if (large) {
+                break;
+            }
+        }
+        for (const std::string& how : large ? Arguments{} : interpolations_of(verb)) {
+            Arguments arguments = runs.each.front();
+            const Arguments option{"--interpolation", how};
+            // Behind eval's LUT come its colours.
+            arguments.insert(arguments.begin() + (verb == "eval" ? 1 : 0), option.begin(),
+                             option.end());
+            run_and_judge(verb, arguments, runs.highest_exit_code, folder);
+        }
+    }
+}
+
+} // namespace
+} // namespace converter_test

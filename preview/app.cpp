@@ -191,7 +191,12 @@ void App::set_callbacks() {
     glfwSetCursorPosCallback(window_.handle, [](GLFWwindow* w, double, double) { of(w).wake(); });
     glfwSetMouseButtonCallback(window_.handle, [](GLFWwindow* w, int, int, int) { of(w).wake(); });
     glfwSetScrollCallback(window_.handle, [](GLFWwindow* w, double, double) { of(w).wake(); });
-    glfwSetKeyCallback(window_.handle, [](GLFWwindow* w, int, int, int, int) { of(w).wake(); });
+    glfwSetKeyCallback(window_.handle, [](GLFWwindow* w, int key, int, int action, int mods) {
+        of(w).wake();
+        if (action == GLFW_PRESS)
+            of(w).ui_.pressed.push_back(
+                {key, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0});
+    });
     glfwSetCharCallback(window_.handle, [](GLFWwindow* w, unsigned) { of(w).wake(); });
     glfwSetDropCallback(window_.handle, [](GLFWwindow* window, int count, const char** paths) {
         of(window).wake();

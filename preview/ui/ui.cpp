@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace preview::ui {
 
@@ -161,12 +162,14 @@ void dialogs(Ui& ui) {
 void handle_shortcuts(Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
     ui.held = nullptr;
+    const std::vector<KeyPress> pressed = std::exchange(ui.pressed, {});
     if (io.WantTextInput)
         return;
-    for (const Shortcut& shortcut : shortcuts)
-        if (ImGui::IsKeyPressed(shortcut.key, false) && io.KeyCtrl == shortcut.ctrl &&
-            io.KeyShift == shortcut.shift)
-            shortcut.action(ui);
+    for (const KeyPress& press : pressed)
+        for (const Shortcut& shortcut : shortcuts)
+            if (press.key == shortcut.key && press.ctrl == shortcut.ctrl &&
+                press.shift == shortcut.shift)
+                shortcut.action(ui);
     if (!io.KeyCtrl && ImGui::IsKeyDown(GLFW_KEY_A))
         ui.held = &compares[0];
     if (!io.KeyCtrl && ImGui::IsKeyDown(GLFW_KEY_B))

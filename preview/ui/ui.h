@@ -33,6 +33,12 @@ struct Facts {
     std::string explanation; ///< a line for each pass, kept or left out, and why
 };
 
+/// A key of GLFW's that went down.
+struct KeyPress {
+    int key = 0;
+    bool ctrl = false, shift = false;
+};
+
 struct Ui {
     explicit Ui(State first) : history(std::move(first)) {}
 
@@ -43,6 +49,8 @@ struct Ui {
     bool shows_help = false;
     bool shows_passes = false;     ///< set by the passes panel while it is seen: timings are wanted
     const Compare* held = nullptr; ///< shown instead while a key is held
+    /// Since the last frame: no press is lost, however short.
+    std::vector<KeyPress> pressed;
     /// Files to open as look or picture, for the program to take.
     std::vector<std::string> to_open;
     /// Waits for "replace?"; empty: nothing does.

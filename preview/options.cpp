@@ -140,6 +140,15 @@ FrameSettings settings_of(const Options& options, Size input_size) {
     return settings;
 }
 
+Orbit orbit_of(const Options& options, const Scene& scene) {
+    Orbit orbit = scene.orbit;
+    orbit.azimuth += options.azimuth;
+    orbit.elevation += options.elevation;
+    orbit.distance += options.distance;
+    orbit.field_of_view += options.field_of_view;
+    return orbit;
+}
+
 Raster raster_of(const Options& options, const gpu::Device& device, Size size) {
     return require_row(rasters(), options.raster, "rasteriser")->on(device, size);
 }

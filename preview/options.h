@@ -36,6 +36,9 @@ void declare(CLI::App& app, Options& options);
 /// Throws lutlib::UsageError for names that no table has, with those that it has.
 FrameSettings settings_of(const Options& options, Size input_size);
 
+/// The scene's camera, moved as the options say.
+Orbit orbit_of(const Options& options, const Scene& scene);
+
 /// Which rasteriser the options choose for the device. Throws lutlib::UsageError for a name that no
 /// row has, and where the device cannot do it.
 Raster raster_of(const Options& options, const gpu::Device& device, Size size);

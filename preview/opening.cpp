@@ -17,13 +17,13 @@ void open_looks(ui::State& state, const Options& options) {
 } // namespace
 
 void take_shown(ui::State& state, const Shown& shown, const Options& options) {
-    state.fxaa = shown.scene.has_value();
+    state.without.set(Effect::fxaa, !shown.scene);
     if (shown.scene)
         state.orbit = orbit_of(options, *shown.scene);
 }
 
 ui::State opening_state(const Shown& shown, const Options& options) {
-    const FrameSettings given = settings_of(options, {});
+    const FrameSettings given = settings_of(options, shown.picture_size);
     ui::State state = ui::initial_state();
     state.tonemap = given.tonemap;
     state.bloom = given.bloom;
@@ -34,8 +34,7 @@ ui::State opening_state(const Shown& shown, const Options& options) {
     if (!options.compare.empty())
         state.compare = given.compare;
     take_shown(state, shown, options);
-    if (options.fxaa_given)
-        state.fxaa = options.fxaa;
+    state.without = given.without;
     for (const Lookup* row : ui::engine_lookups())
         if (row->name == options.engine)
             for (ui::Side& side : state.sides)

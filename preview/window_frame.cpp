@@ -9,6 +9,7 @@ namespace {
 /// Whether both frames have the same HDR picture.
 bool same_light(const FrameSettings& a, const FrameSettings& b) {
     return std::memcmp(&a.orbit, &b.orbit, sizeof a.orbit) == 0 && a.exposure == b.exposure &&
+           a.without == b.without &&
            picture_size(a.output, *a.compare) == picture_size(b.output, *b.compare);
 }
 
@@ -36,7 +37,7 @@ FrameSettings window_settings(const ui::Ui& ui, const Shown& shown, const Option
     settings.compare = ui.held != nullptr ? ui.held : state.compare;
     settings.split = state.split;
     settings.heat_scale = state.heat_scale;
-    settings.fxaa = state.fxaa;
+    settings.without = state.without;
     settings.shadow_size = options.shadow_size;
     settings.force_all = options.force_all;
     return settings;

@@ -25,8 +25,9 @@ struct PassTime {
 /// What the panels show and do not change.
 struct Facts {
     std::string device, input;
-    bool is_scene = true;         ///< there is a camera to move
-    bool display_encoded = false; ///< there is nothing to tone map
+    std::vector<std::string> left_out; ///< of the input, by its import
+    bool is_scene = true;              ///< there is a camera to move
+    bool display_encoded = false;      ///< there is nothing to tone map
     double bake_milliseconds = 0;
     std::optional<DifferenceFigures> figures; ///< of the frame, when it compares by difference
     std::vector<PassTime> passes;
@@ -46,6 +47,7 @@ struct Ui {
     Facts facts;
     std::vector<std::string> errors; ///< shown until they are closed
     std::string report;              ///< of the last export
+    bool wants_new_screen = false;   ///< everything on the GPU shall be made anew
     bool shows_help = false;
     bool shows_passes = false;     ///< set by the passes panel while it is seen: timings are wanted
     const Compare* held = nullptr; ///< shown instead while a key is held
@@ -74,6 +76,7 @@ Rect draw(Ui& ui);
 // The parts.
 void look_panel(Ui& ui);
 void view_panel(Ui& ui);
+void scene_panel(Ui& ui);
 void file_panel(Ui& ui);
 void passes_panel(Ui& ui);
 void dialogs(Ui& ui);

@@ -7,6 +7,7 @@
 #include "preview/overlay.h"
 #include "preview/shown.h"
 #include "preview/ui/commands.h"
+#include "preview/ui/input.h"
 #include "preview/ui/look_baker.h"
 #include "preview/ui/ui.h"
 
@@ -110,7 +111,7 @@ class App {
     void open(const std::string& path);
     void show(Shown shown);
     void resize_if_asked();
-    void frame();
+    void frame(const std::vector<ui::InputEvent>& events);
     void request_looks();
     void take_looks();
     void render(const ui::Rect& area);
@@ -126,6 +127,7 @@ class App {
     Executor executor_;
     Shown shown_;
     std::array<LookSlot, 2> looks_;
+    ui::InputQueue input_;
     ui::Ui ui_;
     ui::LookRequest requested_;
     bool baking_ = false;
@@ -187,17 +189,29 @@ void App::set_callbacks() {
     glfwSetWindowUserPointer(window_.handle, this);
     glfwSetFramebufferSizeCallback(window_.handle,
                                    [](GLFWwindow* window, int, int) { of(window).resize_ = true; });
-    // Dear ImGui calls these after its own.
-    glfwSetCursorPosCallback(window_.handle, [](GLFWwindow* w, double, double) { of(w).wake(); });
-    glfwSetMouseButtonCallback(window_.handle, [](GLFWwindow* w, int, int, int) { of(w).wake(); });
-    glfwSetScrollCallback(window_.handle, [](GLFWwindow* w, double, double) { of(w).wake(); });
-    glfwSetKeyCallback(window_.handle, [](GLFWwindow* w, int key, int, int action, int mods) {
-        of(w).wake();
-        if (action == GLFW_PRESS)
-            of(w).ui_.pressed.push_back(
-                {key, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0});
+    using Kind = ui::InputEvent::Kind;
+    glfwSetCursorPosCallback(window_.handle, [](GLFWwindow* w, double x, double y) {
+        of(w).input_.push({Kind::move, static_cast<float>(x), static_cast<float>(y)});
     });
-    glfwSetCharCallback(window_.handle, [](GLFWwindow* w, unsigned) { of(w).wake(); });
+    glfwSetCursorEnterCallback(window_.handle, [](GLFWwindow* w, int entered) {
+        // A drag goes on outside; its moves keep coming.
+        if (entered == GLFW_FALSE && !ImGui::IsAnyMouseDown())
+            of(w).input_.push({Kind::move, ui::far_away, ui::far_away});
+    });
+    glfwSetScrollCallback(window_.handle, [](GLFWwindow* w, double x, double y) {
+        of(w).input_.push({Kind::wheel, static_cast<float>(x), static_cast<float>(y)});
+    });
+    glfwSetMouseButtonCallback(window_.handle, [](GLFWwindow* w, int button, int action, int) {
+        of(w).input_.push({Kind::button, 0, 0, button, 0, 0, action == GLFW_PRESS});
+    });
+    glfwSetKeyCallback(window_.handle,
+                       [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
+                           of(w).input_.push({Kind::key, 0, 0, key, scancode, modifiers,
+                                              action != GLFW_RELEASE, action == GLFW_REPEAT});
+                       });
+    glfwSetCharCallback(window_.handle, [](GLFWwindow* w, unsigned character) {
+        of(w).input_.push({Kind::character, 0, 0, static_cast<int>(character)});
+    });
     glfwSetDropCallback(window_.handle, [](GLFWwindow* window, int count, const char** paths) {
         of(window).wake();
         for (int i = 0; i < count; ++i)
@@ -232,7 +246,7 @@ void App::open(const std::string& path) {
 }
 
 void App::run() {
-    while (glfwWindowShouldClose(window_.handle) == GLFW_FALSE) {
+    while (glfwWindowShouldClose(window_.handle) == GLFW_FALSE && !ui_.quits) {
         if (frames_due_ > 0) {
             glfwPollEvents();
         } else {
@@ -245,8 +259,11 @@ void App::run() {
             frames_due_ = 0;
             continue;
         }
+        const std::vector<ui::InputEvent> events = input_.next_frame();
+        if (!events.empty())
+            wake();
         --frames_due_;
-        frame();
+        frame(events);
     }
     for (const std::string& message : device_.validation_messages())
         std::fprintf(stderr, "lutpreview: %s\n", message.c_str());
@@ -262,11 +279,15 @@ void App::resize_if_asked() {
     resize_ = false;
 }
 
-void App::frame() {
+void App::frame(const std::vector<ui::InputEvent>& events) {
     resize_if_asked();
     for (const std::string& path : std::exchange(ui_.to_open, {}))
         ui::attempt(ui_, [&] { open(path); });
-    overlay_->begin_frame();
+    for (const ui::InputEvent& event : events)
+        if (event.kind == ui::InputEvent::Kind::key && event.down && !event.repeats)
+            ui_.pressed.push_back({event.code, (event.modifiers & GLFW_MOD_CONTROL) != 0,
+                                   (event.modifiers & GLFW_MOD_SHIFT) != 0});
+    overlay_->begin_frame(events);
     const ui::Rect area = ui::draw(ui_);
     ImGui::Render();
     if (!ImGui::IsAnyItemActive())
@@ -416,7 +437,10 @@ void App::learn_from(const Graph& graph, const FrameSettings& settings, Size pic
 void App::write_places() const {
     if (options_.places.empty())
         return;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
     std::string text = fmt::format("frame {} 0 0 0\n", ImGui::GetFrameCount());
+    if (ImGui::IsMousePosValid(&mouse))
+        text += fmt::format("mouse {:.0f} {:.0f} 0 0\n", mouse.x, mouse.y);
     for (const auto& [name, place] : ui_.places)
         text += fmt::format("{} {:.0f} {:.0f} {:.0f} {:.0f}\n", name, place.x, place.y, place.width,
                             place.height);

@@ -48,7 +48,8 @@ void check(VkResult result) {
 
 Overlay::Overlay(const gpu::Device& device, GLFWwindow* window, vk::Format format,
                  std::string settings_path)
-    : device_(device), settings_path_(std::move(settings_path)), descriptors_(make_pool(device)),
+    : device_(device), window_(window), mouse_x_(ui::far_away), mouse_y_(ui::far_away),
+      settings_path_(std::move(settings_path)), descriptors_(make_pool(device)),
       pass_(make_pass(device, format)) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
@@ -63,7 +64,7 @@ Overlay::Overlay(const gpu::Device& device, GLFWwindow* window, vk::Format forma
     style.ScaleAllSizes(scale);
     load_font(scale);
 
-    ImGui_ImplGlfw_InitForVulkan(window, true);
+    ImGui_ImplGlfw_InitForVulkan(window, false);
     ImGui_ImplVulkan_InitInfo info{};
     info.Instance = *device.instance();
     info.PhysicalDevice = *device.physical();
@@ -111,9 +112,42 @@ void Overlay::set_targets(const gpu::Swapchain& swapchain) {
     }
 }
 
-void Overlay::begin_frame() {
+void Overlay::feed(const ui::InputEvent& event) {
+    using Kind = ui::InputEvent::Kind;
+    ImGuiIO& io = ImGui::GetIO();
+    switch (event.kind) {
+    case Kind::move:
+        mouse_x_ = event.x;
+        mouse_y_ = event.y;
+        break;
+    case Kind::wheel:
+        io.MouseWheelH += event.x;
+        io.MouseWheel += event.y;
+        break;
+    case Kind::button:
+        if (const auto index = static_cast<std::size_t>(event.code); index < buttons_.size())
+            buttons_[index] = event.down;
+        break;
+    case Kind::key:
+        ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode,
+                                   event.down ? GLFW_PRESS : GLFW_RELEASE, event.modifiers);
+        break;
+    case Kind::character:
+        io.AddInputCharacter(static_cast<unsigned>(event.code));
+        break;
+    }
+}
+
+void Overlay::begin_frame(const std::vector<ui::InputEvent>& events) {
+    for (const ui::InputEvent& event : events)
+        feed(event);
     ImGui_ImplVulkan_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    // The backend looks at where the mouse is now; the events tell where it was.
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = {mouse_x_, mouse_y_};
+    for (std::size_t i = 0; i < buttons_.size(); ++i)
+        io.MouseDown[i] = buttons_[i];
     ImGui::NewFrame();
 }
 

@@ -2,8 +2,11 @@
 #pragma once
 
 #include "preview/gpu/swapchain.h"
+#include "preview/ui/input.h"
 
+#include <array>
 #include <string>
+#include <vector>
 
 struct GLFWwindow;
 
@@ -11,8 +14,7 @@ namespace preview {
 
 class Overlay {
   public:
-    /// `settings_path`: where the layout is remembered; empty: nowhere. The window's callbacks
-    /// must have been set before.
+    /// `settings_path`: where the layout is remembered; empty: nowhere.
     Overlay(const gpu::Device& device, GLFWwindow* window, vk::Format format,
             std::string settings_path);
     ~Overlay();
@@ -21,7 +23,8 @@ class Overlay {
 
     /// After every Swapchain::resize().
     void set_targets(const gpu::Swapchain& swapchain);
-    void begin_frame();
+    /// With what happened since the last one.
+    void begin_frame(const std::vector<ui::InputEvent>& events);
     /// What was drawn since begin_frame(), over an image that stands in eTransferDstOptimal; leaves
     /// it ready to be presented.
     void record(const vk::raii::CommandBuffer& commands, std::uint32_t image) const;
@@ -31,8 +34,12 @@ class Overlay {
 
   private:
     void load_font(float scale);
+    void feed(const ui::InputEvent& event);
 
     const gpu::Device& device_;
+    GLFWwindow* window_;
+    float mouse_x_, mouse_y_; ///< beyond the window when the mouse is
+    std::array<bool, 5> buttons_{};
     std::string settings_path_, notice_;
     vk::raii::DescriptorPool descriptors_;
     vk::raii::RenderPass pass_;

@@ -47,6 +47,7 @@ struct Ui {
     std::vector<std::string> errors; ///< shown until they are closed
     std::string report;              ///< of the last export
     bool shows_help = false;
+    bool quits = false;
     bool shows_passes = false;     ///< set by the passes panel while it is seen: timings are wanted
     const Compare* held = nullptr; ///< shown instead while a key is held
     /// Since the last frame: no press is lost, however short.

@@ -1,315 +1,207 @@
-// The window as a person uses it: real mouse and key events from xdotool on a virtual X server.
-//
-// The server keeps its screen in a file in XWD format, which this test looks at. The program tells
-// where its controls are (--places).
-#include <gtest/gtest.h>
+// The window as a person uses it: real mouse and key events on a virtual X server, and a look at
+// its screen.
+#include "tests/preview/window_fixture.h"
 
-#include <fcntl.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <chrono>
-#include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <map>
-#include <memory>
-#include <sstream>
-#include <string>
-#include <thread>
-#include <vector>
-
+namespace desktop {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace std::chrono_literals;
 
-constexpr auto patience = 60s; // software rendering on a machine that does other things too
-// Columns beside the split line that antialiasing may mix: it follows edges across the line.
-constexpr std::size_t fxaa_reach = 40;
-
-/// Ends with the object.
-class Process {
-  public:
-    Process(const std::vector<std::string>& words, const fs::path& folder, int inherited = -1) {
-        id_ = fork();
-        if (id_ != 0)
-            return;
-        if (chdir(folder.c_str()) != 0)
-            _exit(126);
-        const int log = open("log.txt", O_WRONLY | O_CREAT | O_APPEND, 0600);
-        dup2(log, STDERR_FILENO);
-        dup2(inherited >= 0 ? inherited : log, STDOUT_FILENO);
-        std::vector<char*> arguments;
-        for (const std::string& word : words)
-            arguments.push_back(const_cast<char*>(word.c_str()));
-        arguments.push_back(nullptr);
-        execvp(arguments[0], arguments.data());
-        _exit(127);
-    }
-    ~Process() {
-        if (is_running())
-            kill(id_, SIGTERM);
-        wait();
-    }
-    Process(const Process&) = delete;
-    Process& operator=(const Process&) = delete;
-
-    bool is_running() {
-        if (!ended_ && waitpid(id_, &status_, WNOHANG) == id_)
-            ended_ = true;
-        return !ended_;
-    }
-    int wait() {
-        if (!ended_)
-            waitpid(id_, &status_, 0);
-        ended_ = true;
-        return WIFEXITED(status_) ? WEXITSTATUS(status_) : -1;
-    }
-
-  private:
-    pid_t id_ = -1;
-    bool ended_ = false;
-    int status_ = 0;
-};
-
-struct Place {
-    int x = 0, y = 0, width = 0, height = 0;
-    /// A point at these shares of the width and height.
-    std::pair<int, int> at(double across, double down) const {
-        return {x + static_cast<int>(across * width), y + static_cast<int>(down * height)};
-    }
-};
-
-/// Rows of 32-bit pixels.
-struct Screen {
-    std::size_t width = 0, height = 0;
-    std::vector<std::uint32_t> pixels;
-
-    /// The share of pixels that differ between columns `left` and `right`.
-    double changed(const Screen& other, std::size_t left, std::size_t right) const {
-        std::size_t count = 0;
-        for (std::size_t y = 0; y < height; ++y)
-            for (std::size_t x = left; x < right; ++x)
-                count += pixels[y * width + x] != other.pixels[y * width + x] ? 1 : 0;
-        return static_cast<double>(count) / static_cast<double>(height * (right - left));
-    }
-};
-
-class Window : public ::testing::Test {
-  protected:
-    void SetUp() override {
-        char name[] = "/tmp/lutpreview_window_XXXXXX";
-        folder_ = mkdtemp(name);
-        int ends[2];
-        ASSERT_EQ(pipe(ends), 0);
-        server_ = std::make_unique<Process>(
-            std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", "1280x720x24",
-                                     "-fbdir", folder_.string(), "-nolisten", "tcp"},
-            folder_, ends[1]);
-        close(ends[1]);
-        std::string number;
-        for (char c = 0; read(ends[0], &c, 1) == 1 && c != '\n';)
-            number += c;
-        close(ends[0]);
-        ASSERT_FALSE(number.empty()) << "Xvfb did not start: " << log();
-        setenv("DISPLAY", (":" + number).c_str(), 1);
-        setenv("XDG_CONFIG_HOME", folder_.c_str(), 1);
-        fs::copy_file(fs::path(LUT_LOOKS_FOLDER) / "warm_teal.cube", folder_ / "look.cube");
-    }
-    void TearDown() override {
-        program_.reset();
-        server_.reset();
-        if (HasFailure())
-            std::fputs(log().c_str(), stderr);
-        fs::remove_all(folder_);
-    }
-
-    void start(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), LUTPREVIEW);
-        for (const char* word : {"--size", "1280x720", "--places", "places.txt", "--validate"})
-            arguments.emplace_back(word);
-        program_ = std::make_unique<Process>(arguments, folder_);
-        place("tab.Look");
-        settle(0);
-    }
-
-    std::string log() const {
-        std::stringstream text;
-        text << std::ifstream(folder_ / "log.txt").rdbuf();
-        return text.str();
-    }
-
-    bool eventually(const std::function<bool()>& holds) {
-        const auto end = std::chrono::steady_clock::now() + patience;
-        while (!holds()) {
-            if (std::chrono::steady_clock::now() > end || (program_ && !program_->is_running()))
-                return false;
-            std::this_thread::sleep_for(50ms);
-        }
-        return true;
-    }
-
-    std::map<std::string, Place> places() const {
-        std::map<std::string, Place> out;
-        std::ifstream file(folder_ / "places.txt");
-        std::string name;
-        Place place;
-        for (std::string line; std::getline(file, line);) {
-            std::istringstream words(line);
-            if (words >> name >> place.x >> place.y >> place.width >> place.height)
-                out[name] = place;
-        }
-        return out;
-    }
-    /// Waits for the control to be there.
-    Place place(const std::string& name) {
-        EXPECT_TRUE(eventually([&] { return places().count(name) == 1; })) << name;
-        return places()[name];
-    }
-
-    /// The number of the last frame that was drawn.
-    int frame() const {
-        const auto all = places();
-        const auto found = all.find("frame");
-        return found == all.end() ? 0 : found->second.x;
-    }
-    /// Waits until nothing is left to draw after frame `before`, and nothing follows.
-    void settle(int before) {
-        eventually([&] { return frame() > before; });
-        for (int last = -1, now = frame(); now != last; now = frame()) {
-            last = now;
-            std::this_thread::sleep_for(200ms);
-        }
-    }
-    /// An event, and the frames that it leads to: a hand is slower than they are too.
-    void xdotool(std::vector<std::string> words) {
-        const int before = frame();
-        words.insert(words.begin(), "xdotool");
-        EXPECT_EQ(Process(words, folder_).wait(), 0) << words[1];
-        settle(before);
-    }
-    void move_to(std::pair<int, int> at) {
-        xdotool({"mousemove", std::to_string(at.first), std::to_string(at.second)});
-    }
-    void press(std::pair<int, int> at) {
-        move_to(at);
-        xdotool({"mousedown", "1"});
-    }
-    void release() { xdotool({"mouseup", "1"}); }
-    void click(const std::string& name) {
-        press(place(name).at(0.5, 0.5));
-        release();
-    }
-    void key(const std::string& name) { xdotool({"key", name}); }
-
-    /// The screen once it stands still, the mouse out of the way.
-    Screen screen() {
-        move_to({1200 + parked_, 600});
-        parked_ = 1 - parked_; // a move to the same place is no event
-        return grab();
-    }
-
-    int verify(const std::string& strip) {
-        return Process({LUTCONV, "verify", strip, "--against", "look.cube"}, folder_).wait();
-    }
-
-    std::size_t picture_width() { return static_cast<std::size_t>(place("picture").width); }
-
-    Screen grab() const {
-        std::ifstream file(folder_ / "Xvfb_screen0", std::ios::binary);
-        std::stringstream all;
-        all << file.rdbuf();
-        const std::string bytes = all.str();
-        const auto word = [&](std::size_t index) {
-            std::uint32_t value = 0;
-            for (std::size_t i = 0; i < 4; ++i)
-                value = value << 8U | static_cast<std::uint8_t>(bytes[4 * index + i]);
-            return value;
-        };
-        // XWDFileHeader: 0 header_size, 4 width, 5 height, 12 bytes_per_line, 19 ncolors.
-        Screen out;
-        out.width = word(4);
-        out.height = word(5);
-        const std::size_t start = word(0) + std::size_t{12} * word(19);
-        for (std::size_t y = 0; y < out.height; ++y)
-            for (std::size_t x = 0; x < out.width; ++x) {
-                std::uint32_t pixel = 0;
-                std::memcpy(&pixel, bytes.data() + start + y * word(12) + 4 * x, 4);
-                out.pixels.push_back(pixel & 0xffffffU);
-            }
-        return out;
-    }
-
-    fs::path folder_;
-    int parked_ = 0;
-    std::unique_ptr<Process> server_, program_;
-};
-
-TEST_F(Window, opens_a_look_edits_a_curve_moves_the_split_undoes_and_exports_a_right_strip) {
-    start({});
+TEST_F(Window, edits_a_look_that_was_opened_undoes_and_exports_strips_that_verify) {
+    start({"plain"});
     click("tab.Files");
-    const Screen without_look = screen();
-    click("open.path");
-    xdotool({"type", "look.cube"});
-    click("open");
-    const Screen opened = screen();
-    const std::size_t width = picture_width();
-    EXPECT_GT(opened.changed(without_look, width / 2 + fxaa_reach, width), 0.5)
-        << "the look is not seen";
-    EXPECT_EQ(opened.changed(without_look, 0, width / 2 - fxaa_reach), 0) << "side A shows it too";
+    const Screen plain = first_screen();
+    open("look.cube");
+    const Screen opened =
+        screen_where([&](const Screen& now) { return now.changed(plain, between(0.5, 1)) > 0.5; },
+                     "the look on side B");
+    EXPECT_EQ(opened.changed(plain, between(0, 0.5)), 0) << "side A shows it too";
 
     click("export-strip");
-    ASSERT_TRUE(eventually([&] { return fs::exists(folder_ / "look-piccolo.png"); }));
-    EXPECT_EQ(verify("look-piccolo.png"), 0);
+    EXPECT_EQ(verify("look-piccolo.png", "look.cube"), 0);
 
     click("tab.Look");
     click("add");
     click("add.hue-vs-sat");
-    const Place curve = place("op0.curve");
-    const Screen neutral = screen();
-    EXPECT_EQ(neutral.changed(opened, 0, width), 0) << "a neutral operator changes the picture";
+    const Area curve = place("op0.curve");
+    const Screen neutral = screen_where(
+        [&](const Screen& now) { return now.changed(opened, curve) > 0.5; }, "the curve");
+    EXPECT_EQ(neutral.changed(opened, picture()), 0) << "a neutral operator changes the picture";
 
-    press(curve.at(0.1, 0.5));
-    move_to(curve.at(0.1, 0.7));
-    move_to(curve.at(0.1, 0.95));
-    release();
-    const Screen edited = screen();
-    EXPECT_GT(edited.changed(neutral, width / 2 + fxaa_reach, width), 0.01)
-        << "the knot does nothing";
-    EXPECT_EQ(edited.changed(neutral, 0, width / 2 - fxaa_reach), 0);
+    drag(curve.at(0.1, 0.5), curve.at(0.1, 0.7), curve.at(0.1, 0.95));
+    const Screen edited = screen_where(
+        [&](const Screen& now) { return now.changed(neutral, between(0.5, 1)) > 0.01; },
+        "what the knot does");
+    EXPECT_EQ(edited.changed(neutral, between(0, 0.5)), 0);
 
-    const Place picture = place("picture");
-    press(picture.at(0.5, 0.3));
-    move_to(picture.at(0.4, 0.3));
-    move_to(picture.at(0.25, 0.3));
-    release();
-    const Screen moved = screen();
-    EXPECT_GT(moved.changed(edited, width / 4 + fxaa_reach, width / 2 - fxaa_reach), 0.5);
-    EXPECT_EQ(moved.changed(edited, 0, width / 4 - fxaa_reach), 0);
-    EXPECT_EQ(moved.changed(edited, width / 2 + fxaa_reach, width), 0);
+    const Area all = picture();
+    drag(all.at(0.5, 0.3), all.at(0.4, 0.3), all.at(0.25, 0.3));
+    const Screen moved = screen_where(
+        [&](const Screen& now) { return now.changed(edited, between(0.25, 0.5)) > 0.5; },
+        "the split line's way");
+    EXPECT_EQ(moved.changed(edited, between(0, 0.25)), 0);
+    EXPECT_EQ(moved.changed(edited, between(0.5, 1)), 0);
 
     key("ctrl+z");
-    EXPECT_EQ(screen().changed(edited, 0, width), 0) << "the split is not where it was";
+    screen_where(is(edited), "the split line where it was");
     key("ctrl+z");
-    EXPECT_EQ(screen().changed(neutral, 0, width), 0) << "the knot is still there";
+    screen_where(is(neutral), "the curve without the knot");
     key("ctrl+y");
-    EXPECT_EQ(screen().changed(edited, 0, width), 0);
+    screen_where(is(edited), "the knot again");
 
-    // The edited look is not the file's, and its strip says so; the old strip is asked about.
     click("tab.Files");
+    click("save");
+    ASSERT_TRUE(fs::exists(file("look.json")));
     click("export-strip");
     click("replace.no");
-    EXPECT_EQ(verify("look-piccolo.png"), 0);
+    EXPECT_EQ(verify("look-piccolo.png", "look.cube"), 0) << "the strip was not kept";
     click("export-strip");
     click("replace.yes");
-    ASSERT_TRUE(eventually([&] { return verify("look-piccolo.png") != 0; }));
-    EXPECT_EQ(log().find("VUID"), std::string::npos);
+    EXPECT_EQ(verify("look-piccolo.png", "look.cube"), 1) << "the knot is not in the strip";
+    ASSERT_EQ(say({LUTCONV, "bake", "look.json", "-o", "baked.png"}, desktop_->folder()).code, 0);
+    EXPECT_EQ(contents("look-piccolo.png"), contents("baked.png"));
+}
+
+TEST_F(Window, lists_its_keys_on_f1_until_escape) {
+    start({LUT_PICTURE});
+    const Screen before = first_screen();
+    key("F1");
+    const Area help = place("help");
+    const Screen helped = screen_where(
+        [&](const Screen& now) { return now.changed(before, help) > 0.5; }, "the help");
+    EXPECT_EQ(helped.changed(before, panels()), 0);
+    key("Escape");
+    screen_where(is(before), "the picture without the help");
+}
+
+TEST_F(Window, shows_one_side_while_its_key_is_held_and_other_comparisons_by_number) {
+    start({LUT_PICTURE, "--b", "look.cube"});
+    const Screen split = first_screen();
+    key("1");
+    const Screen a = screen_where(
+        [&](const Screen& now) { return now.changed(split, between(0.5, 1)) > 0.5; }, "side A");
+    EXPECT_EQ(a.changed(split, between(0, 0.5)), 0);
+    key("2");
+    const Screen b =
+        screen_where([&](const Screen& now) { return now.changed(a, picture()) > 0.5; }, "side B");
+    EXPECT_EQ(b.changed(split, between(0.5, 1)), 0);
+    act({"keydown", "a"});
+    screen_where(is(a), "side A while A is held");
+    act({"keyup", "a"});
+    screen_where(is(b), "side B again");
+    key("3");
+    screen_where(is(split), "both sides");
+}
+
+TEST_F(Window, follows_its_size_and_draws_nothing_while_it_is_not_seen) {
+    start({"plain"});
+    first_screen();
+    const Area small = place("picture");
+    const auto resize = [&](int width, int height) {
+        desktop_->xdotool({"search", "--name", "lutpreview", "windowsize", std::to_string(width),
+                           std::to_string(height)});
+        wait_until([&] { return place("picture").height == height; }, "the window's new size");
+    };
+    resize(900, 540);
+    EXPECT_EQ(place("picture").width, small.width + 100) << "the panels grew";
+    act({"click", "3"});
+    const Area corner{0, 481, 399, 58};
+    screen_where(
+        [&](const Screen& now) {
+            return now.changed(
+                       {now.width, now.height, std::vector<std::uint32_t>(now.pixels.size())},
+                       corner) == 1;
+        },
+        "the picture in the new rows");
+    resize(640, 200);
+    resize(800, 480);
+    act({"click", "3"});
+    const Screen before = first_screen();
+
+    desktop_->xdotool({"search", "--name", "lutpreview", "windowunmap"});
+    screen_where([&](const Screen& now) { return now.changed(before, picture()) == 1; },
+                 "the desktop without the window");
+    rest();
+    const int last = frame();
+    desktop_->xdotool({"mousemove", "100", "100", "mousemove", "300", "200"});
+    rest();
+    EXPECT_EQ(frame(), last);
+    desktop_->xdotool({"search", "--name", "lutpreview", "windowmap"});
+    act({"click", "3"});
+    screen_where(is(before), "the window again");
+}
+
+TEST_F(Window, shows_what_is_wrong_with_a_file_and_changes_nothing_else) {
+    std::ofstream(file("bad.cube")) << "LUT_3D_SIZE 2\n0 0 0\n1 zero 0\n";
+    start({LUT_PICTURE, "--b", "look.cube"});
+    click("tab.Files");
+    const Screen before = first_screen();
+    for (const std::string name : {"bad.cube", "absent.cube"}) {
+        open(name);
+        const Area error = place("error");
+        screen_where([&](const Screen& now) { return now.changed(before, error) > 0.5; },
+                     "the error of " + name);
+        click("error.close");
+        screen_where(is(before), "the same picture");
+    }
+    // Nothing changed that could be undone.
+    key("ctrl+z");
+    screen_where(is(before), "the same picture");
+    click("export-strip");
+    EXPECT_EQ(verify("look-piccolo.png", "look.cube"), 0);
+}
+
+TEST_F(Window, rests_while_nothing_changes_and_wakes_with_the_mouse) {
+    start({LUT_PICTURE});
+    first_screen();
+    rest();
+    const int last = frame();
+    rest();
+    EXPECT_EQ(frame(), last);
+    act(mouse_to({200, 200}));
+    EXPECT_GT(frame(), last);
+}
+
+TEST_F(Window, remembers_how_wide_its_panels_are) {
+    start({LUT_PICTURE});
+    const Area before = place("picture");
+    drag({before.width, 300}, {before.width + 10, 300}, {before.width + 40, 300});
+    const Area dragged = place("picture");
+    EXPECT_NEAR(dragged.width, before.width + 40, 3);
+    quit();
+    start({LUT_PICTURE});
+    EXPECT_EQ(place("picture").width, dragged.width);
+}
+
+class NoDisplay : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        std::string name = (fs::temp_directory_path() / "lutpreview_no_display_XXXXXX").string();
+        ASSERT_NE(mkdtemp(name.data()), nullptr);
+        folder_ = name;
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    Said say_without(const Words& arguments) const {
+        return say(Words{"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", LUTPREVIEW} + arguments,
+                   folder_);
+    }
+    fs::path folder_;
+};
+
+TEST_F(NoDisplay, is_said_plainly_where_a_window_was_asked_for) {
+    const Said said = say_without({"plain"});
+    EXPECT_EQ(said.code, 2);
+    EXPECT_NE(said.text.find("a window was asked for and none can be had"), std::string::npos)
+        << said.text;
+    EXPECT_NE(said.text.find("--headless"), std::string::npos) << said.text;
+}
+
+TEST_F(NoDisplay, is_needed_for_nothing_headless) {
+    const Said said = say_without({"plain", "--headless", "--size", "64x36", "-o", "out.png"});
+    EXPECT_EQ(said.code, 0) << said.text;
+    EXPECT_TRUE(fs::exists(folder_ / "out.png"));
 }
 
 } // namespace
+} // namespace desktop

@@ -16,7 +16,7 @@
 namespace desktop {
 
 /// How long anything may take: software rendering on a machine that does other things too.
-inline constexpr std::chrono::seconds patience{90};
+inline constexpr std::chrono::seconds patience{150};
 
 /// Whether `holds` becomes true before patience ends.
 bool eventually(const std::function<bool()>& holds);

@@ -159,8 +159,8 @@ bool curve_editor(Ui& ui, const Parameter& parameter, Knots& knots, const std::s
         draw_ribbon(list, canvas);
     draw_grid(list, canvas);
     draw_curve(list, canvas, parameter, knots);
-    draw_knots(list, canvas, knots, active ? dragged : under);
     list.PopClipRect();
+    draw_knots(list, canvas, knots, active ? dragged : under);
     if (hovered || active) {
         const Knot shown = active && dragged && *dragged < knots.size() ? knots[*dragged] : mouse;
         ImGui::SetTooltip("%.4g : %.4g\nclick: new knot, right: delete", shown.x, shown.y);

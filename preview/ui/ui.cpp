@@ -143,7 +143,8 @@ void replace_dialog(Ui& ui) {
 
 } // namespace
 
-void mark(Ui& ui, const std::string& name) {
+void mark(Ui& ui, std::string name) {
+    std::replace(name.begin(), name.end(), ' ', '-');
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
     ui.places[name] = {low.x, low.y, high.x - low.x, high.y - low.y};

@@ -86,7 +86,7 @@ void picture_area(Ui& ui, const Rect& area);
 bool curve_editor(Ui& ui, const lutlib::Parameter& parameter, lutlib::Knots& knots,
                   const std::string& place);
 
-/// Remembers where the last item is.
-void mark(Ui& ui, const std::string& name);
+/// Remembers where the last item is; the name without blanks.
+void mark(Ui& ui, std::string name);
 
 } // namespace preview::ui

@@ -74,6 +74,19 @@ TEST_F(Window, lists_its_keys_on_f1_until_escape) {
     screen_where(is(before), "the picture without the help");
 }
 
+TEST_F(Window, takes_letters_for_a_text_field_and_f1_for_help_while_one_is_typed_in) {
+    start({LUT_PICTURE, "--b", "look.cube"});
+    click("tab.Files");
+    click("open.path");
+    const Screen split = first_screen();
+    type("1b2a");
+    const Screen typed = screen_where(
+        [&](const Screen& now) { return now.changed(split, place("open.path")) > 0; }, "the text");
+    EXPECT_EQ(typed.changed(split, picture()), 0) << "a letter was a shortcut";
+    key("F1");
+    place("help");
+}
+
 TEST_F(Window, shows_one_side_while_its_key_is_held_and_other_comparisons_by_number) {
     start({LUT_PICTURE, "--b", "look.cube"});
     const Screen split = first_screen();

@@ -43,7 +43,7 @@ class App {
     void request_looks();
     void take_looks();
     void render(const ui::Rect& area);
-    Size output_size(const ui::Rect& area) const;
+    vk::Rect2D output_area(const ui::Rect& area) const;
     void write_places() const;
 
     Options options_;
@@ -81,8 +81,10 @@ App::App(const Options& options)
 
 void App::set_callbacks() {
     glfwSetWindowUserPointer(window_.handle(), this);
-    glfwSetFramebufferSizeCallback(window_.handle(),
-                                   [](GLFWwindow* window, int, int) { of(window).resize_ = true; });
+    glfwSetFramebufferSizeCallback(window_.handle(), [](GLFWwindow* window, int, int) {
+        of(window).resize_ = true;
+        of(window).wake();
+    });
     using Kind = ui::InputEvent::Kind;
     glfwSetCursorPosCallback(window_.handle(), [](GLFWwindow* w, double x, double y) {
         of(w).input_.push({Kind::move, static_cast<float>(x), static_cast<float>(y)});
@@ -120,6 +122,9 @@ void App::show(Shown shown) {
     take_shown(ui_.history.draft(), shown_, options_);
     ui_.facts.input = shown_.name;
     ui_.facts.is_scene = shown_.scene.has_value();
+    ui_.facts.aspect = shown_.picture ? static_cast<float>(shown_.picture_size.width) /
+                                            static_cast<float>(shown_.picture_size.height)
+                                      : 0.0F;
     ui_.facts.display_encoded = shown_.display_encoded();
 }
 
@@ -206,16 +211,22 @@ void App::take_looks() {
         looks_[i].set(baked->sides[i]);
 }
 
-Size App::output_size(const ui::Rect& area) const {
+/// The picture's part of the window, in its pixels.
+vk::Rect2D App::output_area(const ui::Rect& area) const {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-    const Size wanted{std::max(static_cast<std::uint32_t>(area.width * scale.x), 2U),
-                      std::max(static_cast<std::uint32_t>(area.height * scale.y), 1U)};
-    return {std::min(wanted.width & ~1U, swapchain_.extent().width),
-            std::min(wanted.height, swapchain_.extent().height)};
+    const vk::Extent2D window = swapchain_.extent();
+    const auto x = std::min(static_cast<std::uint32_t>(area.x * scale.x), window.width - 2);
+    const auto y = std::min(static_cast<std::uint32_t>(area.y * scale.y), window.height - 1);
+    const auto width = std::max(static_cast<std::uint32_t>(area.width * scale.x) & ~1U, 2U);
+    const auto height = std::max(static_cast<std::uint32_t>(area.height * scale.y), 1U);
+    return {{static_cast<int>(x), static_cast<int>(y)},
+            {std::min(width, (window.width - x) & ~1U), std::min(height, window.height - y)}};
 }
 
 void App::render(const ui::Rect& area) {
-    const FrameSettings settings = window_settings(ui_, shown_, options_, output_size(area));
+    const vk::Rect2D output = output_area(area);
+    const FrameSettings settings =
+        window_settings(ui_, shown_, options_, {output.extent.width, output.extent.height});
     FrameInputs inputs = shown_.inputs();
     inputs.look_a = looks_[0].look();
     inputs.look_b = looks_[1].look();
@@ -233,7 +244,8 @@ void App::render(const ui::Rect& area) {
     end.waits = {swapchain_.acquired()};
     end.signals = {swapchain_.finished(*image)};
     end.record = [&](const vk::raii::CommandBuffer& commands) {
-        record_present(commands, executor_.image(handles.output), swapchain_.image(*image));
+        record_present(commands, executor_.image(handles.output), swapchain_.image(*image),
+                       output.offset);
         overlay_->record(commands, *image);
     };
     executor_.render(graph, end);

@@ -233,6 +233,18 @@ void picture_area(Ui& ui, const Rect& area) {
     ImGui::End();
 }
 
+/// The largest part of `area`, in its middle, that shows the picture as it is.
+Rect fitted(const Ui& ui, const Rect& area) {
+    if (ui.facts.aspect <= 0)
+        return area;
+    const Compare* compare = ui.held != nullptr ? ui.held : ui.history.draft().compare;
+    const float aspect = ui.facts.aspect * (compare == &compare_side ? 2.0F : 1.0F);
+    const float width = std::max(std::floor(std::min(area.width, area.height * aspect)), 1.0F);
+    const float height = std::max(std::floor(std::min(area.height, area.width / aspect)), 1.0F);
+    return {area.x + std::floor((area.width - width) / 2),
+            area.y + std::floor((area.height - height) / 2), width, height};
+}
+
 Rect draw(Ui& ui) {
     constexpr float least_width = 340;
     ui.places.clear();
@@ -246,6 +258,7 @@ Rect draw(Ui& ui) {
     ImGui::Begin("Panels", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
+    mark_window(ui, "panels");
     const float width = ImGui::GetWindowWidth();
     if (ImGui::Button("Undo"))
         ui.history.undo();
@@ -271,7 +284,8 @@ Rect draw(Ui& ui) {
         ImGui::EndTabBar();
     }
     ImGui::End();
-    const Rect area{0, 0, std::max(window.x - width, 1.0F), std::max(window.y, 1.0F)};
+    const Rect area =
+        fitted(ui, {0, 0, std::max(window.x - width, 1.0F), std::max(window.y, 1.0F)});
     picture_area(ui, area);
     dialogs(ui);
     return area;

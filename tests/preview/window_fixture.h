@@ -17,6 +17,7 @@ namespace desktop {
 
 using Words = std::vector<std::string>;
 
+inline constexpr int screen_width = 900, screen_height = 540;
 // Columns beside the split line that antialiasing may mix: it follows edges across the line.
 inline constexpr int fxaa_reach = 40;
 // Rows at the top where the pointer rests.
@@ -31,16 +32,27 @@ inline Words operator+(Words a, const Words& b) {
     return a;
 }
 
+/// Red to the right, green downwards.
+inline Screen gradient(int width, int height) {
+    Screen out{width, height, {}};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            out.pixels.push_back(static_cast<std::uint32_t>((255 * x / width) << 16 |
+                                                            (255 * y / height) << 8 | 128));
+    return out;
+}
+
 class Window : public ::testing::Test {
   protected:
     void SetUp() override {
         if (const std::string missing = Desktop::missing(); !missing.empty())
             GTEST_SKIP() << missing;
-        desktop_.emplace(900, 540);
+        desktop_.emplace(screen_width, screen_height);
         setenv("DISPLAY", desktop_->display().c_str(), 1);
         setenv("XDG_CONFIG_HOME", desktop_->folder().c_str(), 1);
         std::filesystem::copy_file(std::filesystem::path(LUT_LOOKS_FOLDER) / "warm_teal.cube",
                                    file("look.cube"));
+        gradient(400, 480).write(file("picture.ppm"));
     }
     void TearDown() override {
         if (!desktop_)
@@ -159,12 +171,12 @@ class Window : public ::testing::Test {
     }
     Screen first_screen() {
         return screen_where(
-            [&](const Screen& now) {
-                return now.changed(Screen{now.width, now.height,
-                                          std::vector<std::uint32_t>(now.pixels.size())},
-                                   picture()) > 0.9;
-            },
-            "a picture");
+            [&](const Screen& now) { return now.changed(black(), picture()) > 0.9; }, "a picture");
+    }
+    /// The desktop without a window.
+    static Screen black() {
+        return {screen_width, screen_height,
+                std::vector<std::uint32_t>(std::size_t{screen_width} * screen_height)};
     }
 
     std::function<bool(const Screen&)> is(const Screen& then) const {
@@ -195,12 +207,6 @@ class Window : public ::testing::Test {
         const int to = static_cast<int>(right * all.width) - (right < 1 ? fxaa_reach : 0);
         return {all.x + from, all.y, to - from, all.height};
     }
-    /// All that is not the picture.
-    Area panels() const {
-        const Area all = place("picture");
-        return {all.width, 0, 800 - all.width, 480};
-    }
-
     int verify(const std::string& strip, const std::string& against) const {
         return say({LUTCONV, "verify", strip, "--against", against}, desktop_->folder()).code;
     }

@@ -63,19 +63,19 @@ TEST_F(Window, edits_a_look_that_was_opened_undoes_and_exports_strips_that_verif
 }
 
 TEST_F(Window, lists_its_keys_on_f1_until_escape) {
-    start({LUT_PICTURE});
+    start({"picture.ppm"});
     const Screen before = first_screen();
     key("F1");
     const Area help = place("help");
     const Screen helped = screen_where(
         [&](const Screen& now) { return now.changed(before, help) > 0.5; }, "the help");
-    EXPECT_EQ(helped.changed(before, panels()), 0);
+    EXPECT_EQ(helped.changed(before, place("panels")), 0);
     key("Escape");
     screen_where(is(before), "the picture without the help");
 }
 
 TEST_F(Window, takes_letters_for_a_text_field_and_f1_for_help_while_one_is_typed_in) {
-    start({LUT_PICTURE, "--b", "look.cube"});
+    start({"picture.ppm", "--b", "look.cube"});
     click("tab.Files");
     click("open.path");
     const Screen split = first_screen();
@@ -88,7 +88,7 @@ TEST_F(Window, takes_letters_for_a_text_field_and_f1_for_help_while_one_is_typed
 }
 
 TEST_F(Window, shows_one_side_while_its_key_is_held_and_other_comparisons_by_number) {
-    start({LUT_PICTURE, "--b", "look.cube"});
+    start({"picture.ppm", "--b", "look.cube"});
     const Screen split = first_screen();
     key("1");
     const Screen a = screen_where(
@@ -119,13 +119,8 @@ TEST_F(Window, follows_its_size_and_draws_nothing_while_it_is_not_seen) {
     EXPECT_EQ(place("picture").width, small.width + 100) << "the panels grew";
     act({"click", "3"});
     const Area corner{0, 481, 399, 58};
-    screen_where(
-        [&](const Screen& now) {
-            return now.changed(
-                       {now.width, now.height, std::vector<std::uint32_t>(now.pixels.size())},
-                       corner) == 1;
-        },
-        "the picture in the new rows");
+    screen_where([&](const Screen& now) { return now.changed(black(), corner) == 1; },
+                 "the picture in the new rows");
     resize(640, 200);
     resize(800, 480);
     act({"click", "3"});
@@ -144,9 +139,32 @@ TEST_F(Window, follows_its_size_and_draws_nothing_while_it_is_not_seen) {
     screen_where(is(before), "the window again");
 }
 
+TEST_F(Window, shows_a_picture_in_its_own_proportions) {
+    gradient(200, 100).write(file("wide.ppm"));
+    start({"wide.ppm", "--b", "look.cube"});
+    first_screen();
+    const Area wide = place("picture");
+    EXPECT_EQ(wide.width, 2 * wide.height);
+    const Screen before = desktop_->grab();
+    const auto is_black = [&](const Area& area) { return before.changed(black(), area) == 0; };
+    EXPECT_TRUE(is_black({100, wide.y - 10, 100, 10}));
+    EXPECT_FALSE(is_black({100, wide.y, 100, wide.height}));
+    EXPECT_TRUE(is_black({100, wide.y + wide.height, 100, 10}));
+    key("4");
+    EXPECT_EQ(place("picture").width, 4 * place("picture").height);
+    // The split line is where the mouse is in the picture.
+    key("3");
+    const Screen split = first_screen();
+    drag(wide.at(0.5, 0.8), wide.at(0.4, 0.8), wide.at(0.25, 0.8));
+    const Screen moved = screen_where(
+        [&](const Screen& now) { return now.changed(split, between(0.25, 0.5)) > 0.5; },
+        "the split line's way");
+    EXPECT_EQ(moved.changed(split, between(0, 0.25)), 0);
+}
+
 TEST_F(Window, shows_what_is_wrong_with_a_file_and_changes_nothing_else) {
     std::ofstream(file("bad.cube")) << "LUT_3D_SIZE 2\n0 0 0\n1 zero 0\n";
-    start({LUT_PICTURE, "--b", "look.cube"});
+    start({"picture.ppm", "--b", "look.cube"});
     click("tab.Files");
     const Screen before = first_screen();
     for (const std::string name : {"bad.cube", "absent.cube"}) {
@@ -165,7 +183,7 @@ TEST_F(Window, shows_what_is_wrong_with_a_file_and_changes_nothing_else) {
 }
 
 TEST_F(Window, rests_while_nothing_changes_and_wakes_with_the_mouse) {
-    start({LUT_PICTURE});
+    start({"picture.ppm"});
     first_screen();
     rest();
     const int last = frame();
@@ -176,14 +194,14 @@ TEST_F(Window, rests_while_nothing_changes_and_wakes_with_the_mouse) {
 }
 
 TEST_F(Window, remembers_how_wide_its_panels_are) {
-    start({LUT_PICTURE});
-    const Area before = place("picture");
-    drag({before.width, 300}, {before.width + 10, 300}, {before.width + 40, 300});
-    const Area dragged = place("picture");
-    EXPECT_NEAR(dragged.width, before.width + 40, 3);
+    start({"picture.ppm"});
+    const Area before = place("panels");
+    drag({before.x, 300}, {before.x + 10, 300}, {before.x + 40, 300});
+    const Area dragged = place("panels");
+    EXPECT_NEAR(dragged.width, before.width - 40, 3);
     quit();
-    start({LUT_PICTURE});
-    EXPECT_EQ(place("picture").width, dragged.width);
+    start({"picture.ppm"});
+    EXPECT_EQ(place("panels").width, dragged.width);
 }
 
 class NoDisplay : public ::testing::Test {

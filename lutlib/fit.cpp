@@ -30,6 +30,12 @@ int samples_per_step(int size) {
     return size <= 17 ? 4 : size <= 25 ? 3 : 2;
 }
 
+// Thirty in each cell of a small lattice; of more than 16 nodes, fewer.
+int colours_to_judge_by(int size) {
+    const int cells = (size - 1) * (size - 1) * (size - 1);
+    return std::clamp(30 * cells, 2000, 100000);
+}
+
 // The samples of one channel: inputs, their places, and the share of the domain around each.
 struct AxisSamples {
     std::vector<double> input, place, share;
@@ -174,10 +180,11 @@ struct LatticeFit::State {
             }
         }
         samples.target = mapped(look, std::move(inputs));
-        rehearsal.emplace(look, reader, SampleCounts{});
+        const int count = colours_to_judge_by(reader.size);
+        rehearsal.emplace(look, reader, SampleCounts{.random = count});
         exam.emplace(
             look, reader,
-            SampleCounts{.neutral = 997, .lattice = true, .skipped = SampleCounts{}.random});
+            SampleCounts{.neutral = 997, .random = count, .lattice = true, .skipped = count});
         within_unit = lutlib::within_unit(samples.target) && lutlib::within_unit(exam->targets);
     }
 

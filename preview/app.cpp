@@ -218,8 +218,10 @@ void App::take_looks() {
         ui_.errors.push_back(baked->error);
         return;
     }
-    for (std::size_t i = 0; i < screen_->looks.size(); ++i)
+    for (std::size_t i = 0; i < screen_->looks.size(); ++i) {
         screen_->looks[i].set(baked->sides[i]);
+        ui_.facts.look_notes[i] = baked->sides[i].note;
+    }
 }
 
 Size App::output_size(const ui::Rect& area) const {

@@ -29,6 +29,7 @@ struct Facts {
     bool is_scene = true;              ///< there is a camera to move
     bool display_encoded = false;      ///< there is nothing to tone map
     double bake_milliseconds = 0;
+    std::array<std::string, 2> look_notes;    ///< how exactly each side stands for the recipe
     std::optional<DifferenceFigures> figures; ///< of the frame, when it compares by difference
     std::vector<PassTime> passes;
     std::string explanation; ///< a line for each pass, kept or left out, and why

@@ -8,6 +8,7 @@
 #include "preview/scene/import.h"
 #include "preview/screen.h"
 #include "preview/ui/commands.h"
+#include "preview/ui/input.h"
 #include "preview/ui/look_baker.h"
 #include "preview/window_frame.h"
 
@@ -46,17 +47,18 @@ class App {
     void recover(const vk::SystemError& error);
     void follow_shown();
     void resize_if_asked();
-    void frame();
+    void frame(const std::vector<ui::InputEvent>& events);
     void request_looks();
     void take_looks();
     void render(const ui::Rect& area);
-    Size output_size(const ui::Rect& area) const;
+    vk::Rect2D output_area(const ui::Rect& area) const;
     void write_places() const;
 
     Options options_;
     Window window_;
     std::optional<Gui> gui_;
     std::optional<Screen> screen_;
+    ui::InputQueue input_;
     ui::Ui ui_;
     ui::LookRequest requested_;
     bool baking_ = false;
@@ -101,20 +103,33 @@ void App::recover(const vk::SystemError& error) {
 
 void App::set_callbacks() {
     glfwSetWindowUserPointer(window_.handle(), this);
-    glfwSetFramebufferSizeCallback(window_.handle(),
-                                   [](GLFWwindow* window, int, int) { of(window).resize_ = true; });
-    // Dear ImGui calls these after its own.
-    glfwSetCursorPosCallback(window_.handle(), [](GLFWwindow* w, double, double) { of(w).wake(); });
-    glfwSetMouseButtonCallback(window_.handle(),
-                               [](GLFWwindow* w, int, int, int) { of(w).wake(); });
-    glfwSetScrollCallback(window_.handle(), [](GLFWwindow* w, double, double) { of(w).wake(); });
-    glfwSetKeyCallback(window_.handle(), [](GLFWwindow* w, int key, int, int action, int mods) {
-        of(w).wake();
-        if (action == GLFW_PRESS)
-            of(w).ui_.pressed.push_back(
-                {key, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0});
+    glfwSetFramebufferSizeCallback(window_.handle(), [](GLFWwindow* window, int, int) {
+        of(window).resize_ = true;
+        of(window).wake();
     });
-    glfwSetCharCallback(window_.handle(), [](GLFWwindow* w, unsigned) { of(w).wake(); });
+    using Kind = ui::InputEvent::Kind;
+    glfwSetCursorPosCallback(window_.handle(), [](GLFWwindow* w, double x, double y) {
+        of(w).input_.push({Kind::move, static_cast<float>(x), static_cast<float>(y)});
+    });
+    glfwSetCursorEnterCallback(window_.handle(), [](GLFWwindow* w, int entered) {
+        // A drag goes on outside; its moves keep coming.
+        if (entered == GLFW_FALSE && !ImGui::IsAnyMouseDown())
+            of(w).input_.push({Kind::move, ui::far_away, ui::far_away});
+    });
+    glfwSetScrollCallback(window_.handle(), [](GLFWwindow* w, double x, double y) {
+        of(w).input_.push({Kind::wheel, static_cast<float>(x), static_cast<float>(y)});
+    });
+    glfwSetMouseButtonCallback(window_.handle(), [](GLFWwindow* w, int button, int action, int) {
+        of(w).input_.push({Kind::button, 0, 0, button, 0, 0, action == GLFW_PRESS});
+    });
+    glfwSetKeyCallback(window_.handle(),
+                       [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
+                           of(w).input_.push({Kind::key, 0, 0, key, scancode, modifiers,
+                                              action != GLFW_RELEASE, action == GLFW_REPEAT});
+                       });
+    glfwSetCharCallback(window_.handle(), [](GLFWwindow* w, unsigned character) {
+        of(w).input_.push({Kind::character, 0, 0, static_cast<int>(character)});
+    });
     glfwSetDropCallback(window_.handle(), [](GLFWwindow* window, int count, const char** paths) {
         of(window).wake();
         for (int i = 0; i < count; ++i)
@@ -141,12 +156,15 @@ void App::follow_shown() {
     reader_.forget();
     ui_.facts.input = shown->name;
     ui_.facts.left_out = shown->left_out;
+    ui_.facts.aspect = shown->picture ? static_cast<float>(shown->picture->size.width) /
+                                            static_cast<float>(shown->picture->size.height)
+                                      : 0.0F;
     ui_.facts.is_scene = shown->scene.has_value();
     ui_.facts.display_encoded = shown->display_encoded();
 }
 
 void App::run() {
-    while (glfwWindowShouldClose(window_.handle()) == GLFW_FALSE) {
+    while (glfwWindowShouldClose(window_.handle()) == GLFW_FALSE && !ui_.quits) {
         if (frames_due_ > 0) {
             glfwPollEvents();
         } else {
@@ -158,11 +176,14 @@ void App::run() {
             frames_due_ = 0;
             continue;
         }
+        const std::vector<ui::InputEvent> events = input_.next_frame();
+        if (!events.empty())
+            wake();
         --frames_due_;
         try {
             if (std::exchange(ui_.wants_new_screen, false))
                 make_screen();
-            frame();
+            frame(events);
             frames_to_prove_ = std::max(frames_to_prove_ - 1, 0);
         } catch (const vk::SystemError& error) {
             if (!is_lost(error))
@@ -180,13 +201,17 @@ void App::resize_if_asked() {
     resize_ = false;
 }
 
-void App::frame() {
+void App::frame(const std::vector<ui::InputEvent>& events) {
     resize_if_asked();
     for (const std::string& path : std::exchange(ui_.to_open, {}))
         ui::attempt(ui_, [&] { open(path); });
+    for (const ui::InputEvent& event : events)
+        if (event.kind == ui::InputEvent::Kind::key && event.down && !event.repeats)
+            ui_.pressed.push_back({event.code, (event.modifiers & GLFW_MOD_CONTROL) != 0,
+                                   (event.modifiers & GLFW_MOD_SHIFT) != 0});
     follow_shown();
     screen_->overlay.begin_frame();
-    gui_->begin_frame();
+    gui_->begin_frame(events);
     const ui::Rect area = ui::draw(ui_);
     ImGui::Render();
     if (!ImGui::IsAnyItemActive())
@@ -224,17 +249,23 @@ void App::take_looks() {
     }
 }
 
-Size App::output_size(const ui::Rect& area) const {
+/// The picture's part of the window, in its pixels.
+vk::Rect2D App::output_area(const ui::Rect& area) const {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-    const Size wanted{std::max(static_cast<std::uint32_t>(area.width * scale.x), 2U),
-                      std::max(static_cast<std::uint32_t>(area.height * scale.y), 1U)};
-    return {std::min(wanted.width & ~1U, screen_->swapchain.extent().width),
-            std::min(wanted.height, screen_->swapchain.extent().height)};
+    const vk::Extent2D window = screen_->swapchain.extent();
+    const auto x = std::min(static_cast<std::uint32_t>(area.x * scale.x), window.width - 2);
+    const auto y = std::min(static_cast<std::uint32_t>(area.y * scale.y), window.height - 1);
+    const auto width = std::max(static_cast<std::uint32_t>(area.width * scale.x) & ~1U, 2U);
+    const auto height = std::max(static_cast<std::uint32_t>(area.height * scale.y), 1U);
+    return {{static_cast<int>(x), static_cast<int>(y)},
+            {std::min(width, (window.width - x) & ~1U), std::min(height, window.height - y)}};
 }
 
 void App::render(const ui::Rect& area) {
     Screen& screen = *screen_;
-    const FrameSettings settings = window_settings(ui_, options_, screen.device, output_size(area));
+    const vk::Rect2D output = output_area(area);
+    const FrameSettings settings =
+        window_settings(ui_, options_, screen.device, {output.extent.width, output.extent.height});
     const std::vector<PointLight>& lights = ui_.history.draft().lights;
     FrameInputs inputs = screen.shown->inputs();
     inputs.lights = &lights;
@@ -255,7 +286,7 @@ void App::render(const ui::Rect& area) {
     end.signals = {screen.swapchain.finished(*image)};
     end.record = [&](const vk::raii::CommandBuffer& commands) {
         record_present(commands, screen.executor.image(handles.output),
-                       screen.swapchain.image(*image));
+                       screen.swapchain.image(*image), output.offset);
         screen.overlay.record(commands, *image);
     };
     screen.executor.render(graph, end);
@@ -269,7 +300,10 @@ void App::render(const ui::Rect& area) {
 void App::write_places() const {
     if (options_.places.empty())
         return;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
     std::string text = fmt::format("frame {} 0 0 0\n", ImGui::GetFrameCount());
+    if (ImGui::IsMousePosValid(&mouse))
+        text += fmt::format("mouse {:.0f} {:.0f} 0 0\n", mouse.x, mouse.y);
     for (const auto& [name, place] : ui_.places)
         text += fmt::format("{} {:.0f} {:.0f} {:.0f} {:.0f}\n", name, place.x, place.y, place.width,
                             place.height);

@@ -25,7 +25,7 @@ bool is_font(const std::string& path) {
 const char* const font_path = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
 Gui::Gui(GLFWwindow* window, std::string layout_path, const std::string& font)
-    : layout_path_(std::move(layout_path)) {
+    : window_(window), layout_path_(std::move(layout_path)) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
@@ -43,7 +43,7 @@ Gui::Gui(GLFWwindow* window, std::string layout_path, const std::string& font)
         notice_ = "the font " + font +
                   " is missing (Debian: fonts-dejavu-core); a built-in one stands in";
     }
-    ImGui_ImplGlfw_InitForVulkan(window, true);
+    ImGui_ImplGlfw_InitForVulkan(window, false);
 }
 
 Gui::~Gui() {
@@ -51,8 +51,41 @@ Gui::~Gui() {
     ImGui::DestroyContext();
 }
 
-void Gui::begin_frame() {
+void Gui::feed(const ui::InputEvent& event) {
+    using Kind = ui::InputEvent::Kind;
+    ImGuiIO& io = ImGui::GetIO();
+    switch (event.kind) {
+    case Kind::move:
+        mouse_x_ = event.x;
+        mouse_y_ = event.y;
+        break;
+    case Kind::wheel:
+        io.MouseWheelH += event.x;
+        io.MouseWheel += event.y;
+        break;
+    case Kind::button:
+        if (const auto index = static_cast<std::size_t>(event.code); index < buttons_.size())
+            buttons_[index] = event.down;
+        break;
+    case Kind::key:
+        ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode,
+                                   event.down ? GLFW_PRESS : GLFW_RELEASE, event.modifiers);
+        break;
+    case Kind::character:
+        io.AddInputCharacter(static_cast<unsigned>(event.code));
+        break;
+    }
+}
+
+void Gui::begin_frame(const std::vector<ui::InputEvent>& events) {
+    for (const ui::InputEvent& event : events)
+        feed(event);
     ImGui_ImplGlfw_NewFrame();
+    // The backend looks at where the mouse is now; the events tell where it was.
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = {mouse_x_, mouse_y_};
+    for (std::size_t i = 0; i < buttons_.size(); ++i)
+        io.MouseDown[i] = buttons_[i];
     ImGui::NewFrame();
 }
 

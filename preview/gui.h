@@ -2,7 +2,11 @@
 // overlay draws it.
 #pragma once
 
+#include "preview/ui/input.h"
+
+#include <array>
 #include <string>
+#include <vector>
 
 struct GLFWwindow;
 
@@ -10,18 +14,24 @@ namespace preview {
 
 class Gui {
   public:
-    /// `layout_path`: where the layout is remembered; empty: nowhere. The window's callbacks must
-    /// have been set before. A font file that is missing leaves a notice().
+    /// `layout_path`: where the layout is remembered; empty: nowhere. A font file that is missing
+    /// leaves a notice().
     Gui(GLFWwindow* window, std::string layout_path, const std::string& font_path);
     ~Gui();
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
 
-    void begin_frame();
+    /// With what happened since the last one.
+    void begin_frame(const std::vector<ui::InputEvent>& events);
     /// What a person should know of the set-up; empty when all is well.
     const std::string& notice() const { return notice_; }
 
   private:
+    void feed(const ui::InputEvent& event);
+
+    GLFWwindow* window_;
+    float mouse_x_ = ui::far_away, mouse_y_ = ui::far_away; ///< beyond the window when the mouse is
+    std::array<bool, 5> buttons_{};
     std::string layout_path_, notice_;
 };
 

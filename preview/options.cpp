@@ -122,8 +122,9 @@ void declare(CLI::App& app, Options& options) {
     app.add_option("--device", options.device, "Part of a GPU's name, or its number in --list");
     app.add_option("--places", options.places,
                    "Keep in this file where the window's controls are, for scripts: a line "
-                   "'NAME X Y WIDTH HEIGHT' for each, in pixels, after one with the number of "
-                   "the frame, whenever nothing is left to draw");
+                   "'NAME X Y WIDTH HEIGHT' for each, in pixels, after 'frame NUMBER' and where "
+                   "the mouse was last seen, 'mouse X Y'; written when all that happened up to "
+                   "then is drawn");
     app.add_flag("--validate", options.validate, "Run under Vulkan's validation layers");
 }
 

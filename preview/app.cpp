@@ -8,8 +8,8 @@
 #include "preview/scene/import.h"
 #include "preview/screen.h"
 #include "preview/ui/commands.h"
-#include "preview/ui/input.h"
 #include "preview/ui/look_baker.h"
+#include "preview/window_events.h"
 #include "preview/window_frame.h"
 
 #include <GLFW/glfw3.h>
@@ -37,10 +37,6 @@ class App {
     void run();
 
   private:
-    static App& of(GLFWwindow* window) {
-        return *static_cast<App*>(glfwGetWindowUserPointer(window));
-    }
-    void set_callbacks();
     void wake() { frames_due_ = frames_after_event; }
     void open(const std::string& path);
     void make_screen();
@@ -51,14 +47,13 @@ class App {
     void request_looks();
     void take_looks();
     void render(const ui::Rect& area);
-    vk::Rect2D output_area(const ui::Rect& area) const;
     void write_places() const;
 
     Options options_;
     Window window_;
+    WindowEvents events_{window_.handle()};
     std::optional<Gui> gui_;
     std::optional<Screen> screen_;
-    ui::InputQueue input_;
     ui::Ui ui_;
     ui::LookRequest requested_;
     bool baking_ = false;
@@ -66,13 +61,11 @@ class App {
     FrameReader reader_{frames_in_flight};
     int frames_due_ = frames_after_event;
     int frames_to_prove_ = 0; ///< until the screen that replaced a lost one has shown that it works
-    bool resize_ = true;
 };
 
 App::App(const Options& options)
     : options_(options), window_(window_size(options)), ui_(opening_state(options)),
       baker_([] { glfwPostEmptyEvent(); }) {
-    set_callbacks();
     gui_.emplace(window_.handle(), layout_path(), font_path);
     if (!gui_->notice().empty())
         ui_.errors.push_back(gui_->notice());
@@ -85,7 +78,7 @@ void App::make_screen() {
     screen_.reset();
     screen_.emplace(window_, options_);
     ui_.facts.device = screen_->device.name();
-    resize_ = true;
+    events_.resized = true;
     baking_ = false; // the new screen has no looks
     follow_shown();
 }
@@ -99,42 +92,6 @@ void App::recover(const vk::SystemError& error) {
     frames_to_prove_ = frames_of_recovery;
     wake();
     make_screen();
-}
-
-void App::set_callbacks() {
-    glfwSetWindowUserPointer(window_.handle(), this);
-    glfwSetFramebufferSizeCallback(window_.handle(), [](GLFWwindow* window, int, int) {
-        of(window).resize_ = true;
-        of(window).wake();
-    });
-    using Kind = ui::InputEvent::Kind;
-    glfwSetCursorPosCallback(window_.handle(), [](GLFWwindow* w, double x, double y) {
-        of(w).input_.push({Kind::move, static_cast<float>(x), static_cast<float>(y)});
-    });
-    glfwSetCursorEnterCallback(window_.handle(), [](GLFWwindow* w, int entered) {
-        // A drag goes on outside; its moves keep coming.
-        if (entered == GLFW_FALSE && !ImGui::IsAnyMouseDown())
-            of(w).input_.push({Kind::move, ui::far_away, ui::far_away});
-    });
-    glfwSetScrollCallback(window_.handle(), [](GLFWwindow* w, double x, double y) {
-        of(w).input_.push({Kind::wheel, static_cast<float>(x), static_cast<float>(y)});
-    });
-    glfwSetMouseButtonCallback(window_.handle(), [](GLFWwindow* w, int button, int action, int) {
-        of(w).input_.push({Kind::button, 0, 0, button, 0, 0, action == GLFW_PRESS});
-    });
-    glfwSetKeyCallback(window_.handle(),
-                       [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
-                           of(w).input_.push({Kind::key, 0, 0, key, scancode, modifiers,
-                                              action != GLFW_RELEASE, action == GLFW_REPEAT});
-                       });
-    glfwSetCharCallback(window_.handle(), [](GLFWwindow* w, unsigned character) {
-        of(w).input_.push({Kind::character, 0, 0, static_cast<int>(character)});
-    });
-    glfwSetDropCallback(window_.handle(), [](GLFWwindow* window, int count, const char** paths) {
-        of(window).wake();
-        for (int i = 0; i < count; ++i)
-            of(window).ui_.to_open.emplace_back(paths[i]);
-    });
 }
 
 void App::open(const std::string& path) {
@@ -176,8 +133,8 @@ void App::run() {
             frames_due_ = 0;
             continue;
         }
-        const std::vector<ui::InputEvent> events = input_.next_frame();
-        if (!events.empty())
+        const std::vector<ui::InputEvent> events = events_.input.next_frame();
+        if (!events.empty() || !events_.dropped.empty() || events_.resized)
             wake();
         --frames_due_;
         try {
@@ -195,15 +152,18 @@ void App::run() {
 }
 
 void App::resize_if_asked() {
-    if (!resize_)
+    if (!events_.resized)
         return;
     screen_->resize(window_);
-    resize_ = false;
+    events_.resized = false;
 }
 
 void App::frame(const std::vector<ui::InputEvent>& events) {
     resize_if_asked();
-    for (const std::string& path : std::exchange(ui_.to_open, {}))
+    std::vector<std::string> paths = std::exchange(ui_.to_open, {});
+    for (std::string& path : std::exchange(events_.dropped, {}))
+        paths.push_back(std::move(path));
+    for (const std::string& path : paths)
         ui::attempt(ui_, [&] { open(path); });
     for (const ui::InputEvent& event : events)
         if (event.kind == ui::InputEvent::Kind::key && event.down && !event.repeats)
@@ -249,21 +209,9 @@ void App::take_looks() {
     }
 }
 
-/// The picture's part of the window, in its pixels.
-vk::Rect2D App::output_area(const ui::Rect& area) const {
-    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-    const vk::Extent2D window = screen_->swapchain.extent();
-    const auto x = std::min(static_cast<std::uint32_t>(area.x * scale.x), window.width - 2);
-    const auto y = std::min(static_cast<std::uint32_t>(area.y * scale.y), window.height - 1);
-    const auto width = std::max(static_cast<std::uint32_t>(area.width * scale.x) & ~1U, 2U);
-    const auto height = std::max(static_cast<std::uint32_t>(area.height * scale.y), 1U);
-    return {{static_cast<int>(x), static_cast<int>(y)},
-            {std::min(width, (window.width - x) & ~1U), std::min(height, window.height - y)}};
-}
-
 void App::render(const ui::Rect& area) {
     Screen& screen = *screen_;
-    const vk::Rect2D output = output_area(area);
+    const vk::Rect2D output = output_area(area, screen.swapchain.extent());
     const FrameSettings settings =
         window_settings(ui_, options_, screen.device, {output.extent.width, output.extent.height});
     const std::vector<PointLight>& lights = ui_.history.draft().lights;
@@ -277,7 +225,7 @@ void App::render(const ui::Rect& area) {
 
     const std::optional<std::uint32_t> image = screen.swapchain.acquire();
     if (!image) {
-        resize_ = true;
+        events_.resized = true;
         frames_due_ = frames_after_event;
         return;
     }
@@ -291,7 +239,7 @@ void App::render(const ui::Rect& area) {
     };
     screen.executor.render(graph, end);
     if (!screen.swapchain.present(*image)) {
-        resize_ = true;
+        events_.resized = true;
         frames_due_ = frames_after_event;
     }
     reader_.read(screen.executor, graph, handles, ui_);

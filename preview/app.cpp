@@ -23,8 +23,6 @@ namespace {
 
 // Dear ImGui needs a frame to notice an event, and one to show what it led to.
 constexpr int frames_after_event = 3;
-// A device that is lost again before so many frames were drawn will not do.
-constexpr int frames_of_recovery = 10;
 
 void print_validation(const gpu::Device& device) {
     for (const std::string& message : device.validation_messages())
@@ -40,7 +38,6 @@ class App {
     void wake() { frames_due_ = frames_after_event; }
     void open(const std::string& path);
     void make_screen();
-    void recover(const vk::SystemError& error);
     void follow_shown();
     void resize_if_asked();
     void frame(const std::vector<ui::InputEvent>& events);
@@ -60,13 +57,13 @@ class App {
     ui::LookBaker baker_;
     FrameReader reader_{frames_in_flight};
     int frames_due_ = frames_after_event;
-    int frames_to_prove_ = 0; ///< until the screen that replaced a lost one has shown that it works
+    Recovery recovery_;
 };
 
 App::App(const Options& options)
     : options_(options), window_(window_size(options)), ui_(opening_state(options)),
       baker_([] { glfwPostEmptyEvent(); }) {
-    gui_.emplace(window_.handle(), layout_path(), font_path);
+    gui_.emplace(window_.handle(), layout_path(), options_.font);
     if (!gui_->notice().empty())
         ui_.errors.push_back(gui_->notice());
     make_screen();
@@ -81,17 +78,6 @@ void App::make_screen() {
     events_.resized = true;
     baking_ = false; // the new screen has no looks
     follow_shown();
-}
-
-void App::recover(const vk::SystemError& error) {
-    if (frames_to_prove_ > 0)
-        throw lutlib::Error(std::string("the GPU was lost twice: ") + error.what() +
-                            "; choose another with --device, or render with --headless");
-    ui_.errors.push_back(std::string("the GPU was lost and everything on it was made anew: ") +
-                         error.what());
-    frames_to_prove_ = frames_of_recovery;
-    wake();
-    make_screen();
 }
 
 void App::open(const std::string& path) {
@@ -141,11 +127,13 @@ void App::run() {
             if (std::exchange(ui_.wants_new_screen, false))
                 make_screen();
             frame(events);
-            frames_to_prove_ = std::max(frames_to_prove_ - 1, 0);
+            recovery_.drew();
         } catch (const vk::SystemError& error) {
             if (!is_lost(error))
                 throw;
-            recover(error);
+            ui_.errors.push_back(recovery_.lost(error));
+            wake();
+            make_screen();
         }
     }
     print_validation(screen_->device);

@@ -193,6 +193,47 @@ TEST_F(Window, rests_while_nothing_changes_and_wakes_with_the_mouse) {
     EXPECT_GT(frame(), last);
 }
 
+TEST_F(Window, keeps_everything_when_all_of_it_on_the_gpu_is_made_anew) {
+    start({"picture.ppm", "--b", "look.cube"});
+    click("tab.View");
+    click("sideA.source");
+    const Screen before = first_screen();
+    key("ctrl+shift+r");
+    screen_where(is(before), "the same picture");
+    key("ctrl+z");
+    screen_where([&](const Screen& now) { return now.changed(before, between(0, 0.5)) > 0.9; },
+                 "side A without its look");
+    key("ctrl+y");
+    screen_where(is(before), "the same picture");
+}
+
+TEST_F(Window, does_with_a_built_in_font_where_one_is_missing_and_says_so) {
+    std::ofstream(file("no-font.ttf")) << "no font";
+    start({"picture.ppm", "--font", "no-font.ttf"});
+    const Screen told = first_screen();
+    click("error.close");
+    screen_where([&](const Screen& now) { return now.changed(told, picture()) > 0.05; },
+                 "the message closed");
+    EXPECT_EQ(places().count("error.close"), 0U);
+}
+
+TEST_F(Window, switches_effects_and_lights_and_brings_them_back) {
+    start({"sample"});
+    const Screen before = first_screen();
+    click("tab.Scene");
+    click("light.key.on");
+    const Screen dark = screen_where(
+        [&](const Screen& now) { return now.changed(before, picture()) > 0.9; }, "less light");
+    click("tab.Passes");
+    click("effect.bloom");
+    screen_where([&](const Screen& now) { return now.changed(dark, picture()) > 0.05; },
+                 "no bloom");
+    key("ctrl+z");
+    screen_where(is(dark), "bloom");
+    key("ctrl+z");
+    screen_where(is(before), "the light");
+}
+
 TEST_F(Window, remembers_how_wide_its_panels_are) {
     start({"picture.ppm"});
     const Area before = place("panels");

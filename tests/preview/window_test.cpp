@@ -1,5 +1,6 @@
 // The window as a person uses it: real mouse and key events on a virtual X server, and a look at
 // its screen.
+#include "tests/preview/gltf_writer.h"
 #include "tests/preview/window_fixture.h"
 
 namespace desktop {
@@ -232,6 +233,26 @@ TEST_F(Window, switches_effects_and_lights_and_brings_them_back) {
     screen_where(is(dark), "bloom");
     key("ctrl+z");
     screen_where(is(before), "the light");
+}
+
+TEST_F(Window, opens_a_model_with_its_lights_and_undoes_that) {
+    preview::GltfWriter gltf;
+    gltf.add("materials", {{"emissiveFactor", {1, 0, 1}}, {"doubleSided", true}});
+    gltf.add_node({{"mesh", gltf.add_mesh(preview::square_corners())}});
+    gltf.write(file("model.gltf"));
+    std::ofstream(file("broken.glb")) << "glTF";
+    start({"plain", "--raster", "compute"});
+    const Screen before = first_screen();
+    open("model.gltf");
+    const Screen model = screen_where(
+        [&](const Screen& now) { return now.changed(before, picture()) > 0.5; }, "the model");
+    open("broken.glb");
+    click("error.close");
+    screen_where(is(model), "the model still");
+    key("ctrl+z");
+    screen_where(is(before), "the scene");
+    key("ctrl+y");
+    screen_where(is(model), "the model again");
 }
 
 TEST_F(Window, remembers_how_wide_its_panels_are) {

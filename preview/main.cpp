@@ -101,8 +101,13 @@ int run(const Options& options) {
     device_options.validation = options.validate;
     const gpu::Device device(device_options);
     const auto shown = std::make_shared<const Shown>(load_shown(options.input, options.seconds));
-    for (const std::string& line : shown->left_out)
-        std::fprintf(stderr, "lutpreview: %s: left out: %s\n", shown->name.c_str(), line.c_str());
+    std::string notes; // lines of --explain
+    for (const std::string& line : shown->left_out) {
+        notes += "left out  of " + shown->name + ": " + line + "\n";
+        if (!options.explain)
+            std::fprintf(stderr, "lutpreview: %s: left out: %s\n", shown->name.c_str(),
+                         line.c_str());
+    }
     FrameSettings settings = settings_of(options, shown->picture_size());
     const std::vector<PointLight> lights = lights_of(options, shown->scene);
     if (shown->scene) {
@@ -113,7 +118,6 @@ int run(const Options& options) {
     }
     settings.raster = raster_of(options, device, picture_size(settings.output, *settings.compare));
     settings.keep_hdr = writes_light(options.output);
-    std::string notes; // lines of --explain
     const auto look_a = load_side(device, options.look_a, options, notes, "A");
     const auto look_b = load_side(device, options.look_b, options, notes, "B");
     const GpuShown on_gpu(device, shown);

@@ -83,7 +83,7 @@ class MeshImport {
   private:
     void add(const aiFace& face) {
         if (face.mNumIndices != 3) {
-            left_out_.add("points and lines");
+            left_out_.add("faces that are no triangles");
             return;
         }
         glm::vec3 corners[3];

@@ -50,6 +50,30 @@ void reduce_primitive(json& primitive, LeftOut& left_out) {
     keep_only(primitive["attributes"], {"POSITION", "NORMAL"});
 }
 
+/// Whether it has triangles: as a list, a strip or a fan, of three corners at least.
+bool has_triangles(const json& primitive, const json& accessors) {
+    const json mode = primitive.value("mode", json(4));
+    if (!primitive["attributes"].contains("POSITION") || (mode != 4 && mode != 5 && mode != 6))
+        return false;
+    const json& corners =
+        primitive.contains("indices") ? primitive["indices"] : primitive["attributes"]["POSITION"];
+    return accessors[corners.get<std::size_t>()].value("count", json(0)) >= json(3);
+}
+
+void reduce_mesh(json& mesh, const json& root, LeftOut& left_out) {
+    keep_only(mesh, {"name", "primitives"});
+    json kept = json::array();
+    each_row(mesh, "primitives", [&](json& primitive) {
+        if (has_triangles(primitive, root["accessors"])) {
+            reduce_primitive(primitive, left_out);
+            kept.push_back(std::move(primitive));
+        } else {
+            left_out.add("meshes of points or lines");
+        }
+    });
+    mesh["primitives"] = std::move(kept);
+}
+
 void reduce_node(json& node) {
     keep_only(node, {"name", "children", "matrix", "translation", "rotation", "scale", "mesh",
                      "camera", "extensions"});
@@ -90,11 +114,7 @@ void reduce_gltf(json& root, LeftOut& left_out) {
     if (root.contains("extensions"))
         keep_only(root["extensions"], {"KHR_lights_punctual"});
     each_row(root, "materials", [&](json& material) { reduce_material(material, left_out); });
-    each_row(root, "meshes", [&](json& mesh) {
-        keep_only(mesh, {"name", "primitives"});
-        each_row(mesh, "primitives",
-                 [&](json& primitive) { reduce_primitive(primitive, left_out); });
-    });
+    each_row(root, "meshes", [&](json& mesh) { reduce_mesh(mesh, root, left_out); });
     each_row(root, "nodes", [](json& node) { reduce_node(node); });
 }
 

@@ -120,6 +120,7 @@ void declare(CLI::App& app, Options& options) {
         "--list", options.list,
         "Print scenes, tone maps, blooms, lookups, views, effects, lights' controls, devices");
     app.add_option("--device", options.device, "Part of a GPU's name, or its number in --list");
+    app.add_option("--font", options.font, "The window's font, a TrueType or OpenType file");
     app.add_option("--places", options.places,
                    "Keep in this file where the window's controls are, for scripts: a line "
                    "'NAME X Y WIDTH HEIGHT' for each, in pixels, after 'frame NUMBER' and where "

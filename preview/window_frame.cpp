@@ -1,5 +1,8 @@
 #include "preview/window_frame.h"
 
+#include <imgui.h>
+
+#include <algorithm>
 #include <cstring>
 
 namespace preview {
@@ -23,6 +26,16 @@ std::optional<DifferenceFigures> figures_of(const Executor& executor, Size pictu
 }
 
 } // namespace
+
+vk::Rect2D output_area(const ui::Rect& area, vk::Extent2D window) {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    const auto x = std::min(static_cast<std::uint32_t>(area.x * scale.x), window.width - 2);
+    const auto y = std::min(static_cast<std::uint32_t>(area.y * scale.y), window.height - 1);
+    const auto width = std::max(static_cast<std::uint32_t>(area.width * scale.x) & ~1U, 2U);
+    const auto height = std::max(static_cast<std::uint32_t>(area.height * scale.y), 1U);
+    return {{static_cast<int>(x), static_cast<int>(y)},
+            {std::min(width, (window.width - x) & ~1U), std::min(height, window.height - y)}};
+}
 
 FrameSettings window_settings(const ui::Ui& ui, const Options& options, const gpu::Device& device,
                               Size output) {

@@ -12,6 +12,9 @@
 
 namespace preview {
 
+/// The picture's part of a window of that size, in its pixels.
+vk::Rect2D output_area(const ui::Rect& area, vk::Extent2D window);
+
 /// The settings of a frame of that size.
 FrameSettings window_settings(const ui::Ui& ui, const Options& options, const gpu::Device& device,
                               Size output);

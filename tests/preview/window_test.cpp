@@ -1,5 +1,6 @@
 // The window as a person uses it: real mouse and key events on a virtual X server, and a look at
 // its screen.
+#include "tests/preview/gltf_writer.h"
 #include "tests/preview/window_fixture.h"
 
 namespace desktop {
@@ -191,6 +192,67 @@ TEST_F(Window, rests_while_nothing_changes_and_wakes_with_the_mouse) {
     EXPECT_EQ(frame(), last);
     act(mouse_to({200, 200}));
     EXPECT_GT(frame(), last);
+}
+
+TEST_F(Window, keeps_everything_when_all_of_it_on_the_gpu_is_made_anew) {
+    start({"picture.ppm", "--b", "look.cube"});
+    click("tab.View");
+    click("sideA.source");
+    const Screen before = first_screen();
+    key("ctrl+shift+r");
+    screen_where(is(before), "the same picture");
+    key("ctrl+z");
+    screen_where([&](const Screen& now) { return now.changed(before, between(0, 0.5)) > 0.9; },
+                 "side A without its look");
+    key("ctrl+y");
+    screen_where(is(before), "the same picture");
+}
+
+TEST_F(Window, does_with_a_built_in_font_where_one_is_missing_and_says_so) {
+    std::ofstream(file("no-font.ttf")) << "no font";
+    start({"picture.ppm", "--font", "no-font.ttf"});
+    const Screen told = first_screen();
+    click("error.close");
+    screen_where([&](const Screen& now) { return now.changed(told, picture()) > 0.05; },
+                 "the message closed");
+    EXPECT_EQ(places().count("error.close"), 0U);
+}
+
+TEST_F(Window, switches_effects_and_lights_and_brings_them_back) {
+    start({"sample"});
+    const Screen before = first_screen();
+    click("tab.Scene");
+    click("light.key.on");
+    const Screen dark = screen_where(
+        [&](const Screen& now) { return now.changed(before, picture()) > 0.9; }, "less light");
+    click("tab.Passes");
+    click("effect.bloom");
+    screen_where([&](const Screen& now) { return now.changed(dark, picture()) > 0.05; },
+                 "no bloom");
+    key("ctrl+z");
+    screen_where(is(dark), "bloom");
+    key("ctrl+z");
+    screen_where(is(before), "the light");
+}
+
+TEST_F(Window, opens_a_model_with_its_lights_and_undoes_that) {
+    preview::GltfWriter gltf;
+    gltf.add("materials", {{"emissiveFactor", {1, 0, 1}}, {"doubleSided", true}});
+    gltf.add_node({{"mesh", gltf.add_mesh(preview::square_corners())}});
+    gltf.write(file("model.gltf"));
+    std::ofstream(file("broken.glb")) << "glTF";
+    start({"plain", "--raster", "compute"});
+    const Screen before = first_screen();
+    open("model.gltf");
+    const Screen model = screen_where(
+        [&](const Screen& now) { return now.changed(before, picture()) > 0.5; }, "the model");
+    open("broken.glb");
+    click("error.close");
+    screen_where(is(model), "the model still");
+    key("ctrl+z");
+    screen_where(is(before), "the scene");
+    key("ctrl+y");
+    screen_where(is(model), "the model again");
 }
 
 TEST_F(Window, remembers_how_wide_its_panels_are) {

@@ -60,6 +60,8 @@ class App {
     ui::LookBaker baker_;
     std::optional<Overlay> overlay_;
     FrameReader reader_{frames_in_flight};
+    std::optional<Graph>
+        drawn_; ///< of the last frame; none when its inputs have been written since
     int frames_due_ = frames_after_event;
     bool resize_ = true;
 };
@@ -118,6 +120,7 @@ void App::set_callbacks() {
 void App::show(Shown shown) {
     device_.vk().waitIdle();
     shown_ = std::move(shown);
+    drawn_.reset();
     reader_.forget();
     take_shown(ui_.history.draft(), shown_, options_);
     ui_.facts.input = shown_.name;
@@ -209,6 +212,7 @@ void App::take_looks() {
     }
     for (std::size_t i = 0; i < looks_.size(); ++i)
         looks_[i].set(baked->sides[i]);
+    drawn_.reset();
 }
 
 /// The picture's part of the window, in its pixels.
@@ -248,12 +252,16 @@ void App::render(const ui::Rect& area) {
                        output.offset);
         overlay_->record(commands, *image);
     };
-    executor_.render(graph, end);
+    if (drawn_ && *drawn_ == graph)
+        executor_.repeat(end);
+    else
+        executor_.render(graph, end);
     if (!swapchain_.present(*image)) {
         resize_ = true;
         frames_due_ = frames_after_event;
     }
     reader_.read(executor_, graph, handles, ui_);
+    drawn_ = std::move(graph);
 }
 
 void App::write_places() const {

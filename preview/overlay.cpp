@@ -2,19 +2,12 @@
 
 #include "lutlib/error.h"
 
-#include <GLFW/glfw3.h>
 #include <imgui.h>
-#include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/backends/imgui_impl_vulkan.h>
-
-#include <filesystem>
 
 namespace preview {
 
 namespace {
-
-constexpr const char* font_path = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr float font_size = 14;
 
 vk::raii::DescriptorPool make_pool(const gpu::Device& device) {
     const vk::DescriptorPoolSize sizes(vk::DescriptorType::eCombinedImageSampler, 16);
@@ -46,25 +39,8 @@ void check(VkResult result) {
 
 } // namespace
 
-Overlay::Overlay(const gpu::Device& device, GLFWwindow* window, vk::Format format,
-                 std::string settings_path)
-    : device_(device), window_(window), mouse_x_(ui::far_away), mouse_y_(ui::far_away),
-      settings_path_(std::move(settings_path)), descriptors_(make_pool(device)),
-      pass_(make_pass(device, format)) {
-    IMGUI_CHECKVERSION();
-    ImGui::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = settings_path_.empty() ? nullptr : settings_path_.c_str();
-    ImGui::StyleColorsDark();
-    ImGuiStyle& style = ImGui::GetStyle();
-    style.WindowRounding = 0;
-    style.FrameRounding = 3;
-    float scale = 1;
-    glfwGetWindowContentScale(window, &scale, nullptr);
-    style.ScaleAllSizes(scale);
-    load_font(scale);
-
-    ImGui_ImplGlfw_InitForVulkan(window, false);
+Overlay::Overlay(const gpu::Device& device, vk::Format format)
+    : device_(device), descriptors_(make_pool(device)), pass_(make_pass(device, format)) {
     ImGui_ImplVulkan_InitInfo info{};
     info.Instance = *device.instance();
     info.PhysicalDevice = *device.physical();
@@ -86,19 +62,6 @@ Overlay::Overlay(const gpu::Device& device, GLFWwindow* window, vk::Format forma
 Overlay::~Overlay() {
     (*device_.vk()).waitIdle(*device_.vk().getDispatcher());
     ImGui_ImplVulkan_Shutdown();
-    ImGui_ImplGlfw_Shutdown();
-    ImGui::DestroyContext();
-}
-
-void Overlay::load_font(float scale) {
-    ImGuiIO& io = ImGui::GetIO();
-    std::error_code missing;
-    if (std::filesystem::exists(font_path, missing) &&
-        io.Fonts->AddFontFromFileTTF(font_path, font_size * scale) != nullptr)
-        return;
-    io.Fonts->AddFontDefault();
-    notice_ = std::string("the font ") + font_path +
-              " is missing (Debian: fonts-dejavu-core); a built-in one stands in";
 }
 
 void Overlay::set_targets(const gpu::Swapchain& swapchain) {
@@ -112,43 +75,8 @@ void Overlay::set_targets(const gpu::Swapchain& swapchain) {
     }
 }
 
-void Overlay::feed(const ui::InputEvent& event) {
-    using Kind = ui::InputEvent::Kind;
-    ImGuiIO& io = ImGui::GetIO();
-    switch (event.kind) {
-    case Kind::move:
-        mouse_x_ = event.x;
-        mouse_y_ = event.y;
-        break;
-    case Kind::wheel:
-        io.MouseWheelH += event.x;
-        io.MouseWheel += event.y;
-        break;
-    case Kind::button:
-        if (const auto index = static_cast<std::size_t>(event.code); index < buttons_.size())
-            buttons_[index] = event.down;
-        break;
-    case Kind::key:
-        ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode,
-                                   event.down ? GLFW_PRESS : GLFW_RELEASE, event.modifiers);
-        break;
-    case Kind::character:
-        io.AddInputCharacter(static_cast<unsigned>(event.code));
-        break;
-    }
-}
-
-void Overlay::begin_frame(const std::vector<ui::InputEvent>& events) {
-    for (const ui::InputEvent& event : events)
-        feed(event);
+void Overlay::begin_frame() {
     ImGui_ImplVulkan_NewFrame();
-    ImGui_ImplGlfw_NewFrame();
-    // The backend looks at where the mouse is now; the events tell where it was.
-    ImGuiIO& io = ImGui::GetIO();
-    io.MousePos = {mouse_x_, mouse_y_};
-    for (std::size_t i = 0; i < buttons_.size(); ++i)
-        io.MouseDown[i] = buttons_[i];
-    ImGui::NewFrame();
 }
 
 void Overlay::record(const vk::raii::CommandBuffer& commands, std::uint32_t image) const {

@@ -19,10 +19,8 @@ struct Panel {
     void (*draw)(Ui& ui);
 };
 constexpr Panel panels[] = {
-    {"Look", &look_panel},
-    {"View", &view_panel},
-    {"Files", &file_panel},
-    {"Passes", &passes_panel},
+    {"Look", &look_panel},  {"View", &view_panel},     {"Scene", &scene_panel},
+    {"Files", &file_panel}, {"Passes", &passes_panel},
 };
 
 struct Shortcut {
@@ -52,6 +50,8 @@ constexpr Shortcut shortcuts[] = {
          else
              attempt(ui, [&] { save_recipe(state, state.recipe_path); });
      }},
+    {"Ctrl+Shift+R", "make everything on the GPU anew", GLFW_KEY_R, true, true,
+     [](Ui& ui) { ui.wants_new_screen = true; }},
     {"Ctrl+Q", "quit", GLFW_KEY_Q, true, false, [](Ui& ui) { ui.quits = true; }},
     {"1", "side A alone", GLFW_KEY_1, false, false, &compare_by<0>},
     {"2", "side B alone", GLFW_KEY_2, false, false, &compare_by<1>},

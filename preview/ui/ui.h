@@ -25,9 +25,10 @@ struct PassTime {
 /// What the panels show and do not change.
 struct Facts {
     std::string device, input;
-    bool is_scene = true;         ///< there is a camera to move
-    float aspect = 0;             ///< a picture's width over its height; 0: a scene fills any area
-    bool display_encoded = false; ///< there is nothing to tone map
+    std::vector<std::string> left_out; ///< of the input, by its import
+    bool is_scene = true;              ///< there is a camera to move
+    float aspect = 0;                  ///< a picture's width over its height; 0: a scene
+    bool display_encoded = false;      ///< there is nothing to tone map
     double bake_milliseconds = 0;
     std::optional<DifferenceFigures> figures; ///< of the frame, when it compares by difference
     std::vector<PassTime> passes;
@@ -47,6 +48,7 @@ struct Ui {
     Facts facts;
     std::vector<std::string> errors; ///< shown until they are closed
     std::string report;              ///< of the last export
+    bool wants_new_screen = false;   ///< everything on the GPU shall be made anew
     bool shows_help = false;
     bool quits = false;
     bool shows_passes = false;     ///< set by the passes panel while it is seen: timings are wanted
@@ -76,6 +78,7 @@ Rect draw(Ui& ui);
 // The parts.
 void look_panel(Ui& ui);
 void view_panel(Ui& ui);
+void scene_panel(Ui& ui);
 void file_panel(Ui& ui);
 void passes_panel(Ui& ui);
 void dialogs(Ui& ui);

@@ -209,11 +209,11 @@ void App::frame(const std::vector<ui::InputEvent>& events) {
     resize_if_asked();
     for (const std::string& path : std::exchange(ui_.to_open, {}))
         ui::attempt(ui_, [&] { open(path); });
-    follow_shown();
     for (const ui::InputEvent& event : events)
         if (event.kind == ui::InputEvent::Kind::key && event.down && !event.repeats)
             ui_.pressed.push_back({event.code, (event.modifiers & GLFW_MOD_CONTROL) != 0,
                                    (event.modifiers & GLFW_MOD_SHIFT) != 0});
+    follow_shown();
     screen_->overlay.begin_frame();
     gui_->begin_frame(events);
     const ui::Rect area = ui::draw(ui_);

@@ -21,7 +21,7 @@ class Gui {
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
 
-    /// With what the frame is to see of mouse and keys.
+    /// With what happened since the last one.
     void begin_frame(const std::vector<ui::InputEvent>& events);
     /// What a person should know of the set-up; empty when all is well.
     const std::string& notice() const { return notice_; }
@@ -30,9 +30,9 @@ class Gui {
     void feed(const ui::InputEvent& event);
 
     GLFWwindow* window_;
-    std::string layout_path_, notice_;
-    float mouse_x_ = ui::far_away, mouse_y_ = ui::far_away;
+    float mouse_x_ = ui::far_away, mouse_y_ = ui::far_away; ///< beyond the window when the mouse is
     std::array<bool, 5> buttons_{};
+    std::string layout_path_, notice_;
 };
 
 /// Where the panels' layout is remembered, or empty.

@@ -27,8 +27,8 @@ struct Facts {
     std::string device, input;
     std::vector<std::string> left_out; ///< of the input, by its import
     bool is_scene = true;              ///< there is a camera to move
-    float aspect = 0;                  ///< a picture's width over its height; 0: a scene
-    bool display_encoded = false;      ///< there is nothing to tone map
+    float aspect = 0;             ///< a picture's width over its height; 0: a scene fills any area
+    bool display_encoded = false; ///< there is nothing to tone map
     double bake_milliseconds = 0;
     std::optional<DifferenceFigures> figures; ///< of the frame, when it compares by difference
     std::vector<PassTime> passes;

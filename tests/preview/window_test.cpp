@@ -193,6 +193,37 @@ TEST_F(Window, rests_while_nothing_changes_and_wakes_with_the_mouse) {
     EXPECT_GT(frame(), last);
 }
 
+TEST_F(Window, computes_the_scene_again_only_when_it_changes) {
+    start({"plain"});
+    first_screen();
+    rest();
+    const auto cost_of = [&](const std::function<void()>& gesture) {
+        const auto before = program_->processor_time();
+        for (int i = 0; i < 4; ++i)
+            gesture();
+        rest();
+        return program_->processor_time() - before;
+    };
+    const Area panels = place("panels"), all = picture();
+    const auto hovering = cost_of([&] { act(mouse_to(panels.at(0.5, 0.9))); });
+    const auto turning =
+        cost_of([&] { drag(all.at(0.2, 0.5), all.at(0.25, 0.5), all.at(0.3, 0.5)); });
+    EXPECT_LT(2 * hovering, turning);
+}
+
+TEST_F(Window, looks_as_before_when_everything_on_the_gpu_is_made_anew) {
+    start({"plain", "--b", "look.cube"});
+    const Screen before = first_screen();
+    click("add");
+    click("add.hue-vs-sat");
+    key("ctrl+shift+r");
+    screen_where(is(before), "the same picture");
+    const Area curve = place("op0.curve");
+    drag(curve.at(0.1, 0.5), curve.at(0.1, 0.7), curve.at(0.1, 0.95));
+    screen_where([&](const Screen& now) { return now.changed(before, between(0.5, 1)) > 0.01; },
+                 "what the knot does");
+}
+
 TEST_F(Window, remembers_how_wide_its_panels_are) {
     start({"picture.ppm"});
     const Area before = place("panels");

@@ -56,6 +56,9 @@ TEST_F(Window, edits_a_look_that_was_opened_undoes_and_exports_strips_that_verif
     click("replace.no");
     EXPECT_EQ(verify("look-piccolo.png", "look.cube"), 0) << "the strip was not kept";
     click("export-strip");
+    key("Escape");
+    EXPECT_EQ(verify("look-piccolo.png", "look.cube"), 0) << "the strip was not kept";
+    click("export-strip");
     click("replace.yes");
     EXPECT_EQ(verify("look-piccolo.png", "look.cube"), 1) << "the knot is not in the strip";
     ASSERT_EQ(say({LUTCONV, "bake", "look.json", "-o", "baked.png"}, desktop_->folder()).code, 0);
@@ -172,7 +175,10 @@ TEST_F(Window, shows_what_is_wrong_with_a_file_and_changes_nothing_else) {
         const Area error = place("error");
         screen_where([&](const Screen& now) { return now.changed(before, error) > 0.5; },
                      "the error of " + name);
-        click("error.close");
+        if (name == "bad.cube")
+            click("error.close");
+        else
+            key("Escape");
         screen_where(is(before), "the same picture");
     }
     // Nothing changed that could be undone.

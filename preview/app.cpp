@@ -56,6 +56,8 @@ class App {
     bool baking_ = false;
     ui::LookBaker baker_;
     FrameReader reader_{frames_in_flight};
+    /// Of the last frame; none when something that it reads has been written since.
+    std::optional<Graph> drawn_;
     int frames_due_ = frames_after_event;
     Recovery recovery_;
 };
@@ -73,6 +75,7 @@ void App::make_screen() {
     if (screen_)
         print_validation(screen_->device);
     screen_.reset();
+    drawn_.reset();
     screen_.emplace(window_, options_);
     ui_.facts.device = screen_->device.name();
     events_.resized = true;
@@ -96,13 +99,14 @@ void App::follow_shown() {
     if (screen_->shown && screen_->shown->shown() == shown)
         return;
     screen_->show(shown);
+    drawn_.reset();
     reader_.forget();
     ui_.facts.input = shown->name;
     ui_.facts.left_out = shown->left_out;
+    ui_.facts.is_scene = shown->scene.has_value();
     ui_.facts.aspect = shown->picture ? static_cast<float>(shown->picture->size.width) /
                                             static_cast<float>(shown->picture->size.height)
                                       : 0.0F;
-    ui_.facts.is_scene = shown->scene.has_value();
     ui_.facts.display_encoded = shown->display_encoded();
 }
 
@@ -195,6 +199,7 @@ void App::take_looks() {
         screen_->looks[i].set(baked->sides[i]);
         ui_.facts.look_notes[i] = baked->sides[i].note;
     }
+    drawn_.reset();
 }
 
 void App::render(const ui::Rect& area) {
@@ -225,12 +230,16 @@ void App::render(const ui::Rect& area) {
                        screen.swapchain.image(*image), output.offset);
         screen.overlay.record(commands, *image);
     };
-    screen.executor.render(graph, end);
+    if (drawn_ && *drawn_ == graph)
+        screen.executor.repeat(end);
+    else
+        screen.executor.render(graph, end);
     if (!screen.swapchain.present(*image)) {
         events_.resized = true;
         frames_due_ = frames_after_event;
     }
     reader_.read(screen.executor, graph, handles, ui_);
+    drawn_ = std::move(graph);
 }
 
 void App::write_places() const {

@@ -351,20 +351,27 @@ TEST_F(VisibilityTest, every_scene_has_the_surfaces_that_the_gpus_rasteriser_fin
         const Surfaces expected = hardware(scene, view, large);
         for (const VisibilityLimits& limits : ways) {
             const Surfaces found = compute(scene, view, limits, large);
-            std::size_t elsewhere = 0;
+            std::size_t elsewhere = 0, turned = 0;
             for (std::size_t at = 0; at < expected.material.size(); ++at) {
-                const bool same_surface =
-                    found.material[at] == expected.material[at] &&
-                    (found.material[at] == 0 ||
-                     (std::abs(found.depth[at] - expected.depth[at]) < 2e-5F &&
-                      glm::length(decoded(found.normal[at]) - decoded(expected.normal[at])) <
-                          0.002F));
-                elsewhere += same_surface ? 0 : 1;
+                const bool same_place = found.material[at] == expected.material[at] &&
+                                        (found.material[at] == 0 ||
+                                         std::abs(found.depth[at] - expected.depth[at]) < 2e-5F);
+                const float turn =
+                    same_place && found.material[at] != 0
+                        ? glm::length(decoded(found.normal[at]) - decoded(expected.normal[at]))
+                        : 0;
+                elsewhere += !same_place || turn > 0.02F ? 1 : 0;
+                turned += turn > 0.002F ? 1 : 0;
             }
+            const auto share = [&](std::size_t pixels) {
+                return static_cast<double>(pixels) / static_cast<double>(expected.depth.size());
+            };
             // Snapping moves an edge across a centre at few pixels, and facets change there.
-            EXPECT_LT(static_cast<double>(elsewhere) / static_cast<double>(expected.depth.size()),
-                      0.002)
-                << info.name << ": " << elsewhere << " pixels";
+            EXPECT_LT(share(elsewhere), 0.002) << info.name << ": " << elsewhere << " pixels";
+            // A GPU may interpolate from corners that it has moved to its grid, by 1/512 pixel;
+            // normals of thin facets at a silhouette turn by that. Ours come from the corners
+            // themselves.
+            EXPECT_LT(share(turned), 0.01) << info.name << ": " << turned << " pixels";
         }
     }
 }

@@ -106,6 +106,26 @@ BloomLayers bloom_of(Graph& graph, Handle hdr, const FrameInputs& inputs,
     return add_bloom(graph, hdr, plan);
 }
 
+void add_scopes(Graph& graph, const FrameSettings& settings, FrameHandles& handles) {
+    const Size size = size_of(graph, handles.output);
+    const ColumnRange range = scope_range(*settings.scope_side, *settings.compare, settings.split,
+                                          size.width, size.height);
+    for (std::size_t i = 0; i < scopes.size(); ++i) {
+        if (settings.scope_sizes[i] == Size{}) {
+            graph.withhold(scopes[i].name, "nobody looks at it");
+        } else if (range.count == 0) {
+            graph.withhold(scopes[i].name, settings.compare == &compare_difference
+                                               ? "a heat map has no levels"
+                                               : "nothing of its side is shown");
+        } else {
+            handles.scope_pictures[i] =
+                add_scope(graph, handles.output, scopes[i], range, settings.scope_sizes[i],
+                          settings.scope_logarithmic.value_or(scopes[i].logarithmic))
+                    .picture;
+        }
+    }
+}
+
 constexpr DebugView views[] = {
     {"depth", "distance from the camera, near is bright",
      [](const FrameHandles& h) { return h.surfaces.depth; }, ViewMode::depth},
@@ -191,7 +211,19 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
         graph.present(handles.output);
         return handles;
     }
+    add_scopes(graph, settings, handles);
+    if (settings.scope != nullptr) {
+        const auto row = static_cast<std::size_t>(settings.scope - scopes.data());
+        if (!handles.scope_pictures[row])
+            throw lutlib::UsageError("this frame has nothing for the " +
+                                     std::string(settings.scope->name) +
+                                     " to show; --explain says why");
+        handles.output = handles.scope_pictures[row];
+    }
     graph.present(handles.output);
+    for (const Handle scope : handles.scope_pictures)
+        if (scope)
+            graph.present(scope);
     graph.present(handles.hdr_maximum);
     if (settings.keep_hdr)
         graph.present(handles.hdr);

@@ -8,6 +8,7 @@
 #include "preview/passes/finish.h"
 #include "preview/passes/lighting.h"
 #include "preview/passes/resolve.h"
+#include "preview/passes/scope.h"
 #include "preview/passes/view.h"
 #include "preview/passes/visibility.h"
 #include "preview/rasters.h"
@@ -36,6 +37,12 @@ struct FrameSettings {
     VisibilityLimits visibility; ///< of Raster::compute
     /// Show this intermediate and nothing else.
     const DebugView* view = nullptr;
+    /// Show this scope and nothing else, in its size of scope_sizes.
+    const Scope* scope = nullptr;
+    /// Of each row of scopes; {}: nobody looks at it.
+    std::array<Size, scopes.size()> scope_sizes{};
+    const ScopeSide* scope_side = &scope_side_shown;
+    std::optional<bool> scope_logarithmic; ///< empty: each scope's own
     /// Present the HDR result before tone mapping too.
     bool keep_hdr = false;
     /// Leave out nothing that could be done: every skip that measures or looks at the scene is off.
@@ -59,7 +66,9 @@ struct FrameHandles {
     GBuffer surfaces;
     Handle materials; ///< the scene's buffer
     Handle shadow_maps, lit, hdr, hdr_maximum, bloom, graded, figures;
-    Handle output; ///< rgba8, presented
+    std::array<Handle, scopes.size()>
+        scope_pictures; ///< their pictures; those looked at are presented
+    Handle output;      ///< rgba8, presented
 };
 
 /// An intermediate that can be shown, and how.

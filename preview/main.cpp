@@ -127,7 +127,8 @@ int run(const Options& options) {
         if (rendered.figures)
             std::printf("dE2000  mean %.3f  p95 %.3f  p99 %.3f  max %.3f\n", rendered.figures->mean,
                         rendered.figures->p95, rendered.figures->p99, rendered.figures->max);
-        if (!options.output.empty() && settings.keep_hdr && settings.view == nullptr)
+        if (!options.output.empty() && settings.keep_hdr && settings.view == nullptr &&
+            settings.scope == nullptr)
             write_light(options.output, rendered);
         else if (!options.output.empty())
             write_picture(options.output, rendered);

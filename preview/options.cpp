@@ -25,7 +25,7 @@ const auto* require_row(const Rows& rows, const std::string& name, std::string_v
     throw lutlib::UsageError(fmt::format("no {} is named '{}'; there are: {}", what, name, names));
 }
 
-Size parse_size(const std::string& text) {
+Size parse_size(std::string_view option, const std::string& text) {
     Size size;
     const char* const end = text.data() + text.size();
     const auto width = std::from_chars(text.data(), end, size.width);
@@ -35,8 +35,8 @@ Size parse_size(const std::string& text) {
             size.width <= largest_side && size.height <= largest_side)
             return size;
     }
-    throw lutlib::UsageError(fmt::format(
-        "--size is WIDTHxHEIGHT with sides of 1 to {}, and not '{}'", largest_side, text));
+    throw lutlib::UsageError(fmt::format("{} is WIDTHxHEIGHT with sides of 1 to {}, and not '{}'",
+                                         option, largest_side, text));
 }
 
 template <class Rows, class Text>
@@ -96,6 +96,13 @@ void declare(CLI::App& app, Options& options) {
     app.add_option("-o,--output", options.output,
                    "Picture file; .exr and .hdr get the light before tone mapping");
     app.add_option("--debug-view", options.debug_view, "Show an intermediate, from --list");
+    app.add_option("--scope", options.scope,
+                   "Show the finished picture on this instrument, from --list");
+    app.add_option("--scope-side", options.scope_side, "shown, a or b: what it looks at");
+    app.add_option("--scope-size", options.scope_size, "Size of its picture")->type_name("WxH");
+    app.add_option("--scope-scale", options.scope_scale,
+                   "log or linear: how counts become brightness or height; by default its own")
+        ->check(CLI::IsMember({"log", "linear"}));
     app.add_flag("--explain", options.explain, "Print each pass: kept or left out, and why");
     app.add_flag("--force-all", options.force_all, "Leave out nothing that could be done");
     app.add_flag("--timings", options.timings, "Print the median GPU time of each pass");
@@ -123,6 +130,15 @@ FrameSettings settings_of(const Options& options, Size input_size) {
     settings.bloom = require_row(blooms(), options.bloom, "bloom");
     if (!options.debug_view.empty())
         settings.view = require_row(debug_views(), options.debug_view, "debug view");
+    settings.scope_side = require_row(scope_sides, options.scope_side, "side of a scope");
+    if (!options.scope_scale.empty())
+        settings.scope_logarithmic = options.scope_scale == "log";
+    if (!options.scope.empty()) {
+        settings.scope = require_row(scopes, options.scope, "scope");
+        settings.scope_sizes[static_cast<std::size_t>(settings.scope - scopes.data())] =
+            options.scope_size.empty() ? Size{settings.scope->width, settings.scope->height}
+                                       : parse_size("--scope-size", options.scope_size);
+    }
     settings.bloom_settings = options.bloom_settings;
     settings.split = options.split;
     settings.heat_scale = options.heat_scale;
@@ -131,7 +147,7 @@ FrameSettings settings_of(const Options& options, Size input_size) {
     settings.shadow_size = options.shadow_size;
     settings.force_all = options.force_all;
     if (!options.size.empty()) {
-        settings.output = parse_size(options.size);
+        settings.output = parse_size("--size", options.size);
     } else if (is_picture) {
         settings.output = input_size;
         if (settings.compare == &compare_side)
@@ -152,6 +168,7 @@ std::string listing() {
            section("Lookups (--engine)", lookups(), label) +
            section("Comparisons (--compare)", compares, label) +
            section("Views (--debug-view)", debug_views(), help) +
+           section("Scopes (--scope)", scopes, help) +
            section("Rasterisers (--raster)", rasters(), label);
 }
 

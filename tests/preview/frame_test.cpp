@@ -130,6 +130,44 @@ TEST_F(FrameTest, a_view_of_what_the_frame_withholds_is_an_error) {
     EXPECT_THROW(render_frame(executor, loaded.inputs(), settings), lutlib::UsageError);
 }
 
+TEST_F(FrameTest, scopes_are_left_out_until_somebody_looks_and_change_nothing_else) {
+    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    FrameSettings settings = settings_for(loaded.scene);
+    Executor executor(device());
+    const Rendered plain = render_frame(executor, loaded.inputs(), settings);
+    const std::size_t steps = executor.plan().steps.size();
+    for (std::size_t i = 0; i < scopes.size(); ++i) {
+        const std::string name(scopes[i].name);
+        EXPECT_FALSE(kept(plain, "count " + name));
+        EXPECT_NE(plain.explanation.find("left out  " + name), std::string::npos);
+        settings.scope_sizes[i] = {200, 120};
+        const Rendered beside = render_frame(executor, loaded.inputs(), settings);
+        EXPECT_EQ(beside.rgba, plain.rgba) << name;
+        EXPECT_TRUE(kept(beside, "count " + name)) << beside.explanation;
+        EXPECT_GT(executor.plan().steps.size(), steps);
+        settings.scope = &scopes[i];
+        const Rendered alone = render_frame(executor, loaded.inputs(), settings);
+        EXPECT_EQ(alone.size, (Size{200, 120})) << name;
+        EXPECT_NE(alone.rgba, plain.rgba) << name;
+        settings.scope = nullptr;
+        settings.scope_sizes[i] = {};
+    }
+}
+
+TEST_F(FrameTest, a_scope_of_what_is_not_shown_is_an_error_and_beside_the_picture_left_out) {
+    const Loaded loaded(scene_at(*scene_named("plain"), 0));
+    FrameSettings settings = settings_for(loaded.scene);
+    settings.scope_sizes[0] = {64, 64};
+    settings.compare = &compare_difference;
+    Executor executor(device());
+    EXPECT_FALSE(kept(render_frame(executor, loaded.inputs(), settings), "count waveform"));
+    settings.scope = &scopes[0];
+    EXPECT_THROW(render_frame(executor, loaded.inputs(), settings), lutlib::UsageError);
+    settings.compare = &compares[0];
+    settings.scope_side = &scope_sides[2];
+    EXPECT_THROW(render_frame(executor, loaded.inputs(), settings), lutlib::UsageError);
+}
+
 TEST_F(FrameTest, a_steady_frame_allocates_and_uploads_nothing) {
     const Loaded loaded(scene_at(*scene_named("sample"), 0));
     const GpuLook look(device(), look_for(inverting_look(), *lookup_named("tetrahedral")).data);

@@ -1,6 +1,7 @@
 #include "preview/frame.h"
 
 #include "lutlib/error.h"
+#include "preview/instruments.h"
 #include "preview/passes/fxaa.h"
 #include "preview/passes/shadow.h"
 
@@ -137,26 +138,6 @@ BloomLayers bloom_of(Graph& graph, Handle hdr, const FrameInputs& inputs,
     return add_bloom(graph, hdr, plan);
 }
 
-void add_scopes(Graph& graph, const FrameSettings& settings, FrameHandles& handles) {
-    const Size size = size_of(graph, handles.output);
-    const ColumnRange range = scope_range(*settings.scope_side, *settings.compare, settings.split,
-                                          size.width, size.height);
-    for (std::size_t i = 0; i < scopes.size(); ++i) {
-        if (settings.scope_sizes[i] == Size{}) {
-            graph.withhold(scopes[i].name, "nobody looks at it");
-        } else if (range.count == 0) {
-            graph.withhold(scopes[i].name, settings.compare == &compare_difference
-                                               ? "a heat map has no levels"
-                                               : "nothing of its side is shown");
-        } else {
-            handles.scope_pictures[i] =
-                add_scope(graph, handles.output, scopes[i], range, settings.scope_sizes[i],
-                          settings.scope_logarithmic.value_or(scopes[i].logarithmic))
-                    .picture;
-        }
-    }
-}
-
 constexpr DebugView views[] = {
     {"depth", "distance from the camera, near is bright",
      [](const FrameHandles& h) { return h.surfaces.depth; }, ViewMode::depth},
@@ -182,22 +163,24 @@ constexpr DebugView views[] = {
      [](const FrameHandles& h) { return h.graded; }, ViewMode::codes},
 };
 
-Finished finish_of(Graph& graph, Handle hdr, const BloomLayers& bloom, const FrameInputs& inputs,
-                   const FrameSettings& settings) {
-    FinishSettings finish;
-    finish.tonemap = settings.tonemap;
-    if (finish.tonemap != nullptr && settings.without.has(Effect::tonemap))
-        finish.tonemap = tonemap_named("none");
-    finish.compare = settings.compare;
-    finish.split = settings.split;
-    finish.heat_scale = settings.heat_scale;
+/// What the finishing pass is asked for; says which looks there are not.
+Finishing finishing_of(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings) {
+    Finishing out;
+    out.settings.tonemap = settings.tonemap;
+    if (settings.tonemap != nullptr && settings.without.has(Effect::tonemap))
+        out.settings.tonemap = tonemap_named("none");
+    out.settings.compare = settings.compare;
+    out.settings.split = settings.split;
+    out.settings.heat_scale = settings.heat_scale;
     if (settings.without.has(Effect::looks))
-        return add_finish(graph, hdr, bloom, nullptr, nullptr, finish);
+        return out;
     if (settings.compare->shows_a && inputs.look_a == nullptr)
         graph.withhold("look A", "there is none");
     if (settings.compare->shows_b && inputs.look_b == nullptr)
         graph.withhold("look B", "there is none");
-    return add_finish(graph, hdr, bloom, inputs.look_a, inputs.look_b, finish);
+    out.look_a = inputs.look_a;
+    out.look_b = inputs.look_b;
+    return out;
 }
 
 Handle antialiased(Graph& graph, Handle picture, const FrameSettings& settings) {
@@ -243,7 +226,9 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
     const BloomLayers bloom = bloom_of(graph, handles.hdr, inputs, settings);
     handles.bloom = bloom.images[0];
 
-    const Finished finished = finish_of(graph, handles.hdr, bloom, inputs, settings);
+    const Finishing finishing = finishing_of(graph, inputs, settings);
+    const Finished finished = add_finish(graph, handles.hdr, bloom, finishing.look_a,
+                                         finishing.look_b, finishing.settings);
     handles.graded = finished.picture;
     handles.figures = finished.figures;
     handles.output = antialiased(graph, handles.graded, settings);
@@ -258,19 +243,8 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
         graph.present(handles.output);
         return handles;
     }
-    add_scopes(graph, settings, handles);
-    if (settings.scope != nullptr) {
-        const auto row = static_cast<std::size_t>(settings.scope - scopes.data());
-        if (!handles.scope_pictures[row])
-            throw lutlib::UsageError("this frame has nothing for the " +
-                                     std::string(settings.scope->name) +
-                                     " to show; --explain says why");
-        handles.output = handles.scope_pictures[row];
-    }
+    add_instruments(graph, settings, bloom, finishing, handles);
     graph.present(handles.output);
-    for (const Handle scope : handles.scope_pictures)
-        if (scope)
-            graph.present(scope);
     graph.present(handles.hdr_maximum);
     if (settings.keep_hdr)
         graph.present(handles.hdr);

@@ -87,12 +87,13 @@ int run(const Options& options) {
         print_list();
         return ok;
     }
-    if (!options.headless && !options.explain && !options.timings && options.output.empty()) {
+    const bool prints = options.explain || options.timings || !options.probe.empty();
+    if (!options.headless && !prints && options.output.empty()) {
         run_window(options);
         return ok;
     }
-    if (options.headless && options.output.empty() && !options.explain && !options.timings)
-        throw lutlib::UsageError("--headless needs -o FILE, --timings or --explain");
+    if (options.headless && options.output.empty() && !prints)
+        throw lutlib::UsageError("--headless needs -o FILE, --timings, --probe or --explain");
 
     gpu::DeviceOptions device_options;
     device_options.wanted = options.device;
@@ -116,10 +117,14 @@ int run(const Options& options) {
     inputs.look_b = look_b ? &*look_b : nullptr;
 
     Executor executor(device);
-    if (!options.output.empty() || options.explain) {
+    if (!options.output.empty() || options.explain || settings.probe) {
         const Rendered rendered = render_frame(executor, inputs, settings);
         if (options.explain)
             std::printf("%s%s", rendered.explanation.c_str(), skipped.c_str());
+        if (rendered.probe)
+            std::fputs(options.json ? probe_json(*rendered.probe, *settings.probe).c_str()
+                                    : probe_table(*rendered.probe, *settings.probe).c_str(),
+                       stdout);
         if (rendered.figures)
             std::printf("dE2000  mean %.3f  p95 %.3f  p99 %.3f  max %.3f\n", rendered.figures->mean,
                         rendered.figures->p95, rendered.figures->p99, rendered.figures->max);

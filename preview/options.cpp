@@ -39,6 +39,21 @@ Size parse_size(std::string_view option, const std::string& text) {
                                          option, largest_side, text));
 }
 
+ProbePlace parse_place(const std::string& text, Size picture) {
+    ProbePlace place;
+    const char* const end = text.data() + text.size();
+    const auto x = std::from_chars(text.data(), end, place.x);
+    if (x.ec == std::errc{} && x.ptr != end && *x.ptr == ',') {
+        const auto y = std::from_chars(x.ptr + 1, end, place.y);
+        if (y.ec == std::errc{} && y.ptr == end && place.x >= 0 && place.y >= 0 &&
+            static_cast<std::uint32_t>(place.x) < picture.width &&
+            static_cast<std::uint32_t>(place.y) < picture.height)
+            return place;
+    }
+    throw lutlib::UsageError(fmt::format("--probe is X,Y within the picture of {}x{}, and not '{}'",
+                                         picture.width, picture.height, text));
+}
+
 template <class Rows, class Text>
 std::string section(std::string_view title, const Rows& rows, Text text) {
     std::string out = fmt::format("{}\n", title);
@@ -100,6 +115,9 @@ void declare(CLI::App& app, Options& options) {
     app.add_option("-o,--output", options.output,
                    "Picture file; .exr and .hdr get the light before tone mapping");
     app.add_option("--debug-view", options.debug_view, "Show an intermediate, from --list");
+    app.add_option("--probe", options.probe,
+                   "Print the colour of this texel before the looks and after each side's")
+        ->type_name("X,Y");
     app.add_option("--scope", options.scope,
                    "Show the finished picture on this instrument, from --list");
     app.add_option("--scope-side", options.scope_side, "shown, a or b: what it looks at");
@@ -112,7 +130,7 @@ void declare(CLI::App& app, Options& options) {
     app.add_flag("--timings", options.timings, "Print the median GPU time of each pass");
     app.add_option("--frames", options.frames, "Frames that --timings measures")
         ->check(CLI::Range(1, 100000));
-    app.add_flag("--json", options.json, "Timings as JSON");
+    app.add_flag("--json", options.json, "Timings and the probe as JSON");
     app.add_flag("--list", options.list,
                  "Print scenes, tone maps, blooms, lookups, views, effects, devices");
     app.add_option("--device", options.device, "Part of a GPU's name, or its number in --list");
@@ -159,6 +177,8 @@ FrameSettings settings_of(const Options& options, Size input_size) {
         if (settings.compare == &compare_side)
             settings.output.width *= 2;
     }
+    if (!options.probe.empty())
+        settings.probe = parse_place(options.probe, settings.output);
     return settings;
 }
 

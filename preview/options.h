@@ -19,7 +19,7 @@ struct Options {
     float split = 0.5F, heat_scale = 8, exposure = 0;
     double seconds = 0;
     float azimuth = 0, elevation = 0, distance = 0, field_of_view = 0; ///< added to the scene's
-    std::string scope, scope_side = "shown", scope_size, scope_scale;
+    std::string probe, scope, scope_side = "shown", scope_size, scope_scale;
     BloomSettings bloom_settings{-1, 1, 0.2F, 1};
     std::vector<std::string> without; ///< names of effects
     bool fxaa = true, fxaa_given = false;

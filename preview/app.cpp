@@ -16,12 +16,15 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <cmath>
+
 namespace preview {
 
 namespace {
 
-// Dear ImGui needs a frame to notice an event, and one to show what it led to.
-constexpr int frames_after_event = 3;
+// Dear ImGui needs a frame to notice an event, and one to show what it led to; what that frame
+// measures is known when it has finished, at the latest after another, and seen in the next.
+constexpr int frames_after_event = 4;
 constexpr int frames_in_flight = 2;
 
 class App {
@@ -43,6 +46,8 @@ class App {
     void take_looks();
     void render(const ui::Rect& area);
     Size output_size(const ui::Rect& area) const;
+    ScopeSizes scope_sizes() const;
+    std::vector<Placed> placed(const FrameHandles& handles) const;
     void write_places() const;
 
     Options options_;
@@ -182,8 +187,10 @@ void App::take_looks() {
         ui_.errors.push_back(baked->error);
         return;
     }
-    for (std::size_t i = 0; i < looks_.size(); ++i)
+    for (std::size_t i = 0; i < looks_.size(); ++i) {
         looks_[i].set(baked->sides[i]);
+        ui_.facts.tables[i] = baked->sides[i].table;
+    }
 }
 
 Size App::output_size(const ui::Rect& area) const {
@@ -194,8 +201,37 @@ Size App::output_size(const ui::Rect& area) const {
             std::min(wanted.height, swapchain_.extent().height)};
 }
 
+ScopeSizes App::scope_sizes() const {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    const vk::Extent2D window = swapchain_.extent();
+    ScopeSizes sizes;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const ui::Rect& place = ui_.scope_places[i];
+        const float right = std::min((place.x + place.width) * scale.x, float(window.width));
+        const float bottom = std::min((place.y + place.height) * scale.y, float(window.height));
+        if (right - place.x * scale.x >= 1 && bottom - place.y * scale.y >= 1)
+            sizes[i] = {static_cast<std::uint32_t>(right - std::ceil(place.x * scale.x)),
+                        static_cast<std::uint32_t>(bottom - std::ceil(place.y * scale.y))};
+    }
+    return sizes;
+}
+
+/// What of the frame is seen, and where in the window.
+std::vector<Placed> App::placed(const FrameHandles& handles) const {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    std::vector<Placed> pictures{{&executor_.image(handles.output)}};
+    for (std::size_t i = 0; i < scopes.size(); ++i)
+        if (handles.scope_pictures[i])
+            pictures.push_back(
+                {&executor_.image(handles.scope_pictures[i]),
+                 static_cast<std::int32_t>(std::ceil(ui_.scope_places[i].x * scale.x)),
+                 static_cast<std::int32_t>(std::ceil(ui_.scope_places[i].y * scale.y))});
+    return pictures;
+}
+
 void App::render(const ui::Rect& area) {
-    const FrameSettings settings = window_settings(ui_, shown_, options_, output_size(area));
+    const FrameSettings settings =
+        window_settings(ui_, shown_, options_, output_size(area), scope_sizes());
     FrameInputs inputs = shown_.inputs();
     inputs.look_a = looks_[0].look();
     inputs.look_b = looks_[1].look();
@@ -213,7 +249,7 @@ void App::render(const ui::Rect& area) {
     end.waits = {swapchain_.acquired()};
     end.signals = {swapchain_.finished(*image)};
     end.record = [&](const vk::raii::CommandBuffer& commands) {
-        record_present(commands, executor_.image(handles.output), swapchain_.image(*image));
+        record_present(commands, placed(handles), swapchain_.image(*image));
         overlay_->record(commands, *image);
     };
     executor_.render(graph, end);

@@ -21,16 +21,17 @@ namespace {
 
 enum ExitCode { ok = 0, bad_input = 2, bad_usage = 3 };
 
+/// The lookup that the options name; null: the look's own.
+const Lookup* lookup_of(const Options& options) {
+    const Lookup* const lookup = options.engine.empty() ? nullptr : lookup_named(options.engine);
+    if (lookup == nullptr && !options.engine.empty())
+        throw lutlib::UsageError("no lookup is named '" + options.engine + "'; --list names them");
+    return lookup;
+}
+
 std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& path,
                                  const Options& options, std::string& skipped, const char* side) {
-    const Lookup* lookup = nullptr;
-    if (!options.engine.empty()) {
-        lookup = lookup_named(options.engine);
-        if (lookup == nullptr)
-            throw lutlib::UsageError("no lookup is named '" + options.engine +
-                                     "'; --list names them");
-    }
-    const LoadedLook look = load_look(path, lookup);
+    const LoadedLook look = load_look(path, lookup_of(options));
     if (look.skip_reason.empty() || (options.force_all && path != "none" && !path.empty()))
         return std::optional<GpuLook>(std::in_place, device, look.data);
     if (path != "none" && !path.empty())
@@ -82,9 +83,27 @@ void print_list() {
     }
 }
 
+Rendered cube_picture(const Options& options) {
+    const LoadedLook look =
+        load_look(options.cube_view == "a" ? options.look_a : options.look_b, lookup_of(options));
+    Rendered out;
+    out.size = settings_of(options, {}).output;
+    CubeDrawing drawing;
+    draw_cube(cube_nodes(look.table ? *look.table : lutlib::Lut{}, options.cube_nodes),
+              options.cube, static_cast<float>(out.size.width), static_cast<float>(out.size.height),
+              drawing);
+    out.rgba =
+        rasterised(drawing, static_cast<int>(out.size.width), static_cast<int>(out.size.height));
+    return out;
+}
+
 int run(const Options& options) {
     if (options.list) {
         print_list();
+        return ok;
+    }
+    if (!options.cube_view.empty() && !options.output.empty()) {
+        write_picture(options.output, cube_picture(options));
         return ok;
     }
     const bool prints = options.explain || options.timings || !options.probe.empty();

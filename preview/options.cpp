@@ -115,6 +115,20 @@ void declare(CLI::App& app, Options& options) {
     app.add_option("-o,--output", options.output,
                    "Picture file; .exr and .hdr get the light before tone mapping");
     app.add_option("--debug-view", options.debug_view, "Show an intermediate, from --list");
+    app.add_option("--cube-view", options.cube_view,
+                   "Draw the look of side a or b as the cube of its nodes, without a GPU")
+        ->check(CLI::IsMember({"a", "b"}));
+    app.add_option("--cube-nodes", options.cube_nodes, "Nodes of an axis, at most")
+        ->check(CLI::Range(2, 65));
+    app.add_option("--cube-turn", options.cube.turn, "Turns it about the neutral axis, degrees");
+    app.add_option("--cube-tilt", options.cube.tilt, "Degrees; 90 looks down on white")
+        ->check(CLI::Range(-90.0, 90.0));
+    app.add_option("--cube-zoom", options.cube.zoom, "Brings it nearer")
+        ->check(CLI::Range(0.3, 8.0));
+    app.add_flag("--cube-clamped", options.cube.clamped,
+                 "Nodes where a display shows them, within 0 to 1");
+    app.add_flag("--cube-by-input", options.cube.by_input,
+                 "Dots in the colours that nodes stand for, not those they give");
     app.add_option("--probe", options.probe,
                    "Print the colour of this texel before the looks and after each side's")
         ->type_name("X,Y");

@@ -2,7 +2,7 @@
 
 namespace preview {
 
-void record_present(const vk::raii::CommandBuffer& commands, const gpu::Image& picture,
+void record_present(const vk::raii::CommandBuffer& commands, std::span<const Placed> pictures,
                     vk::Image target) {
     using Stage = vk::PipelineStageFlagBits2;
     using Access = vk::AccessFlagBits2;
@@ -19,12 +19,16 @@ void record_present(const vk::raii::CommandBuffer& commands, const gpu::Image& p
                                      Stage::eAllTransfer, Access::eTransferWrite);
     commands.pipelineBarrier2(vk::DependencyInfo({}, to_blit));
     const vk::ImageSubresourceLayers layers(vk::ImageAspectFlagBits::eColor, 0, 0, 1);
-    const vk::Offset3D zero(0, 0, 0);
-    const vk::Offset3D far(static_cast<int>(picture.desc().width),
-                           static_cast<int>(picture.desc().height), 1);
-    commands.blitImage(picture.vk(), vk::ImageLayout::eTransferSrcOptimal, target, layout,
-                       vk::ImageBlit(layers, {zero, far}, layers, {zero, far}),
-                       vk::Filter::eNearest);
+    for (const Placed& placed : pictures) {
+        const ImageDesc& desc = placed.picture->desc();
+        const vk::Offset3D size(static_cast<int>(desc.width), static_cast<int>(desc.height), 1);
+        const vk::Offset3D from(placed.x, placed.y, 0);
+        const vk::Offset3D to(placed.x + size.x, placed.y + size.y, 1);
+        commands.blitImage(placed.picture->vk(), vk::ImageLayout::eTransferSrcOptimal, target,
+                           layout,
+                           vk::ImageBlit(layers, {vk::Offset3D(0, 0, 0), size}, layers, {from, to}),
+                           vk::Filter::eNearest);
+    }
 }
 
 } // namespace preview

@@ -3,11 +3,18 @@
 
 #include "preview/gpu/memory.h"
 
+#include <span>
+
 namespace preview {
 
-/// Clears `target` to black and copies the picture to its upper left corner. `picture` stands in
-/// eTransferSrcOptimal and is no larger; `target` is left in eTransferDstOptimal.
-void record_present(const vk::raii::CommandBuffer& commands, const gpu::Image& picture,
+struct Placed {
+    const gpu::Image* picture = nullptr;
+    std::int32_t x = 0, y = 0; ///< of its upper left corner in the target
+};
+
+/// Clears `target` to black and copies the pictures to their places, where they must lie within it
+/// and apart. They stand in eTransferSrcOptimal; `target` is left in eTransferDstOptimal.
+void record_present(const vk::raii::CommandBuffer& commands, std::span<const Placed> pictures,
                     vk::Image target);
 
 } // namespace preview

@@ -13,10 +13,6 @@ namespace preview {
 
 namespace {
 
-lutlib::RgbD shown(lutlib::RgbD color) {
-    return {lutlib::saturate(color.r), lutlib::saturate(color.g), lutlib::saturate(color.b)};
-}
-
 std::string line(std::string_view name, lutlib::RgbD color) {
     const Codes codes = codes_of(color);
     return fmt::format("{:<8} {:>3} {:>3} {:>3}   {:.5f} {:.5f} {:.5f}", name, codes.r, codes.g,
@@ -42,13 +38,14 @@ std::optional<Probe> probe_from(std::span<const std::byte> bytes) {
 }
 
 Codes codes_of(lutlib::RgbD color) {
-    const lutlib::RgbD unit = shown(color);
+    const lutlib::RgbD unit = lutlib::saturate(color);
     const auto code = [](double value) { return static_cast<int>(std::lround(255 * value)); };
     return {code(unit.r), code(unit.g), code(unit.b)};
 }
 
 ProbeDifferences differences_of(const Probe& probe) {
-    const lutlib::RgbD before = shown(probe.before), a = shown(probe.a), b = shown(probe.b);
+    const lutlib::RgbD before = lutlib::saturate(probe.before), a = lutlib::saturate(probe.a),
+                       b = lutlib::saturate(probe.b);
     return {lutlib::delta_e_2000(before, a), lutlib::delta_e_2000(before, b),
             lutlib::delta_e_2000(a, b)};
 }

@@ -47,7 +47,7 @@ ColumnRange scope_range(const ScopeSide& side, const Compare& compare, float spl
 ScopePlot scope_plot(const Scope& scope, std::uint32_t width, std::uint32_t height) {
     const int w = static_cast<int>(width), h = static_cast<int>(height);
     ScopePlot plot;
-    plot.dot = std::max(std::min(w, h) / 256, 1);
+    plot.dot = std::max((std::min(w, h) + 120) / 200, 1);
     const int edge = border * plot.dot;
     if (scope.bins == ScopeBins::chroma) {
         plot.width = plot.height = std::max(std::min(w, h) - 2 * edge, 1);

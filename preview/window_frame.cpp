@@ -1,5 +1,6 @@
 #include "preview/window_frame.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace preview {
@@ -13,10 +14,14 @@ bool same_light(const FrameSettings& a, const FrameSettings& b) {
            picture_size(a.output, *a.compare) == picture_size(b.output, *b.compare);
 }
 
+std::vector<std::uint32_t> words_of(const std::vector<std::byte>& bytes) {
+    std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+    std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
+    return words;
+}
+
 std::optional<DifferenceFigures> figures_of(const Executor& executor, Size picture) {
-    const std::vector<std::byte> bytes = executor.finished_buffer("figures");
-    std::vector<std::uint32_t> counted(bytes.size() / sizeof(std::uint32_t));
-    std::memcpy(counted.data(), bytes.data(), counted.size() * sizeof(std::uint32_t));
+    const std::vector<std::uint32_t> counted = words_of(executor.finished_buffer("figures"));
     if (counted.empty())
         return std::nullopt;
     return difference_figures(counted, std::uint64_t{picture.width} * picture.height);
@@ -25,7 +30,7 @@ std::optional<DifferenceFigures> figures_of(const Executor& executor, Size pictu
 } // namespace
 
 FrameSettings window_settings(const ui::Ui& ui, const Shown& shown, const Options& options,
-                              Size output) {
+                              Size output, const ScopeSizes& scope_sizes) {
     const ui::State& state = ui.history.draft();
     FrameSettings settings;
     settings.output = output;
@@ -38,6 +43,13 @@ FrameSettings window_settings(const ui::Ui& ui, const Shown& shown, const Option
     settings.split = state.split;
     settings.heat_scale = state.heat_scale;
     settings.without = state.without;
+    settings.scope_sizes = scope_sizes;
+    settings.scope_side = state.scopes_seen.side;
+    settings.scope_logarithmic = state.scopes_seen.logarithmic;
+    if (ui.pointer)
+        settings.probe = {std::clamp(ui.pointer->x, 0, static_cast<int>(output.width) - 1),
+                          std::clamp(ui.pointer->y, 0, static_cast<int>(output.height) - 1)};
+    settings.axes = ui.shows_curves ? state.recipe.input : nullptr;
     settings.shadow_size = options.shadow_size;
     settings.force_all = options.force_all;
     return settings;
@@ -73,6 +85,10 @@ void FrameReader::read(Executor& executor, const Graph& graph, const FrameHandle
             hdr_maximum_ = maximum;
         }
     }
+    if (handles.probe)
+        ui.facts.probe = probe_from(executor.finished_buffer("probe"));
+    if (handles.axis_counts)
+        ui.facts.axis_counts = words_of(executor.finished_buffer("axis counts"));
     ui.facts.figures.reset();
     if (handles.figures)
         ui.facts.figures = figures_of(executor, size_of(graph, handles.graded));

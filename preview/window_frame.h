@@ -12,9 +12,11 @@
 
 namespace preview {
 
-/// The settings of a frame of that size.
+using ScopeSizes = std::array<Size, scopes.size()>;
+
+/// The settings of a frame of that size, with scopes of those sizes.
 FrameSettings window_settings(const ui::Ui& ui, const Shown& shown, const Options& options,
-                              Size output);
+                              Size output, const ScopeSizes& scope_sizes);
 
 /// Reads measurements of finished frames, without waiting for any.
 class FrameReader {

@@ -22,12 +22,11 @@ void record_present(const vk::raii::CommandBuffer& commands, std::span<const Pla
     for (const Placed& placed : pictures) {
         const ImageDesc& desc = placed.picture->desc();
         const vk::Offset3D size(static_cast<int>(desc.width), static_cast<int>(desc.height), 1);
-        const vk::Offset3D from(placed.x, placed.y, 0);
-        const vk::Offset3D to(placed.x + size.x, placed.y + size.y, 1);
+        const std::array from{vk::Offset3D(0, 0, 0), size};
+        const std::array to{vk::Offset3D(placed.place, 0),
+                            vk::Offset3D(placed.place.x + size.x, placed.place.y + size.y, 1)};
         commands.blitImage(placed.picture->vk(), vk::ImageLayout::eTransferSrcOptimal, target,
-                           layout,
-                           vk::ImageBlit(layers, {vk::Offset3D(0, 0, 0), size}, layers, {from, to}),
-                           vk::Filter::eNearest);
+                           layout, vk::ImageBlit(layers, from, layers, to), vk::Filter::eNearest);
     }
 }
 

@@ -9,7 +9,7 @@ namespace preview {
 
 struct Placed {
     const gpu::Image* picture = nullptr;
-    std::int32_t x = 0, y = 0; ///< of its upper left corner in the target
+    vk::Offset2D place; ///< of its upper left corner in the target
 };
 
 /// Clears `target` to black and copies the pictures to their places, where they must lie within it

@@ -29,9 +29,10 @@ std::optional<DifferenceFigures> figures_of(const Executor& executor, Size pictu
 
 } // namespace
 
-FrameSettings window_settings(const ui::Ui& ui, const Shown& shown, const Options& options,
-                              Size output, const ScopeSizes& scope_sizes) {
+FrameSettings window_settings(const ui::Ui& ui, const Options& options, const gpu::Device& device,
+                              Size output) {
     const ui::State& state = ui.history.draft();
+    const Shown& shown = *state.shown;
     FrameSettings settings;
     settings.output = output;
     settings.orbit = state.orbit;
@@ -43,7 +44,6 @@ FrameSettings window_settings(const ui::Ui& ui, const Shown& shown, const Option
     settings.split = state.split;
     settings.heat_scale = state.heat_scale;
     settings.without = state.without;
-    settings.scope_sizes = scope_sizes;
     settings.scope_side = state.scopes_seen.side;
     settings.scope_logarithmic = state.scopes_seen.logarithmic;
     if (ui.pointer)
@@ -52,6 +52,7 @@ FrameSettings window_settings(const ui::Ui& ui, const Shown& shown, const Option
     settings.axes = ui.shows_curves ? state.recipe.input : nullptr;
     settings.shadow_size = options.shadow_size;
     settings.force_all = options.force_all;
+    settings.raster = raster_of(options, device, picture_size(output, *settings.compare));
     return settings;
 }
 
@@ -60,10 +61,12 @@ void FrameReader::forget() {
     frames_of_light_ = 0;
 }
 
-std::optional<float> FrameReader::hdr_maximum_for(const FrameSettings& settings) {
-    if (!same_light(settings, measured_for_)) {
+std::optional<float> FrameReader::hdr_maximum_for(const FrameSettings& settings,
+                                                  const std::vector<PointLight>& lights) {
+    if (!same_light(settings, measured_for_) || lights != lights_) {
         forget();
         measured_for_ = settings;
+        lights_ = lights;
     }
     return hdr_maximum_;
 }

@@ -7,7 +7,7 @@
 #include "preview/cube_view.h"
 #include "preview/effects.h"
 #include "preview/lookups.h"
-#include "preview/scene/camera.h"
+#include "preview/scene/scene.h"
 #include "preview/scopes.h"
 #include "preview/tonemaps.h"
 
@@ -16,6 +16,10 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace preview {
+struct Shown;
+}
 
 namespace preview::ui {
 
@@ -75,8 +79,10 @@ struct State {
     const Tonemap* tonemap = nullptr;
     const Bloom* bloom = nullptr;
     BloomSettings bloom_settings;
-    EffectSet without; ///< what is switched off
+    EffectSet without;                  ///< what is switched off
+    std::shared_ptr<const Shown> shown; ///< the scene or picture
     Orbit orbit;
+    std::vector<PointLight> lights; ///< in place of the scene's
     ScopeChoice scopes_seen;
     CubeChoice cube;
 };

@@ -21,9 +21,8 @@ namespace preview {
 
 namespace {
 
-// Dear ImGui needs a frame to notice an event, and one to show what it led to; what that frame
-// measures is known when it has finished, at the latest after another, and seen in the next.
-constexpr int frames_after_event = 4;
+// Dear ImGui needs a frame to notice an event, and one to show what it led to.
+constexpr int frames_after_event = 3;
 // A device that is lost again before so many frames were drawn will not do.
 constexpr int frames_of_recovery = 10;
 using ScopeAreas = std::array<vk::Rect2D, scopes.size()>;
@@ -323,7 +322,8 @@ void App::render(const ui::Rect& area) {
         resize_ = true;
         frames_due_ = frames_after_event;
     }
-    reader_.read(screen.executor, graph, handles, ui_);
+    if (reader_.read(screen.executor, graph, handles, ui_))
+        frames_due_ = std::max(frames_due_, 1);
 }
 
 void App::write_places() const {

@@ -26,6 +26,10 @@ nlohmann::json json_of(lutlib::RgbD color) {
 
 } // namespace
 
+bool operator==(const Probe& a, const Probe& b) {
+    return std::memcmp(&a, &b, sizeof(Probe)) == 0;
+}
+
 std::optional<Probe> probe_from(std::span<const std::byte> bytes) {
     std::array<float, 12> values{};
     if (bytes.size() != sizeof values)

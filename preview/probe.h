@@ -19,6 +19,8 @@ struct ProbePlace {
 /// Display-encoded, and not clamped: a look in float may leave 0..1.
 struct Probe {
     lutlib::RgbD before, a, b;
+    /// Bit by bit: NaN, which a broken look may give, equals itself.
+    friend bool operator==(const Probe& a, const Probe& b);
 };
 
 /// From what the probe pass wrote; empty for anything else.

@@ -71,7 +71,7 @@ std::optional<float> FrameReader::hdr_maximum_for(const FrameSettings& settings,
     return hdr_maximum_;
 }
 
-void FrameReader::read(Executor& executor, const Graph& graph, const FrameHandles& handles,
+bool FrameReader::read(Executor& executor, const Graph& graph, const FrameHandles& handles,
                        ui::Ui& ui) {
     ui.facts.explanation = explain(graph, executor.plan());
     if (ui.shows_passes) {
@@ -88,13 +88,17 @@ void FrameReader::read(Executor& executor, const Graph& graph, const FrameHandle
             hdr_maximum_ = maximum;
         }
     }
-    if (handles.probe)
-        ui.facts.probe = probe_from(executor.finished_buffer("probe"));
-    if (handles.axis_counts)
-        ui.facts.axis_counts = words_of(executor.finished_buffer("axis counts"));
-    ui.facts.figures.reset();
+    ui::Measured measured;
     if (handles.figures)
-        ui.facts.figures = figures_of(executor, size_of(graph, handles.graded));
+        measured.figures = figures_of(executor, size_of(graph, handles.graded));
+    if (handles.probe)
+        measured.probe = probe_from(executor.finished_buffer("probe"));
+    if (handles.axis_counts)
+        measured.axis_counts = words_of(executor.finished_buffer("axis counts"));
+    if (measured == ui.facts.measured)
+        return false;
+    ui.facts.measured = std::move(measured);
+    return true;
 }
 
 } // namespace preview

@@ -28,8 +28,9 @@ class FrameReader {
     /// the same light have measured it.
     std::optional<float> hdr_maximum_for(const FrameSettings& settings,
                                          const std::vector<PointLight>& lights);
-    /// After a frame was submitted, with the handles that build_frame() gave.
-    void read(Executor& executor, const Graph& graph, const FrameHandles& handles, ui::Ui& ui);
+    /// After a frame was submitted, with the handles that build_frame() gave. Whether there are new
+    /// measurements, which a further frame shows.
+    bool read(Executor& executor, const Graph& graph, const FrameHandles& handles, ui::Ui& ui);
 
   private:
     int frames_in_flight_;

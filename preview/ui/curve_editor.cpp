@@ -191,7 +191,7 @@ bool curve_editor(Ui& ui, const Parameter& parameter, Knots& knots, const std::s
     list.PushClipRect(origin, corner, true);
     if (parameter.axis.periodic)
         draw_ribbon(list, canvas);
-    draw_counts(list, canvas, parameter, ui.facts.axis_counts);
+    draw_counts(list, canvas, parameter, ui.facts.measured.axis_counts);
     draw_grid(list, canvas);
     draw_curve(list, canvas, parameter, knots);
     list.PopClipRect();

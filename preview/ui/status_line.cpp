@@ -33,8 +33,8 @@ void status_line(Ui& ui, const Rect& area) {
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                      ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    if (ui.pointer && ui.facts.probe) {
-        const Probe& probe = *ui.facts.probe;
+    if (ui.pointer && ui.facts.measured.probe) {
+        const Probe& probe = *ui.facts.measured.probe;
         const ProbeDifferences differences = differences_of(probe);
         ImGui::TextDisabled("%4d, %4d", ui.pointer->x, ui.pointer->y);
         ImGui::SameLine(0, 16);

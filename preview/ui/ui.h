@@ -23,6 +23,14 @@ struct PassTime {
     double milliseconds = 0;
 };
 
+/// What a finished frame has told; empty where it was not asked.
+struct Measured {
+    std::optional<DifferenceFigures> figures;
+    std::optional<Probe> probe;             ///< of the texel that was pointed at
+    std::vector<std::uint32_t> axis_counts; ///< before the looks (preview/axes.h)
+    friend bool operator==(const Measured&, const Measured&) = default;
+};
+
 /// What the panels show and do not change.
 struct Facts {
     std::string device, input;
@@ -31,9 +39,7 @@ struct Facts {
     float aspect = 0;             ///< a picture's width over its height; 0: a scene fills any area
     bool display_encoded = false; ///< there is nothing to tone map
     double bake_milliseconds = 0;
-    std::optional<DifferenceFigures> figures; ///< of the frame, when it compares by difference
-    std::optional<Probe> probe;               ///< of the texel that was pointed at
-    std::vector<std::uint32_t> axis_counts;   ///< of the picture before the looks (preview/axes.h)
+    Measured measured;
     std::array<std::shared_ptr<const lutlib::Lut>, 2> tables; ///< of the sides; null: no look
     std::vector<PassTime> passes;
     std::string explanation; ///< a line for each pass, kept or left out, and why

@@ -102,6 +102,7 @@ INSTANTIATE_TEST_SUITE_P(Table, EveryLookupProbed, testing::ValuesIn(lookup_rows
 
 TEST(ProbedTest, print_codes_values_and_differences_in_words_and_as_json) {
     const Probe probe{{0.5, 0.25, 1}, {0.5, 0.25, 1}, {0.6, -0.1, NAN}};
+    EXPECT_EQ(probe, Probe(probe));
     const ProbeDifferences differences = differences_of(probe);
     EXPECT_EQ(differences.before_a, 0);
     EXPECT_DOUBLE_EQ(differences.a_b, lutlib::delta_e_2000(RgbD{0.5, 0.25, 1}, RgbD{0.6, 0, 0}));

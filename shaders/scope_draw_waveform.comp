@@ -46,7 +46,8 @@ vec3 plot_color(ivec2 at, uint plane) {
 }
 
 bool labelled(ivec2 at) {
-    for (int quarter = 0; quarter <= 4; ++quarter) {
+    bool in_margin = at.x < push.plot.x;
+    for (int quarter = 0; in_margin && quarter <= 4; ++quarter) {
         int height = glyph_height * push.dot_size;
         int middle = push.plot.y + push.plot.w - push.plot.w * quarter / 4;
         int top = clamp(middle - height / 2, push.plot.y, push.plot.y + push.plot.w - height);

@@ -72,6 +72,8 @@ constexpr const char* mouse_help[][2] = {
     {"drag the line", "move the split"},
     {"drag the picture", "turn the camera"},
     {"wheel", "nearer, farther"},
+    {"point at the picture", "its colour before and after the looks, in the line below"},
+    {"drag the cube", "turn it"},
 };
 
 void mark_window(Ui& ui, const std::string& name) {

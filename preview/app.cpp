@@ -198,15 +198,20 @@ void App::take_looks() {
     for (std::size_t i = 0; i < screen_->looks.size(); ++i) {
         screen_->looks[i].set(baked->sides[i]);
         ui_.facts.look_notes[i] = baked->sides[i].note;
+        ui_.facts.tables[i] = baked->sides[i].table;
     }
     drawn_.reset();
 }
 
 void App::render(const ui::Rect& area) {
     Screen& screen = *screen_;
-    const vk::Rect2D output = output_area(area, screen.swapchain.extent());
-    const FrameSettings settings =
+    const vk::Extent2D window = screen.swapchain.extent();
+    const vk::Rect2D output = output_area(area, window);
+    const ScopeAreas scope_places = scope_areas(ui_, window);
+    FrameSettings settings =
         window_settings(ui_, options_, screen.device, {output.extent.width, output.extent.height});
+    for (std::size_t i = 0; i < scopes.size(); ++i)
+        settings.scope_sizes[i] = {scope_places[i].extent.width, scope_places[i].extent.height};
     const std::vector<PointLight>& lights = ui_.history.draft().lights;
     FrameInputs inputs = screen.shown->inputs();
     inputs.lights = &lights;
@@ -226,8 +231,12 @@ void App::render(const ui::Rect& area) {
     end.waits = {screen.swapchain.acquired()};
     end.signals = {screen.swapchain.finished(*image)};
     end.record = [&](const vk::raii::CommandBuffer& commands) {
-        record_present(commands, screen.executor.image(handles.output),
-                       screen.swapchain.image(*image), output.offset);
+        std::vector<Placed> pictures{{&screen.executor.image(handles.output), output.offset}};
+        for (std::size_t i = 0; i < scopes.size(); ++i)
+            if (handles.scope_pictures[i])
+                pictures.push_back(
+                    {&screen.executor.image(handles.scope_pictures[i]), scope_places[i].offset});
+        record_present(commands, pictures, screen.swapchain.image(*image));
         screen.overlay.record(commands, *image);
     };
     if (drawn_ && *drawn_ == graph)
@@ -238,7 +247,8 @@ void App::render(const ui::Rect& area) {
         events_.resized = true;
         frames_due_ = frames_after_event;
     }
-    reader_.read(screen.executor, graph, handles, ui_);
+    if (reader_.read(screen.executor, graph, handles, ui_))
+        frames_due_ = std::max(frames_due_, 1);
     drawn_ = std::move(graph);
 }
 

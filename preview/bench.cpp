@@ -8,6 +8,7 @@
 #include "preview/headless.h"
 #include "preview/look_bake.h"
 #include "preview/passes/copy.h"
+#include "preview/passes/scope.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -130,6 +131,7 @@ class Bench {
         time_lookups("rgba8", *display_);
         time_lookups("rgba16f", *hdr_);
         time_finishing();
+        time_scopes();
         time_sample();
     }
 
@@ -257,6 +259,25 @@ class Bench {
                     graph, [](const std::string& step) { return step != "copy"; }, 1);
                 add(std::move(row), copy_);
             }
+    }
+
+    /// Counting reads the picture once; drawing costs the same for every picture.
+    void time_scopes() {
+        const ColumnRange all{0, size_.width};
+        for (const Scope& scope : scopes) {
+            const std::string name(scope.name);
+            const auto declare = [&](Graph& graph) {
+                return add_scope(graph, display(graph), scope, all, {scope.width, scope.height},
+                                 scope.logarithmic)
+                    .picture;
+            };
+            Row counted = measure("scope", name + ", counted", "count " + name, declare);
+            counted.bytes = std::uint64_t{4} * size_.width * size_.height;
+            add(std::move(counted), copy_);
+            Row drawn = measure("scope", name + ", drawn", "draw " + name, declare);
+            drawn.bytes = std::uint64_t{4} * scope.width * scope.height;
+            add(std::move(drawn), copy_);
+        }
     }
 
     void time_sample() {

@@ -30,6 +30,7 @@ const Compare* compare_named(std::string_view name);
 /// The differences of all texels of a picture, in dE2000.
 struct DifferenceFigures {
     double max = 0, p99 = 0, p95 = 0, mean = 0;
+    friend bool operator==(const DifferenceFigures&, const DifferenceFigures&) = default;
 };
 
 /// From what the finishing pass counted over a picture of so many texels. The maximum is exact,

@@ -1,6 +1,7 @@
 #include "preview/frame.h"
 
 #include "lutlib/error.h"
+#include "preview/instruments.h"
 #include "preview/passes/fxaa.h"
 #include "preview/passes/shadow.h"
 
@@ -162,22 +163,24 @@ constexpr DebugView views[] = {
      [](const FrameHandles& h) { return h.graded; }, ViewMode::codes},
 };
 
-Finished finish_of(Graph& graph, Handle hdr, const BloomLayers& bloom, const FrameInputs& inputs,
-                   const FrameSettings& settings) {
-    FinishSettings finish;
-    finish.tonemap = settings.tonemap;
-    if (finish.tonemap != nullptr && settings.without.has(Effect::tonemap))
-        finish.tonemap = tonemap_named("none");
-    finish.compare = settings.compare;
-    finish.split = settings.split;
-    finish.heat_scale = settings.heat_scale;
+/// What the finishing pass is asked for; says which looks there are not.
+Finishing finishing_of(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings) {
+    Finishing out;
+    out.settings.tonemap = settings.tonemap;
+    if (settings.tonemap != nullptr && settings.without.has(Effect::tonemap))
+        out.settings.tonemap = tonemap_named("none");
+    out.settings.compare = settings.compare;
+    out.settings.split = settings.split;
+    out.settings.heat_scale = settings.heat_scale;
     if (settings.without.has(Effect::looks))
-        return add_finish(graph, hdr, bloom, nullptr, nullptr, finish);
+        return out;
     if (settings.compare->shows_a && inputs.look_a == nullptr)
         graph.withhold("look A", "there is none");
     if (settings.compare->shows_b && inputs.look_b == nullptr)
         graph.withhold("look B", "there is none");
-    return add_finish(graph, hdr, bloom, inputs.look_a, inputs.look_b, finish);
+    out.look_a = inputs.look_a;
+    out.look_b = inputs.look_b;
+    return out;
 }
 
 Handle antialiased(Graph& graph, Handle picture, const FrameSettings& settings) {
@@ -223,7 +226,9 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
     const BloomLayers bloom = bloom_of(graph, handles.hdr, inputs, settings);
     handles.bloom = bloom.images[0];
 
-    const Finished finished = finish_of(graph, handles.hdr, bloom, inputs, settings);
+    const Finishing finishing = finishing_of(graph, inputs, settings);
+    const Finished finished = add_finish(graph, handles.hdr, bloom, finishing.look_a,
+                                         finishing.look_b, finishing.settings);
     handles.graded = finished.picture;
     handles.figures = finished.figures;
     handles.output = antialiased(graph, handles.graded, settings);
@@ -238,6 +243,7 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
         graph.present(handles.output);
         return handles;
     }
+    add_instruments(graph, settings, bloom, finishing, handles);
     graph.present(handles.output);
     graph.present(handles.hdr_maximum);
     if (settings.keep_hdr)

@@ -4,6 +4,7 @@
 // and the graph drops every pass whose result nobody reads.
 #pragma once
 
+#include "lutlib/color/encoding.h"
 #include "preview/effects.h"
 #include "preview/gpu_scene.h"
 #include "preview/passes/finish.h"
@@ -11,7 +12,9 @@
 #include "preview/passes/resolve.h"
 #include "preview/passes/view.h"
 #include "preview/passes/visibility.h"
+#include "preview/probe.h"
 #include "preview/rasters.h"
+#include "preview/scopes.h"
 
 #include <optional>
 #include <span>
@@ -37,6 +40,17 @@ struct FrameSettings {
     VisibilityLimits visibility; ///< of Raster::compute
     /// Show this intermediate and nothing else.
     const DebugView* view = nullptr;
+    /// Show this scope and nothing else, in its size of scope_sizes.
+    const Scope* scope = nullptr;
+    /// Of each row of scopes; {}: nobody looks at it.
+    std::array<Size, scopes.size()> scope_sizes{};
+    const ScopeSide* scope_side = &scope_side_shown;
+    std::optional<bool> scope_logarithmic; ///< empty: each scope's own
+    /// Tell the colour of this place of the output, before the looks and after each.
+    std::optional<ProbePlace> probe;
+    /// Count the colours before the looks along the curves' axes, their codes read in this
+    /// encoding.
+    const lutlib::Encoding* axes = nullptr;
     /// Present the HDR result before tone mapping too.
     bool keep_hdr = false;
     /// Leave out nothing that could be done: every skip that measures or looks at the scene is off.
@@ -61,6 +75,9 @@ struct FrameHandles {
     GBuffer surfaces;
     Handle materials; ///< the scene's buffer
     Handle shadow_maps, lit, hdr, hdr_maximum, bloom, graded, figures;
+    std::array<Handle, scopes.size()>
+        scope_pictures; ///< their pictures; those looked at are presented
+    Handle probe, axis_counts;
     Handle output; ///< rgba8, presented
 };
 

@@ -81,6 +81,8 @@ Rendered render_frame(Executor& executor, const FrameInputs& inputs,
             difference_figures(values_of<std::uint32_t>(executor.read_buffer(handles.figures)),
                                std::uint64_t{size.width} * size.height);
     }
+    if (handles.probe)
+        out.probe = probe_from(executor.read_buffer(handles.probe));
     return out;
 }
 

@@ -15,6 +15,7 @@ struct Rendered {
     std::vector<float> hdr;         ///< four a pixel, when the settings keep it
     Size hdr_size;
     std::optional<DifferenceFigures> figures; ///< of a difference
+    std::optional<Probe> probe;               ///< of the place that the settings name
     std::string explanation;                  ///< what was kept and left out
 };
 

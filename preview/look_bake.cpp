@@ -78,9 +78,17 @@ CodePicture general_codes(const Lut& look, const Lookup& lookup) {
 
 } // namespace
 
+std::shared_ptr<const Lut> table_of(const lutlib::Bake& baked) {
+    Lut look;
+    look.cube = lutlib::from_picture(lutlib::decoded(baked.picture),
+                                     *lutlib::layout_named(baked.engine->layout), baked.size);
+    return std::make_shared<const Lut>(std::move(look));
+}
+
 LoadedLook look_for(const Lut& look, const Lookup& lookup) {
     LoadedLook out;
     out.skip_reason = skip_reason_of(look);
+    out.table = std::make_shared<const Lut>(look);
     if (lookup.source == Lookup::Source::table) {
         out.data = look_data(look, lookup);
     } else if (lookup.engine != nullptr) {
@@ -88,6 +96,7 @@ LoadedLook look_for(const Lut& look, const Lookup& lookup) {
         const lutlib::Bake baked = lutlib::bake(exact, *lookup.engine, lookup.engine->default_size,
                                                 lookup.engine->default_bits);
         out.data = look_data(baked.picture, baked.size, lookup);
+        out.table = table_of(baked);
     } else {
         const CodePicture codes = general_codes(look, lookup);
         const int size = general_size(look, lookup);

@@ -5,6 +5,7 @@
 #include "lutlib/lut.h"
 #include "preview/lookups.h"
 
+#include <memory>
 #include <string>
 
 namespace preview {
@@ -14,7 +15,12 @@ struct LoadedLook {
     /// Why it may as well be left out; empty when it does something.
     std::string skip_reason;
     std::string note; ///< how exactly it stands for its recipe; empty when not measured
+    /// The look as a table, or what the picture that is read holds of it; null: no look.
+    std::shared_ptr<const lutlib::Lut> table;
 };
+
+/// The lattice that a baked picture holds, of values as its engine's sampler sees them.
+std::shared_ptr<const lutlib::Lut> table_of(const lutlib::Bake& baked);
 
 /// A lookup that reads a picture gets what `lutconv bake` makes of the look. Throws lutlib::Error
 /// for a look that the lookup cannot hold.

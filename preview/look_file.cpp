@@ -36,6 +36,7 @@ LoadedLook from_picture_file(const std::string& bytes, const std::string& path,
     LoadedLook out;
     out.skip_reason = lookup->engine == nullptr ? skip_reason_of(look) : "";
     out.data = look_data(codes, found.size, *lookup);
+    out.table = std::make_shared<const Lut>(std::move(look));
     return out;
 }
 
@@ -49,7 +50,7 @@ LoadedLook look_of_recipe(const lutlib::Recipe& recipe, const Lookup& lookup) {
 
 LoadedLook load_look(const std::string& path, const Lookup* lookup) {
     if (path.empty() || path == "none")
-        return {no_look(), "there is none", {}};
+        return {no_look(), "there is none", {}, nullptr};
     const std::string bytes = lutlib::io::read_file(path);
     if (lutlib::io::is_png(bytes))
         return from_picture_file(bytes, path, lookup);

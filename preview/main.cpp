@@ -21,16 +21,17 @@ namespace {
 
 enum ExitCode { ok = 0, bad_input = 2, bad_usage = 3 };
 
+/// The lookup that the options name; null: the look's own.
+const Lookup* lookup_of(const Options& options) {
+    const Lookup* const lookup = options.engine.empty() ? nullptr : lookup_named(options.engine);
+    if (lookup == nullptr && !options.engine.empty())
+        throw lutlib::UsageError("no lookup is named '" + options.engine + "'; --list names them");
+    return lookup;
+}
+
 std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& path,
                                  const Options& options, std::string& notes, const char* side) {
-    const Lookup* lookup = nullptr;
-    if (!options.engine.empty()) {
-        lookup = lookup_named(options.engine);
-        if (lookup == nullptr)
-            throw lutlib::UsageError("no lookup is named '" + options.engine +
-                                     "'; --list names them");
-    }
-    const LoadedLook look = load_look(path, lookup);
+    const LoadedLook look = load_look(path, lookup_of(options));
     if (!look.note.empty())
         notes += "look " + std::string(side) + ": " + look.note + "\n";
     if (look.skip_reason.empty() || (options.force_all && path != "none" && !path.empty()))
@@ -84,17 +85,36 @@ void print_list() {
     }
 }
 
+Rendered cube_picture(const Options& options) {
+    const LoadedLook look =
+        load_look(options.cube_view == "a" ? options.look_a : options.look_b, lookup_of(options));
+    Rendered out;
+    out.size = settings_of(options, {}).output;
+    CubeDrawing drawing;
+    draw_cube(cube_nodes(look.table ? *look.table : lutlib::Lut{}, options.cube_nodes),
+              options.cube, static_cast<float>(out.size.width), static_cast<float>(out.size.height),
+              drawing);
+    out.rgba =
+        rasterised(drawing, static_cast<int>(out.size.width), static_cast<int>(out.size.height));
+    return out;
+}
+
 int run(const Options& options) {
     if (options.list) {
         print_list();
         return ok;
     }
-    if (!options.headless && !options.explain && !options.timings && options.output.empty()) {
+    if (!options.cube_view.empty() && !options.output.empty()) {
+        write_picture(options.output, cube_picture(options));
+        return ok;
+    }
+    const bool prints = options.explain || options.timings || !options.probe.empty();
+    if (!options.headless && !prints && options.output.empty()) {
         run_window(options);
         return ok;
     }
-    if (options.headless && options.output.empty() && !options.explain && !options.timings)
-        throw lutlib::UsageError("--headless needs -o FILE, --timings or --explain");
+    if (options.headless && options.output.empty() && !prints)
+        throw lutlib::UsageError("--headless needs -o FILE, --timings, --probe or --explain");
 
     gpu::DeviceOptions device_options;
     device_options.wanted = options.device;
@@ -127,14 +147,19 @@ int run(const Options& options) {
     inputs.look_b = look_b ? &*look_b : nullptr;
 
     Executor executor(device);
-    if (!options.output.empty() || options.explain) {
+    if (!options.output.empty() || options.explain || settings.probe) {
         const Rendered rendered = render_frame(executor, inputs, settings);
         if (options.explain)
             std::printf("%s%s", rendered.explanation.c_str(), notes.c_str());
+        if (rendered.probe)
+            std::fputs(options.json ? probe_json(*rendered.probe, *settings.probe).c_str()
+                                    : probe_table(*rendered.probe, *settings.probe).c_str(),
+                       stdout);
         if (rendered.figures)
             std::printf("dE2000  mean %.3f  p95 %.3f  p99 %.3f  max %.3f\n", rendered.figures->mean,
                         rendered.figures->p95, rendered.figures->p99, rendered.figures->max);
-        if (!options.output.empty() && settings.keep_hdr && settings.view == nullptr)
+        if (!options.output.empty() && settings.keep_hdr && settings.view == nullptr &&
+            settings.scope == nullptr)
             write_light(options.output, rendered);
         else if (!options.output.empty())
             write_picture(options.output, rendered);

@@ -38,6 +38,10 @@ ui::State opening_state(const Options& options) {
     state.heat_scale = given.heat_scale;
     if (!options.compare.empty())
         state.compare = given.compare;
+    if (given.scope != nullptr)
+        state.scopes_seen.seen[static_cast<std::size_t>(given.scope - scopes.data())] = true;
+    state.scopes_seen.side = given.scope_side;
+    state.scopes_seen.logarithmic = given.scope_logarithmic;
     take_shown(state, shown);
     state.without = given.without;
     state.lights = lights_of(options, shown->scene);

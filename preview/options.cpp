@@ -26,7 +26,7 @@ const auto* require_row(const Rows& rows, const std::string& name, std::string_v
     throw lutlib::UsageError(fmt::format("no {} is named '{}'; there are: {}", what, name, names));
 }
 
-Size parse_size(const std::string& text) {
+Size parse_size(std::string_view option, const std::string& text) {
     Size size;
     const char* const end = text.data() + text.size();
     const auto width = std::from_chars(text.data(), end, size.width);
@@ -36,8 +36,23 @@ Size parse_size(const std::string& text) {
             size.width <= largest_side && size.height <= largest_side)
             return size;
     }
-    throw lutlib::UsageError(fmt::format(
-        "--size is WIDTHxHEIGHT with sides of 1 to {}, and not '{}'", largest_side, text));
+    throw lutlib::UsageError(fmt::format("{} is WIDTHxHEIGHT with sides of 1 to {}, and not '{}'",
+                                         option, largest_side, text));
+}
+
+ProbePlace parse_place(const std::string& text, Size picture) {
+    ProbePlace place;
+    const char* const end = text.data() + text.size();
+    const auto x = std::from_chars(text.data(), end, place.x);
+    if (x.ec == std::errc{} && x.ptr != end && *x.ptr == ',') {
+        const auto y = std::from_chars(x.ptr + 1, end, place.y);
+        if (y.ec == std::errc{} && y.ptr == end && place.x >= 0 && place.y >= 0 &&
+            static_cast<std::uint32_t>(place.x) < picture.width &&
+            static_cast<std::uint32_t>(place.y) < picture.height)
+            return place;
+    }
+    throw lutlib::UsageError(fmt::format("--probe is X,Y within the picture of {}x{}, and not '{}'",
+                                         picture.width, picture.height, text));
 }
 
 /// A number from low to high; unlike CLI::Range it refuses NaN.
@@ -127,12 +142,36 @@ void declare(CLI::App& app, Options& options) {
     app.add_option("-o,--output", options.output,
                    "Picture file; .exr and .hdr get the light before tone mapping");
     app.add_option("--debug-view", options.debug_view, "Show an intermediate, from --list");
+    app.add_option("--cube-view", options.cube_view,
+                   "Draw the look of side a or b as the cube of its nodes, without a GPU")
+        ->check(CLI::IsMember({"a", "b"}));
+    app.add_option("--cube-nodes", options.cube_nodes, "Nodes of an axis, at most")
+        ->check(CLI::Range(2, 65));
+    app.add_option("--cube-turn", options.cube.turn, "Turns it about the neutral axis, degrees");
+    app.add_option("--cube-tilt", options.cube.tilt, "Degrees; 90 looks down on white")
+        ->check(CLI::Range(-90.0, 90.0));
+    app.add_option("--cube-zoom", options.cube.zoom, "Brings it nearer")
+        ->check(CLI::Range(0.3, 8.0));
+    app.add_flag("--cube-clamped", options.cube.clamped,
+                 "Nodes where a display shows them, within 0 to 1");
+    app.add_flag("--cube-by-input", options.cube.by_input,
+                 "Dots in the colours that nodes stand for, not those they give");
+    app.add_option("--probe", options.probe,
+                   "Print the colour of this texel before the looks and after each side's")
+        ->type_name("X,Y");
+    app.add_option("--scope", options.scope,
+                   "Show the finished picture on this instrument, from --list");
+    app.add_option("--scope-side", options.scope_side, "shown, a or b: what it looks at");
+    app.add_option("--scope-size", options.scope_size, "Size of its picture")->type_name("WxH");
+    app.add_option("--scope-scale", options.scope_scale,
+                   "log or linear: how counts become brightness or height; by default its own")
+        ->check(CLI::IsMember({"log", "linear"}));
     app.add_flag("--explain", options.explain, "Print each pass: kept or left out, and why");
     app.add_flag("--force-all", options.force_all, "Leave out nothing that could be done");
     app.add_flag("--timings", options.timings, "Print the median GPU time of each pass");
     app.add_option("--frames", options.frames, "Frames that --timings measures")
         ->check(CLI::Range(1, 100000));
-    app.add_flag("--json", options.json, "Timings as JSON");
+    app.add_flag("--json", options.json, "Timings and the probe as JSON");
     app.add_flag(
         "--list", options.list,
         "Print scenes, tone maps, blooms, lookups, views, effects, lights' controls, devices");
@@ -157,6 +196,15 @@ FrameSettings settings_of(const Options& options, Size input_size) {
     settings.bloom = require_row(blooms(), options.bloom, "bloom");
     if (!options.debug_view.empty())
         settings.view = require_row(debug_views(), options.debug_view, "debug view");
+    settings.scope_side = require_row(scope_sides, options.scope_side, "side of a scope");
+    if (!options.scope_scale.empty())
+        settings.scope_logarithmic = options.scope_scale == "log";
+    if (!options.scope.empty()) {
+        settings.scope = require_row(scopes, options.scope, "scope");
+        settings.scope_sizes[static_cast<std::size_t>(settings.scope - scopes.data())] =
+            options.scope_size.empty() ? Size{settings.scope->width, settings.scope->height}
+                                       : parse_size("--scope-size", options.scope_size);
+    }
     settings.bloom_settings = options.bloom_settings;
     settings.split = options.split;
     settings.heat_scale = options.heat_scale;
@@ -167,7 +215,7 @@ FrameSettings settings_of(const Options& options, Size input_size) {
     settings.shadow_size = options.shadow_size;
     settings.force_all = options.force_all;
     if (!options.size.empty()) {
-        settings.output = parse_size(options.size);
+        settings.output = parse_size("--size", options.size);
         if (is_picture) {
             const std::uint32_t sides = settings.compare == &compare_side ? 2 : 1;
             settings.output = fitted(input_size, picture_size(settings.output, *settings.compare));
@@ -178,6 +226,8 @@ FrameSettings settings_of(const Options& options, Size input_size) {
         if (settings.compare == &compare_side)
             settings.output.width *= 2;
     }
+    if (!options.probe.empty())
+        settings.probe = parse_place(options.probe, settings.output);
     return settings;
 }
 
@@ -209,6 +259,7 @@ std::string listing() {
            section("Lookups (--engine)", lookups(), label) +
            section("Comparisons (--compare)", compares, label) +
            section("Views (--debug-view)", debug_views(), help) +
+           section("Scopes (--scope)", scopes, help) +
            section("Effects (--without)", effects, help) +
            section("Lights' controls (--light)", light_controls(), help) +
            section("Rasterisers (--raster)", rasters(), label);

@@ -1,6 +1,7 @@
 // The command line of lutpreview.
 #pragma once
 
+#include "preview/cube_view.h"
 #include "preview/frame.h"
 
 #include <string>
@@ -19,6 +20,10 @@ struct Options {
     float split = 0.5F, heat_scale = 8, exposure = 0;
     double seconds = 0;
     float azimuth = 0, elevation = 0, distance = 0, field_of_view = 0; ///< added to the scene's
+    std::string cube_view; ///< the side whose look is drawn as a cube; empty: none
+    int cube_nodes = 17;
+    CubeView cube;
+    std::string probe, scope, scope_side = "shown", scope_size, scope_scale;
     BloomSettings bloom_settings{-1, 1, 0.2F, 1};
     std::vector<std::string> without; ///< names of effects
     std::vector<std::string> lights;  ///< changes, as edit_light() takes them

@@ -2,8 +2,8 @@
 
 namespace preview {
 
-void record_present(const vk::raii::CommandBuffer& commands, const gpu::Image& picture,
-                    vk::Image target, vk::Offset2D place) {
+void record_present(const vk::raii::CommandBuffer& commands, std::span<const Placed> pictures,
+                    vk::Image target) {
     using Stage = vk::PipelineStageFlagBits2;
     using Access = vk::AccessFlagBits2;
     constexpr auto layout = vk::ImageLayout::eTransferDstOptimal;
@@ -19,13 +19,15 @@ void record_present(const vk::raii::CommandBuffer& commands, const gpu::Image& p
                                      Stage::eAllTransfer, Access::eTransferWrite);
     commands.pipelineBarrier2(vk::DependencyInfo({}, to_blit));
     const vk::ImageSubresourceLayers layers(vk::ImageAspectFlagBits::eColor, 0, 0, 1);
-    const vk::Offset3D size(static_cast<int>(picture.desc().width),
-                            static_cast<int>(picture.desc().height), 1);
-    const std::array from{vk::Offset3D(0, 0, 0), size};
-    const std::array to{vk::Offset3D(place, 0),
-                        vk::Offset3D(place.x + size.x, place.y + size.y, 1)};
-    commands.blitImage(picture.vk(), vk::ImageLayout::eTransferSrcOptimal, target, layout,
-                       vk::ImageBlit(layers, from, layers, to), vk::Filter::eNearest);
+    for (const Placed& placed : pictures) {
+        const ImageDesc& desc = placed.picture->desc();
+        const vk::Offset3D size(static_cast<int>(desc.width), static_cast<int>(desc.height), 1);
+        const std::array from{vk::Offset3D(0, 0, 0), size};
+        const std::array to{vk::Offset3D(placed.place, 0),
+                            vk::Offset3D(placed.place.x + size.x, placed.place.y + size.y, 1)};
+        commands.blitImage(placed.picture->vk(), vk::ImageLayout::eTransferSrcOptimal, target,
+                           layout, vk::ImageBlit(layers, from, layers, to), vk::Filter::eNearest);
+    }
 }
 
 } // namespace preview

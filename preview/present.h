@@ -3,12 +3,18 @@
 
 #include "preview/gpu/memory.h"
 
+#include <span>
+
 namespace preview {
 
-/// Clears `target` to black and copies the picture to it, its upper left corner at `place`.
-/// `picture` stands in eTransferSrcOptimal and lies within; `target` is left in
-/// eTransferDstOptimal.
-void record_present(const vk::raii::CommandBuffer& commands, const gpu::Image& picture,
-                    vk::Image target, vk::Offset2D place);
+struct Placed {
+    const gpu::Image* picture = nullptr;
+    vk::Offset2D place; ///< of its upper left corner in the target
+};
+
+/// Clears `target` to black and copies the pictures to their places, where they must lie within it
+/// and apart. They stand in eTransferSrcOptimal; `target` is left in eTransferDstOptimal.
+void record_present(const vk::raii::CommandBuffer& commands, std::span<const Placed> pictures,
+                    vk::Image target);
 
 } // namespace preview

@@ -16,10 +16,14 @@ bool same_light(const FrameSettings& a, const FrameSettings& b) {
            picture_size(a.output, *a.compare) == picture_size(b.output, *b.compare);
 }
 
+std::vector<std::uint32_t> words_of(const std::vector<std::byte>& bytes) {
+    std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+    std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
+    return words;
+}
+
 std::optional<DifferenceFigures> figures_of(const Executor& executor, Size picture) {
-    const std::vector<std::byte> bytes = executor.finished_buffer("figures");
-    std::vector<std::uint32_t> counted(bytes.size() / sizeof(std::uint32_t));
-    std::memcpy(counted.data(), bytes.data(), counted.size() * sizeof(std::uint32_t));
+    const std::vector<std::uint32_t> counted = words_of(executor.finished_buffer("figures"));
     if (counted.empty())
         return std::nullopt;
     return difference_figures(counted, std::uint64_t{picture.width} * picture.height);
@@ -37,6 +41,23 @@ vk::Rect2D output_area(const ui::Rect& area, vk::Extent2D window) {
             {std::min(width, (window.width - x) & ~1U), std::min(height, window.height - y)}};
 }
 
+ScopeAreas scope_areas(const ui::Ui& ui, vk::Extent2D window) {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    ScopeAreas areas;
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+        const ui::Rect& place = ui.scope_places[i];
+        const auto x = static_cast<std::uint32_t>(std::max(place.x * scale.x, 0.0F));
+        const auto y = static_cast<std::uint32_t>(std::max(place.y * scale.y, 0.0F));
+        const auto width = static_cast<std::uint32_t>(place.width * scale.x);
+        const auto height = static_cast<std::uint32_t>(place.height * scale.y);
+        if (x < window.width && y < window.height && width > 0 && height > 0)
+            areas[i] = vk::Rect2D(
+                {static_cast<int>(x), static_cast<int>(y)},
+                {std::min(width, window.width - x), std::min(height, window.height - y)});
+    }
+    return areas;
+}
+
 FrameSettings window_settings(const ui::Ui& ui, const Options& options, const gpu::Device& device,
                               Size output) {
     const ui::State& state = ui.history.draft();
@@ -52,6 +73,12 @@ FrameSettings window_settings(const ui::Ui& ui, const Options& options, const gp
     settings.split = state.split;
     settings.heat_scale = state.heat_scale;
     settings.without = state.without;
+    settings.scope_side = state.scopes_seen.side;
+    settings.scope_logarithmic = state.scopes_seen.logarithmic;
+    if (ui.pointer)
+        settings.probe = {std::clamp(ui.pointer->x, 0, static_cast<int>(output.width) - 1),
+                          std::clamp(ui.pointer->y, 0, static_cast<int>(output.height) - 1)};
+    settings.axes = ui.shows_curves ? state.recipe.input : nullptr;
     settings.shadow_size = options.shadow_size;
     settings.force_all = options.force_all;
     settings.raster = raster_of(options, device, picture_size(output, *settings.compare));
@@ -73,7 +100,7 @@ std::optional<float> FrameReader::hdr_maximum_for(const FrameSettings& settings,
     return hdr_maximum_;
 }
 
-void FrameReader::read(Executor& executor, const Graph& graph, const FrameHandles& handles,
+bool FrameReader::read(Executor& executor, const Graph& graph, const FrameHandles& handles,
                        ui::Ui& ui) {
     ui.facts.explanation = explain(graph, executor.plan());
     if (ui.shows_passes) {
@@ -90,9 +117,17 @@ void FrameReader::read(Executor& executor, const Graph& graph, const FrameHandle
             hdr_maximum_ = maximum;
         }
     }
-    ui.facts.figures.reset();
+    ui::Measured measured;
     if (handles.figures)
-        ui.facts.figures = figures_of(executor, size_of(graph, handles.graded));
+        measured.figures = figures_of(executor, size_of(graph, handles.graded));
+    if (handles.probe)
+        measured.probe = probe_from(executor.finished_buffer("probe"));
+    if (handles.axis_counts)
+        measured.axis_counts = words_of(executor.finished_buffer("axis counts"));
+    if (measured == ui.facts.measured)
+        return false;
+    ui.facts.measured = std::move(measured);
+    return true;
 }
 
 } // namespace preview

@@ -15,7 +15,11 @@ namespace preview {
 /// The picture's part of a window of that size, in its pixels.
 vk::Rect2D output_area(const ui::Rect& area, vk::Extent2D window);
 
-/// The settings of a frame of that size.
+using ScopeAreas = std::array<vk::Rect2D, scopes.size()>;
+/// The scopes' parts of a window of that size, in its pixels; empty for one that is not seen.
+ScopeAreas scope_areas(const ui::Ui& ui, vk::Extent2D window);
+
+/// The settings of a frame of that size, in which no scope has a size yet.
 FrameSettings window_settings(const ui::Ui& ui, const Options& options, const gpu::Device& device,
                               Size output);
 
@@ -31,8 +35,9 @@ class FrameReader {
     /// the same light have measured it.
     std::optional<float> hdr_maximum_for(const FrameSettings& settings,
                                          const std::vector<PointLight>& lights);
-    /// After a frame was submitted, with the handles that build_frame() gave.
-    void read(Executor& executor, const Graph& graph, const FrameHandles& handles, ui::Ui& ui);
+    /// After a frame was submitted, with the handles that build_frame() gave. Whether there are new
+    /// measurements, which a further frame shows.
+    bool read(Executor& executor, const Graph& graph, const FrameHandles& handles, ui::Ui& ui);
 
   private:
     int frames_in_flight_;

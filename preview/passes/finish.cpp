@@ -52,7 +52,7 @@ void bind_look(Graph& graph, Pass& pass, const std::string& side, const GpuLook*
     pass.sample(imported(graph, name + " volume", look ? look->volume : nothing),
                 Sampler::linear_clamp, Neutral::black_3d);
     pass.read(imported(graph, name + " shaper", look ? look->shaper : nothing));
-    pass.uniform(graph.data_of(name, look ? look->block : LookBlock{}));
+    pass.uniform(look ? graph.data_of(name, look->block) : graph.data_of("no look", LookBlock{}));
 }
 
 std::uint32_t shader_of(const GpuLook* look) {
@@ -73,10 +73,32 @@ GpuLook::GpuLook(const gpu::Device& device, const LookData& data)
         nodes = gpu::make_buffer(device, std::as_bytes(std::span(data.nodes)));
 }
 
+void bind_finish(Graph& graph, Pass& pass, Handle picture, const BloomLayers& bloom,
+                 const GpuLook* a, const GpuLook* b, const FinishSettings& settings) {
+    const BloomPlan& plan = bloom.plan;
+    pass.read(picture);
+    for (const Handle layer : bloom.images)
+        pass.sample(layer, Sampler::linear_clamp);
+    pass.uniform(graph.data_of("bloom final filter", filter_block(plan)));
+    bind_look(graph, pass, "A", a);
+    bind_look(graph, pass, "B", b);
+
+    const auto layers = static_cast<std::uint32_t>(plan.layers.size());
+    const auto taps =
+        layers == 1 ? static_cast<std::uint32_t>(plan.layers[0].taps.size()) : std::uint32_t{1};
+    const Format format = graph.image_desc(picture).format;
+    const bool unit =
+        format == Format::rgba8 || format == Format::rgb10a2 || format == Format::rgba16;
+    const int tonemap = settings.tonemap ? settings.tonemap->shader : -1;
+    pass.constants({static_cast<std::uint32_t>(tonemap), layers, taps, plan.threshold > 0,
+                    shader_of(a), shader_of(b), settings.compare->shader, unit});
+    pass.push(Push{std::exp2(settings.exposure), plan.strength, plan.threshold, plan.knee,
+                   settings.split, settings.heat_scale});
+}
+
 Finished add_finish(Graph& graph, Handle picture, const BloomLayers& bloom, const GpuLook* a,
                     const GpuLook* b, const FinishSettings& settings) {
     const Compare& compare = *settings.compare;
-    const BloomPlan& plan = bloom.plan;
     a = compare.shows_a ? a : nullptr;
     b = compare.shows_b ? b : nullptr;
     const Size size = size_of(graph, picture);
@@ -95,12 +117,7 @@ Finished add_finish(Graph& graph, Handle picture, const BloomLayers& bloom, cons
     Pass pass = graph.compute("finish", half     ? "finish_shared_half.comp"
                                         : shared ? "finish_shared.comp"
                                                  : "finish.comp");
-    pass.read(picture);
-    for (const Handle layer : bloom.images)
-        pass.sample(layer, Sampler::linear_clamp);
-    pass.uniform(graph.data_of("bloom final filter", filter_block(plan)));
-    bind_look(graph, pass, "A", a);
-    bind_look(graph, pass, "B", b);
+    bind_finish(graph, pass, picture, bloom, a, b, settings);
     out.picture = pass.write(target);
     figures = difference ? pass.modify(figures) : pass.write(figures);
     if (difference)
@@ -108,17 +125,6 @@ Finished add_finish(Graph& graph, Handle picture, const BloomLayers& bloom, cons
     if (shared)
         pass.storage(graph.import("look nodes", *shared->nodes, shared->nodes->bytes()));
 
-    const auto layers = static_cast<std::uint32_t>(plan.layers.size());
-    const auto taps =
-        layers == 1 ? static_cast<std::uint32_t>(plan.layers[0].taps.size()) : std::uint32_t{1};
-    const Format format = graph.image_desc(picture).format;
-    const bool unit =
-        format == Format::rgba8 || format == Format::rgb10a2 || format == Format::rgba16;
-    const int tonemap = settings.tonemap ? settings.tonemap->shader : -1;
-    pass.constants({static_cast<std::uint32_t>(tonemap), layers, taps, plan.threshold > 0,
-                    shader_of(a), shader_of(b), compare.shader, unit});
-    pass.push(Push{std::exp2(settings.exposure), plan.strength, plan.threshold, plan.knee,
-                   settings.split, settings.heat_scale});
     if (shared) {
         const std::uint32_t tiles = ((size.width + tile_width - 1) / tile_width) *
                                     ((size.height + tile_height - 1) / tile_height);

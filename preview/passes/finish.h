@@ -45,6 +45,11 @@ struct Finished {
 Finished add_finish(Graph& graph, Handle picture, const BloomLayers& bloom, const GpuLook* a,
                     const GpuLook* b, const FinishSettings& settings);
 
+/// For a pass that finishes texels to count or tell them: binds what shaders/common/finish.glsl
+/// reads (bindings 0 to 13) and sets its constants and push constants.
+void bind_finish(Graph& graph, Pass& pass, Handle picture, const BloomLayers& bloom,
+                 const GpuLook* a, const GpuLook* b, const FinishSettings& settings);
+
 /// The size at which a scene is rendered so that its finished picture is `output` wide and high.
 Size picture_size(Size output, const Compare& compare);
 

@@ -1,5 +1,6 @@
 // The editor of one curve: click an empty place for a knot, drag it, press right to delete it.
 #include "lutlib/color/oklab.h"
+#include "preview/axes.h"
 #include "preview/ui/knots.h"
 #include "preview/ui/ui.h"
 
@@ -77,6 +78,35 @@ void draw_grid(ImDrawList& list, const Canvas& canvas) {
     }
 }
 
+/// How often the picture has the values of the axis, behind the curve that will act on them. The
+/// square root of the counts: rare values still show beside frequent ones.
+void draw_counts(ImDrawList& list, const Canvas& canvas, const Parameter& parameter,
+                 const std::vector<std::uint32_t>& counts) {
+    const CountedAxis* const axis = axis_for(parameter);
+    if (axis == nullptr || counts.size() != counted_axes.size() * axis_bins)
+        return;
+    const auto row = static_cast<std::size_t>(axis - counted_axes.data());
+    const std::uint32_t* const bins = &counts[row * axis_bins];
+    // The outermost bins of an open axis hold what is clipped and would dwarf the others.
+    const std::size_t ends = parameter.axis.periodic ? 0 : 1;
+    const std::uint32_t most = *std::max_element(bins + ends, bins + axis_bins - ends);
+    if (most == 0)
+        return;
+    const double step = (axis->max - axis->min) / axis_bins;
+    const double first = parameter.axis.periodic ? -step / 2 : 0; // bins about their hues
+    const float floor_y = canvas.origin.y + canvas.size.y;
+    const ImU32 color =
+        parameter.axis.periodic ? IM_COL32(0, 0, 0, 110) : IM_COL32(200, 205, 220, 62);
+    for (std::uint32_t i = 0; i < axis_bins; ++i) {
+        const float share =
+            std::min(std::sqrt(static_cast<float>(bins[i]) / static_cast<float>(most)), 1.0F);
+        const double x = axis->min + first + step * i;
+        const float left = canvas.at({x, 0}).x, right = canvas.at({x + step, 0}).x;
+        list.AddRectFilled({left, floor_y - 0.94F * share * canvas.size.y}, {right, floor_y},
+                           color);
+    }
+}
+
 void draw_curve(ImDrawList& list, const Canvas& canvas, const Parameter& parameter,
                 const Knots& knots) {
     std::vector<ImVec2> points;
@@ -121,6 +151,7 @@ bool curve_editor(Ui& ui, const Parameter& parameter, Knots& knots, const std::s
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     ImGui::PopID();
     mark(ui, place);
+    ui.shows_curves = ui.shows_curves || ImGui::IsItemVisible();
     const bool active = ImGui::IsItemActive();
     const bool hovered = ImGui::IsItemHovered();
     if (active && ImGui::IsItemActivated()) {
@@ -160,6 +191,7 @@ bool curve_editor(Ui& ui, const Parameter& parameter, Knots& knots, const std::s
     list.PushClipRect(origin, corner, true);
     if (parameter.axis.periodic)
         draw_ribbon(list, canvas);
+    draw_counts(list, canvas, parameter, ui.facts.measured.axis_counts);
     draw_grid(list, canvas);
     draw_curve(list, canvas, parameter, knots);
     list.PopClipRect();

@@ -54,10 +54,10 @@ LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side) {
         const lutlib::Bake baked = lutlib::bake([&](lutlib::RgbD in) { return edit(in); }, engine,
                                                 side.size > 0 ? side.size : engine.default_size,
                                                 side.bits > 0 ? side.bits : engine.default_bits);
-        return {look_data(baked.picture, baked.size, *side.engine), {}, {}};
+        return {look_data(baked.picture, baked.size, *side.engine), {}, {}, table_of(baked)};
     }
     }
-    return {no_look(), "there is none", {}};
+    return {no_look(), "there is none", {}, nullptr};
 }
 
 LookBaker::LookBaker(std::function<void()> on_ready)

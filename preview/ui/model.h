@@ -4,13 +4,16 @@
 #include "lutlib/recipe.h"
 #include "preview/blooms.h"
 #include "preview/compare.h"
+#include "preview/cube_view.h"
 #include "preview/effects.h"
 #include "preview/lookups.h"
 #include "preview/scene/scene.h"
+#include "preview/scopes.h"
 #include "preview/tonemaps.h"
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +50,23 @@ struct Side {
     friend bool operator==(const Side&, const Side&) = default;
 };
 
+/// Which scopes are seen, and how.
+struct ScopeChoice {
+    std::array<bool, scopes.size()> seen{};
+    const ScopeSide* side = &scope_side_shown;
+    std::optional<bool> logarithmic; ///< empty: each scope's own
+    float height = 0.34F;            ///< of the window's
+    friend bool operator==(const ScopeChoice&, const ScopeChoice&) = default;
+};
+
+/// How the cube of a look's nodes is seen.
+struct CubeChoice {
+    std::size_t side = 1;
+    int per_side = 17; ///< at most so many nodes of an axis
+    CubeView view;
+    friend bool operator==(const CubeChoice&, const CubeChoice&) = default;
+};
+
 /// Everything that undo brings back.
 struct State {
     lutlib::Recipe recipe;
@@ -63,6 +83,8 @@ struct State {
     std::shared_ptr<const Shown> shown; ///< the scene or picture
     Orbit orbit;
     std::vector<PointLight> lights; ///< in place of the scene's
+    ScopeChoice scopes_seen;
+    CubeChoice cube;
 };
 bool operator==(const State& a, const State& b);
 

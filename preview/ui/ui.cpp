@@ -20,7 +20,8 @@ struct Panel {
 };
 constexpr Panel panels[] = {
     {"Look", &look_panel},  {"View", &view_panel},     {"Scene", &scene_panel},
-    {"Files", &file_panel}, {"Passes", &passes_panel},
+    {"Files", &file_panel}, {"Passes", &passes_panel}, {"Scopes", &scopes_panel},
+    {"Cube", &cube_panel},
 };
 
 struct Shortcut {
@@ -76,6 +77,8 @@ constexpr const char* mouse_help[][2] = {
     {"drag the line", "move the split"},
     {"drag the picture", "turn the camera"},
     {"wheel", "nearer, farther"},
+    {"point at the picture", "its colour before and after the looks, in the line below"},
+    {"drag the cube", "turn it"},
 };
 
 void mark_window(Ui& ui, const std::string& name) {
@@ -218,6 +221,10 @@ void picture_area(Ui& ui, const Rect& area) {
     ImGui::InvisibleButton("picture", {area.width, area.height});
     mark(ui, "picture");
     const ImGuiIO& io = ImGui::GetIO();
+    ui.pointer.reset();
+    if (ImGui::IsItemHovered())
+        ui.pointer = {static_cast<int>((io.MousePos.x - area.x) * io.DisplayFramebufferScale.x),
+                      static_cast<int>((io.MousePos.y - area.y) * io.DisplayFramebufferScale.y)};
     const float line = area.x + state.split * area.width;
     const bool near_line =
         state.compare == &compares[2] && std::abs(io.MousePos.x - line) < line_reach;
@@ -253,7 +260,7 @@ Rect fitted(const Ui& ui, const Rect& area) {
 Rect draw(Ui& ui) {
     constexpr float least_width = 340;
     ui.places.clear();
-    ui.shows_passes = false;
+    ui.shows_passes = ui.shows_curves = false;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     handle_shortcuts(ui);
     ImGui::SetNextWindowSize({std::min(440.0F, window.x / 2), window.y}, ImGuiCond_FirstUseEver);
@@ -289,9 +296,16 @@ Rect draw(Ui& ui) {
         ImGui::EndTabBar();
     }
     ImGui::End();
-    const Rect area =
-        fitted(ui, {0, 0, std::max(window.x - width, 1.0F), std::max(window.y, 1.0F)});
+    const float left = std::max(window.x - width, 1.0F);
+    const float status = std::min(ImGui::GetFrameHeight() + 6, window.y / 2);
+    const ScopeChoice& choice = ui.history.draft().scopes_seen;
+    const bool any_scope = choice.seen != std::array<bool, scopes.size()>{};
+    const float strip = any_scope ? std::floor((window.y - status) * choice.height) : 0;
+    const float bottom = std::max(window.y - status - strip, 1.0F);
+    const Rect area = fitted(ui, {0, 0, left, bottom});
     picture_area(ui, area);
+    scope_strip(ui, {0, bottom, left, strip});
+    status_line(ui, {0, window.y - status, left, status});
     dialogs(ui);
     return area;
 }

@@ -2,6 +2,7 @@
 // know no GPU object.
 #pragma once
 
+#include "preview/probe.h"
 #include "preview/ui/model.h"
 
 #include <functional>
@@ -22,6 +23,14 @@ struct PassTime {
     double milliseconds = 0;
 };
 
+/// What a finished frame has told; empty where it was not asked.
+struct Measured {
+    std::optional<DifferenceFigures> figures;
+    std::optional<Probe> probe;             ///< of the texel that was pointed at
+    std::vector<std::uint32_t> axis_counts; ///< before the looks (preview/axes.h)
+    friend bool operator==(const Measured&, const Measured&) = default;
+};
+
 /// What the panels show and do not change.
 struct Facts {
     std::string device, input;
@@ -30,8 +39,9 @@ struct Facts {
     float aspect = 0;             ///< a picture's width over its height; 0: a scene fills any area
     bool display_encoded = false; ///< there is nothing to tone map
     double bake_milliseconds = 0;
-    std::array<std::string, 2> look_notes;    ///< how exactly each side stands for the recipe
-    std::optional<DifferenceFigures> figures; ///< of the frame, when it compares by difference
+    std::array<std::string, 2> look_notes; ///< how exactly each side stands for the recipe
+    Measured measured;
+    std::array<std::shared_ptr<const lutlib::Lut>, 2> tables; ///< of the sides; null: no look
     std::vector<PassTime> passes;
     std::string explanation; ///< a line for each pass, kept or left out, and why
 };
@@ -52,8 +62,11 @@ struct Ui {
     bool wants_new_screen = false;   ///< everything on the GPU shall be made anew
     bool shows_help = false;
     bool quits = false;
-    bool shows_passes = false;     ///< set by the passes panel while it is seen: timings are wanted
-    const Compare* held = nullptr; ///< shown instead while a key is held
+    bool shows_passes = false; ///< set by the passes panel while it is seen: timings are wanted
+    bool shows_curves = false; ///< set by curve editors: counts along their axes are wanted
+    std::optional<ProbePlace> pointer; ///< the texel of the shown picture under the mouse
+    std::array<Rect, scopes.size()> scope_places{}; ///< where scopes are seen; else empty
+    const Compare* held = nullptr;                  ///< shown instead while a key is held
     /// Since the last frame: no press is lost, however short.
     std::vector<KeyPress> pressed;
     /// Files to open as look or picture, for the program to take.
@@ -82,9 +95,15 @@ void view_panel(Ui& ui);
 void scene_panel(Ui& ui);
 void file_panel(Ui& ui);
 void passes_panel(Ui& ui);
+void scopes_panel(Ui& ui);
+void cube_panel(Ui& ui);
 void dialogs(Ui& ui);
 void handle_shortcuts(Ui& ui);
-/// Mouse on the picture: the split line, the camera.
+/// The scopes that are seen, side by side.
+void scope_strip(Ui& ui, const Rect& area);
+/// The colour under the mouse.
+void status_line(Ui& ui, const Rect& area);
+/// Mouse on the picture: the split line, the camera, the colour under it.
 void picture_area(Ui& ui, const Rect& area);
 
 /// Draws a curve and lets its knots be changed; true when they were.

@@ -71,9 +71,10 @@ void view_panel(Ui& ui) {
     if (state.compare == &compare_difference) {
         ImGui::SliderFloat("Heat map to dE2000", &state.heat_scale, 4, 96, "%.0f",
                            ImGuiSliderFlags_AlwaysClamp);
-        if (ui.facts.figures)
-            ImGui::Text("dE2000: mean %.3f, p95 %.3f, p99 %.3f, max %.3f", ui.facts.figures->mean,
-                        ui.facts.figures->p95, ui.facts.figures->p99, ui.facts.figures->max);
+        if (ui.facts.measured.figures)
+            ImGui::Text("dE2000: mean %.3f, p95 %.3f, p99 %.3f, max %.3f",
+                        ui.facts.measured.figures->mean, ui.facts.measured.figures->p95,
+                        ui.facts.measured.figures->p99, ui.facts.measured.figures->max);
     } else {
         ImGui::SliderFloat("Split", &state.split, 0, 1, "%.3f", ImGuiSliderFlags_AlwaysClamp);
     }

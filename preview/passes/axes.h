@@ -1,0 +1,14 @@
+// Counts a picture's colours before its looks along the axes of the operators' curves.
+#pragma once
+
+#include "preview/axes.h"
+#include "preview/passes/finish.h"
+
+namespace preview {
+
+/// axis_bins counts for each row of counted_axes. The finishing pass's own inputs; `encoding` says
+/// what the operators take the picture's codes for.
+Handle add_axes(Graph& graph, Handle picture, const BloomLayers& bloom,
+                const FinishSettings& settings, const lutlib::Encoding& encoding);
+
+} // namespace preview

@@ -1,0 +1,14 @@
+// Tells the colour of one texel before the looks and after each side's.
+#pragma once
+
+#include "preview/passes/finish.h"
+#include "preview/probe.h"
+
+namespace preview {
+
+/// A buffer for probe_from(), after presenting it. The finishing pass's own inputs; both looks
+/// count, whatever the comparison shows.
+Handle add_probe(Graph& graph, Handle picture, const BloomLayers& bloom, const GpuLook* a,
+                 const GpuLook* b, const FinishSettings& settings, ProbePlace place);
+
+} // namespace preview

@@ -1,0 +1,88 @@
+#include "preview/passes/scope.h"
+
+#include <algorithm>
+#include <string>
+
+namespace preview {
+
+namespace {
+
+struct DrawPush {
+    ScopePlot plot;
+    std::uint32_t columns, width, height, logarithmic;
+};
+
+/// Groups for passes whose groups add private counts to the buffer: a group's clearing and adding
+/// must be little beside its share of the picture, and more groups than a GPU holds gain nothing.
+std::uint32_t private_groups(std::uint32_t texels) {
+    constexpr std::uint32_t share = 8192, most = 528;
+    return std::clamp((texels + share - 1) / share, 1U, most);
+}
+
+Handle count_columns(Graph& graph, Handle picture, const Scope& scope, ColumnRange range,
+                     std::uint32_t columns, Handle counts) {
+    Pass pass =
+        graph.compute(std::string("count ") + std::string(scope.name), "scope_waveform.comp");
+    pass.read(picture);
+    counts = pass.write(counts);
+    pass.constants({scope.planes});
+    pass.push(std::array{range.first, range.count, columns});
+    pass.dispatch(columns);
+    return counts;
+}
+
+Handle count_privately(Graph& graph, Handle picture, const Scope& scope, ColumnRange range,
+                       Handle counts) {
+    const std::string name(scope.name);
+    counts = graph.fill("clear " + name, counts, 0);
+    Pass pass =
+        graph.compute("count " + name, scope.bins == ScopeBins::chroma ? "scope_vectorscope.comp"
+                                                                       : "scope_histogram.comp");
+    pass.read(picture);
+    counts = pass.modify(counts);
+    pass.push(std::array{range.first, range.count});
+    pass.dispatch(private_groups(range.count * graph.image_desc(picture).height));
+    return counts;
+}
+
+const char* drawing_shader(ScopeBins bins) {
+    switch (bins) {
+    case ScopeBins::columns:
+        return "scope_draw_waveform.comp";
+    case ScopeBins::chroma:
+        return "scope_draw_vectorscope.comp";
+    case ScopeBins::levels:
+        break;
+    }
+    return "scope_draw_histogram.comp";
+}
+
+} // namespace
+
+std::uint32_t scope_columns(const Scope& scope, ColumnRange range, Size size) {
+    const ScopePlot plot = scope_plot(scope, size.width, size.height);
+    return std::min(static_cast<std::uint32_t>(plot.width), range.count);
+}
+
+ScopePicture add_scope(Graph& graph, Handle picture, const Scope& scope, ColumnRange range,
+                       Size size, bool logarithmic) {
+    const std::string name(scope.name);
+    const std::uint32_t columns = scope_columns(scope, range, size);
+    const Handle counts = graph.buffer("counts of " + name, 4 * scope_counts(scope, columns));
+    ScopePicture out;
+    out.counts = scope.bins == ScopeBins::columns
+                     ? count_columns(graph, picture, scope, range, columns, counts)
+                     : count_privately(graph, picture, scope, range, counts);
+
+    Pass pass = graph.compute("draw " + name, drawing_shader(scope.bins));
+    pass.storage(out.counts);
+    out.picture = pass.write(graph.image(name, {Format::rgba8, size.width, size.height}));
+    if (scope.bins == ScopeBins::columns)
+        pass.constants({scope.planes});
+    pass.push(DrawPush{scope_plot(scope, size.width, size.height), columns, range.count,
+                       graph.image_desc(picture).height, logarithmic});
+    pass.dispatch_over(size.width, size.height);
+    return out;
+}
+
+} // namespace preview

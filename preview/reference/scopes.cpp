@@ -1,0 +1,51 @@
+#include "preview/reference/scopes.h"
+
+#include <algorithm>
+
+namespace preview::reference {
+
+namespace {
+
+// In 65536ths; the weights of luma add up to one, those of a difference to zero.
+constexpr int luma_weights[3] = {13933, 46871, 4732};
+constexpr int cb_weights[3] = {-7509, -25259, 32768};
+constexpr int cr_weights[3] = {32768, -29763, -3005};
+
+std::size_t weighed(const int (&weights)[3], const std::uint8_t* rgb, int neutral) {
+    const int sum = weights[0] * rgb[0] + weights[1] * rgb[1] + weights[2] * rgb[2];
+    return static_cast<std::size_t>(std::min(((sum + 32768) >> 16) + neutral, 255));
+}
+
+} // namespace
+
+std::vector<std::uint32_t> scope_counts(const Scope& scope, std::span<const std::uint8_t> rgba,
+                                        std::uint32_t width, ColumnRange range,
+                                        std::uint32_t columns) {
+    std::vector<std::uint32_t> counts(preview::scope_counts(scope, columns));
+    const std::size_t height = rgba.size() / 4 / width;
+    for (std::size_t y = 0; y < height; ++y)
+        for (std::size_t x = 0; x < range.count; ++x) {
+            const std::uint8_t* const rgb = &rgba[4 * (y * width + range.first + x)];
+            const std::size_t luma = weighed(luma_weights, rgb, 0);
+            switch (scope.bins) {
+            case ScopeBins::columns:
+                for (std::size_t plane = 0; plane < scope.planes; ++plane) {
+                    const std::size_t level = scope.planes == 1 ? luma : rgb[plane];
+                    const std::size_t column = x * columns / range.count;
+                    ++counts[(plane * columns + column) * scope_levels + level];
+                }
+                break;
+            case ScopeBins::chroma:
+                ++counts[weighed(cr_weights, rgb, 128) * scope_levels +
+                         weighed(cb_weights, rgb, 128)];
+                break;
+            case ScopeBins::levels:
+                for (std::size_t plane = 0; plane < 4; ++plane)
+                    ++counts[plane * scope_levels + (plane < 3 ? rgb[plane] : luma)];
+                break;
+            }
+        }
+    return counts;
+}
+
+} // namespace preview::reference

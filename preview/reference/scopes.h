@@ -1,0 +1,18 @@
+// The scopes' counts on the CPU, exactly those of shaders/scope_*.comp.
+#pragma once
+
+#include "preview/scopes.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace preview::reference {
+
+/// Of a picture of four 8-bit codes a texel, `width` texels wide. `columns` as scope_columns()
+/// says.
+std::vector<std::uint32_t> scope_counts(const Scope& scope, std::span<const std::uint8_t> rgba,
+                                        std::uint32_t width, ColumnRange range,
+                                        std::uint32_t columns);
+
+} // namespace preview::reference

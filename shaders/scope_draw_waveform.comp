@@ -1,0 +1,72 @@
+// Draws a waveform or a parade from its counts, with lines and figures at each quarter in per cent.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+layout(local_size_x = 16, local_size_y = 16) in;
+#include "common/scope.glsl"
+#include "common/scope_draw.glsl"
+layout(constant_id = 0) const uint planes = 1u;
+
+layout(binding = 0) readonly buffer Counts { uint counts[]; };
+layout(binding = 1) writeonly uniform image2D target;
+
+/// The mean of the counts over a texel's height, at least one level high.
+float count_at(uint plane, uint column, int row) {
+    float per_texel = float(levels) / float(push.plot.w);
+    float centre = (float(push.plot.w - row) - 0.5) * per_texel;
+    float reach = 0.5 * max(per_texel, 1.0);
+    float low = max(centre - reach, 0.0), high = min(centre + reach, float(levels));
+    uint from = (plane * push.columns + column) * levels;
+    float sum = 0.0;
+    for (uint level = uint(low); level < min(uint(ceil(high)), levels); ++level)
+        sum += float(counts[from + level]) *
+               (min(high, float(level + 1u)) - max(low, float(level)));
+    return sum / max(high - low, 1e-6);
+}
+
+vec3 plane_color(uint plane) {
+    if (planes == 1u)
+        return vec3(0.80, 0.97, 0.84);
+    return plane == 0u ? vec3(1.0, 0.30, 0.26) : plane == 1u ? vec3(0.30, 0.92, 0.36)
+                                                             : vec3(0.36, 0.54, 1.0);
+}
+
+vec3 plot_color(ivec2 at, uint plane) {
+    vec3 color = ground;
+    for (int quarter = 0; quarter <= 4; ++quarter) {
+        float level = float(quarter) * 63.75 + 0.5;
+        float y = float(push.plot.w) * (1.0 - level / float(levels));
+        color = mix(color, line_color, coverage(float(at.y) + 0.5 - y, 1.0));
+    }
+    uint column = uint(at.x) * push.columns / uint(push.plot.z);
+    uint from = (column * push.width + push.columns - 1u) / push.columns;
+    uint to = ((column + 1u) * push.width + push.columns - 1u) / push.columns;
+    float texels = float(to - from) * float(push.height);
+    float density = count_at(plane, column, at.y) * float(levels) / max(texels, 1.0);
+    return color + trace(plane_color(plane), density, float(levels));
+}
+
+bool labelled(ivec2 at) {
+    bool in_margin = at.x < push.plot.x;
+    for (int quarter = 0; in_margin && quarter <= 4; ++quarter) {
+        int height = glyph_height * push.dot_size;
+        int middle = push.plot.y + push.plot.w - push.plot.w * quarter / 4;
+        int top = clamp(middle - height / 2, push.plot.y, push.plot.y + push.plot.w - height);
+        if (in_label(at - ivec2(push.plot.x - 2 * push.dot_size, top), uint(quarter) * 25u,
+                     push.dot_size))
+            return true;
+    }
+    return false;
+}
+
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(at, imageSize(target))))
+        return;
+    vec3 color = labelled(at) ? label_color : surround;
+    for (uint plane = 0u; plane < planes; ++plane) {
+        ivec2 inside = at - push.plot.xy - ivec2(int(plane) * push.stride, 0);
+        if (all(greaterThanEqual(inside, ivec2(0))) && all(lessThan(inside, push.plot.zw)))
+            color = plot_color(inside, plane);
+    }
+    imageStore(target, at, vec4(min(color, 1.0), 1.0));
+}

@@ -150,6 +150,20 @@ const lutlib::ResamplingMethod& MethodOption::get() const {
     return *found;
 }
 
+void NewLutOptions::declare(CLI::App& app) {
+    app.add_option("-o,--output", output, "the new LUT, or - for standard output")->required();
+    sampling.declare(app, false);
+    method.declare(app);
+    app.add_option("--encoding", encoding,
+                   "what the results are, for colour differences: " + encoding_names())
+        ->capture_default_str();
+    app.add_flag("--json", json, "print the figures as JSON");
+}
+
+const lutlib::Encoding& NewLutOptions::results() const {
+    return encoding_of(encoding, "--encoding");
+}
+
 const lutlib::Encoding& encoding_of(const std::string& name, const std::string& flag) {
     const lutlib::Encoding* const found = lutlib::encoding_named(name);
     if (!found) {

@@ -56,6 +56,19 @@ class MethodOption {
     std::string name_ = "tetrahedral";
 };
 
+/// What every verb that makes one LUT of others asks: where to, on which lattice, how the others
+/// are read, and what the figures are in.
+struct NewLutOptions {
+    void declare(CLI::App& app);
+    /// Throws UsageError.
+    const lutlib::Encoding& results() const;
+
+    std::string output, encoding = "srgb";
+    SamplingOptions sampling;
+    MethodOption method;
+    bool json = false;
+};
+
 /// A row of lutlib::encodings(). Throws UsageError naming the flag.
 const lutlib::Encoding& encoding_of(const std::string& name, const std::string& flag);
 /// The names of all rows, for help.

@@ -13,6 +13,7 @@ struct LoadedLook {
     LookData data;
     /// Why it may as well be left out; empty when it does something.
     std::string skip_reason;
+    std::string note; ///< how exactly it stands for its recipe; empty when not measured
 };
 
 /// A lookup that reads a picture gets what `lutconv bake` makes of the look. Throws lutlib::Error

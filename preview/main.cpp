@@ -22,7 +22,7 @@ namespace {
 enum ExitCode { ok = 0, bad_input = 2, bad_usage = 3 };
 
 std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& path,
-                                 const Options& options, std::string& skipped, const char* side) {
+                                 const Options& options, std::string& notes, const char* side) {
     const Lookup* lookup = nullptr;
     if (!options.engine.empty()) {
         lookup = lookup_named(options.engine);
@@ -31,10 +31,12 @@ std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& p
                                      "'; --list names them");
     }
     const LoadedLook look = load_look(path, lookup);
+    if (!look.note.empty())
+        notes += "look " + std::string(side) + ": " + look.note + "\n";
     if (look.skip_reason.empty() || (options.force_all && path != "none" && !path.empty()))
         return std::optional<GpuLook>(std::in_place, device, look.data);
     if (path != "none" && !path.empty())
-        skipped += "left out  look " + std::string(side) + ": " + look.skip_reason + "\n";
+        notes += "left out  look " + std::string(side) + ": " + look.skip_reason + "\n";
     return std::nullopt;
 }
 
@@ -98,24 +100,29 @@ int run(const Options& options) {
     device_options.wanted = options.device;
     device_options.validation = options.validate;
     const gpu::Device device(device_options);
-    const Shown shown = load_shown(device, options.input, options.seconds);
-    FrameSettings settings = settings_of(options, shown.picture_size);
-    if (shown.scene) {
-        settings.exposure += shown.scene->exposure;
-        settings.orbit = shown.scene->orbit;
-        settings.orbit.azimuth += options.azimuth;
-        settings.orbit.elevation += options.elevation;
-        settings.orbit.distance += options.distance;
-        settings.orbit.field_of_view += options.field_of_view;
-    } else if (shown.display_encoded()) {
+    const auto shown = std::make_shared<const Shown>(load_shown(options.input, options.seconds));
+    std::string notes; // lines of --explain
+    for (const std::string& line : shown->left_out) {
+        notes += "left out  of " + shown->name + ": " + line + "\n";
+        if (!options.explain)
+            std::fprintf(stderr, "lutpreview: %s: left out: %s\n", shown->name.c_str(),
+                         line.c_str());
+    }
+    FrameSettings settings = settings_of(options, shown->picture_size());
+    const std::vector<PointLight> lights = lights_of(options, shown->scene);
+    if (shown->scene) {
+        settings.exposure += shown->scene->exposure;
+        settings.orbit = orbit_of(options, *shown->scene);
+    } else if (shown->display_encoded()) {
         settings.tonemap = nullptr;
     }
     settings.raster = raster_of(options, device, picture_size(settings.output, *settings.compare));
     settings.keep_hdr = writes_light(options.output);
-    std::string skipped; // lines of --explain
-    const auto look_a = load_side(device, options.look_a, options, skipped, "A");
-    const auto look_b = load_side(device, options.look_b, options, skipped, "B");
-    FrameInputs inputs = shown.inputs();
+    const auto look_a = load_side(device, options.look_a, options, notes, "A");
+    const auto look_b = load_side(device, options.look_b, options, notes, "B");
+    const GpuShown on_gpu(device, shown);
+    FrameInputs inputs = on_gpu.inputs();
+    inputs.lights = &lights;
     inputs.look_a = look_a ? &*look_a : nullptr;
     inputs.look_b = look_b ? &*look_b : nullptr;
 
@@ -123,7 +130,7 @@ int run(const Options& options) {
     if (!options.output.empty() || options.explain) {
         const Rendered rendered = render_frame(executor, inputs, settings);
         if (options.explain)
-            std::printf("%s%s", rendered.explanation.c_str(), skipped.c_str());
+            std::printf("%s%s", rendered.explanation.c_str(), notes.c_str());
         if (rendered.figures)
             std::printf("dE2000  mean %.3f  p95 %.3f  p99 %.3f  max %.3f\n", rendered.figures->mean,
                         rendered.figures->p95, rendered.figures->p99, rendered.figures->max);

@@ -1,6 +1,7 @@
 #include "preview/options.h"
 
 #include "lutlib/error.h"
+#include "preview/light_edit.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -39,6 +40,18 @@ Size parse_size(const std::string& text) {
         "--size is WIDTHxHEIGHT with sides of 1 to {}, and not '{}'", largest_side, text));
 }
 
+/// A number from low to high; unlike CLI::Range it refuses NaN.
+CLI::Validator within(double low, double high) {
+    return {[=](std::string& text) {
+                double value = 0;
+                const bool good =
+                    CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+                return good ? std::string()
+                            : fmt::format("'{}' is not a number from {} to {}", text, low, high);
+            },
+            fmt::format("in [{} - {}]", low, high)};
+}
+
 template <class Rows, class Text>
 std::string section(std::string_view title, const Rows& rows, Text text) {
     std::string out = fmt::format("{}\n", title);
@@ -50,48 +63,66 @@ std::string section(std::string_view title, const Rows& rows, Text text) {
 } // namespace
 
 void declare(CLI::App& app, Options& options) {
-    app.add_option("input", options.input,
-                   "A built-in scene (--list) or a picture file, which stands for the scene");
+    app.add_option(
+        "input", options.input,
+        "A built-in scene (--list), a glTF 2.0 file (textures stand as their mean), or a picture "
+        "file, which stands for the scene");
     app.add_option("--a", options.look_a, "Look of side A: none, or any LUT file or picture")
         ->type_name("LOOK");
     app.add_option("--b", options.look_b, "Look of side B")->type_name("LOOK");
     app.add_option("--compare", options.compare,
                    "a, b, split, side or diff; by default a, or split when --b is given");
     app.add_option("--split", options.split, "Where the line stands, of the width")
-        ->check(CLI::Range(0.0, 1.0));
+        ->check(within(0, 1));
     app.add_option("--heat-scale", options.heat_scale, "dE2000 at the end of the heat map")
-        ->check(CLI::Range(4.0, 96.0));
+        ->check(within(4, 96));
     app.add_option("--engine", options.engine,
                    "The lookup that reads the looks: an engine's or another of --list");
     app.add_option("--tonemap", options.tonemap, "Tone map, from --list");
     app.add_option("--bloom", options.bloom, "Bloom, from --list");
     app.add_option("--bloom-strength", options.bloom_settings.strength,
                    "Share of the light that blooms; by default the method's own")
-        ->check(CLI::Range(0.0, 1.0));
+        ->check(within(0, 1));
     app.add_option("--bloom-threshold", options.bloom_settings.threshold,
                    "Brightness above which light blooms; 0: all light")
-        ->check(CLI::Range(0.0, 65504.0));
+        ->check(within(0, 65504));
     app.add_option("--bloom-knee", options.bloom_settings.knee,
                    "Half width of the soft step about the threshold")
-        ->check(CLI::Range(0.0, 65504.0));
+        ->check(within(0, 65504));
     app.add_option("--bloom-radius", options.bloom_settings.radius, "Scales the bloom's width")
-        ->check(CLI::Range(0.05, 8.0));
-    app.add_option("--exposure", options.exposure, "Stops")->check(CLI::Range(-20.0, 20.0));
-    app.add_option("--time", options.seconds, "The moment of the scene, in seconds");
-    app.add_option("--azimuth", options.azimuth, "Turns the camera to the right, degrees");
-    app.add_option("--elevation", options.elevation, "Raises the camera, degrees");
-    app.add_option("--distance", options.distance, "Moves the camera away, metres");
-    app.add_option("--fov", options.field_of_view, "Widens the field of view, degrees");
+        ->check(within(0.05, 8));
+    app.add_option("--exposure", options.exposure, "Stops")->check(within(-20, 20));
+    app.add_option("--time", options.seconds, "The moment of the scene, in seconds")
+        ->check(within(-1e6, 1e6));
+    app.add_option("--azimuth", options.azimuth, "Turns the camera to the right, degrees")
+        ->check(within(-360, 360));
+    app.add_option("--elevation", options.elevation, "Raises the camera, degrees")
+        ->check(within(-180, 180));
+    app.add_option("--distance", options.distance, "Moves the camera away, metres")
+        ->check(within(-1000, 1000));
+    app.add_option("--fov", options.field_of_view, "Widens the field of view, degrees")
+        ->check(within(-120, 120));
     app.add_flag("--fxaa,!--no-fxaa", options.fxaa,
                  "Antialiasing; by default on for scenes and off for pictures")
         ->each([&options](const std::string&) { options.fxaa_given = true; });
+    app.add_option("--without", options.without,
+                   "Effects to switch off, with commas between them, from --list")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("EFFECTS");
+    app.add_option(
+           "--light", options.lights,
+           "Changes a light, as key.intensity=2 or 1.color=1,0.5,0; --list has the controls. "
+           "May be repeated")
+        ->allow_extra_args(false)
+        ->type_name("LIGHT.CONTROL=VALUE");
     app.add_option("--shadow-size", options.shadow_size, "Texels of a shadow map's side")
         ->check(CLI::Range(16U, 8192U));
     app.add_option("--raster", options.raster, "Who rasterises, from --list");
     app.add_flag("--headless", options.headless, "Render without a window");
     app.add_option("--size", options.size,
-                   "Size of the output; by default the picture's own or "
-                   "1280x720")
+                   "Size of the output, within which a picture keeps its proportions; by default "
+                   "the picture's own or 1280x720")
         ->type_name("WxH");
     app.add_option("-o,--output", options.output,
                    "Picture file; .exr and .hdr get the light before tone mapping");
@@ -102,13 +133,16 @@ void declare(CLI::App& app, Options& options) {
     app.add_option("--frames", options.frames, "Frames that --timings measures")
         ->check(CLI::Range(1, 100000));
     app.add_flag("--json", options.json, "Timings as JSON");
-    app.add_flag("--list", options.list,
-                 "Print scenes, tone maps, blooms, lookups, views, devices");
+    app.add_flag(
+        "--list", options.list,
+        "Print scenes, tone maps, blooms, lookups, views, effects, lights' controls, devices");
     app.add_option("--device", options.device, "Part of a GPU's name, or its number in --list");
+    app.add_option("--font", options.font, "The window's font, a TrueType or OpenType file");
     app.add_option("--places", options.places,
                    "Keep in this file where the window's controls are, for scripts: a line "
-                   "'NAME X Y WIDTH HEIGHT' for each, in pixels, after one with the number of "
-                   "the frame, whenever nothing is left to draw");
+                   "'NAME X Y WIDTH HEIGHT' for each, in pixels, after 'frame NUMBER' and where "
+                   "the mouse was last seen, 'mouse X Y'; written when all that happened up to "
+                   "then is drawn");
     app.add_flag("--validate", options.validate, "Run under Vulkan's validation layers");
 }
 
@@ -127,17 +161,40 @@ FrameSettings settings_of(const Options& options, Size input_size) {
     settings.split = options.split;
     settings.heat_scale = options.heat_scale;
     settings.exposure = options.exposure;
-    settings.fxaa = options.fxaa_given ? options.fxaa : !is_picture;
+    settings.without.set(Effect::fxaa, options.fxaa_given ? !options.fxaa : is_picture);
+    for (const std::string& name : options.without)
+        settings.without.set(require_row(effects, name, "effect")->effect, true);
     settings.shadow_size = options.shadow_size;
     settings.force_all = options.force_all;
     if (!options.size.empty()) {
         settings.output = parse_size(options.size);
+        if (is_picture) {
+            const std::uint32_t sides = settings.compare == &compare_side ? 2 : 1;
+            settings.output = fitted(input_size, picture_size(settings.output, *settings.compare));
+            settings.output.width *= sides;
+        }
     } else if (is_picture) {
         settings.output = input_size;
         if (settings.compare == &compare_side)
             settings.output.width *= 2;
     }
     return settings;
+}
+
+std::vector<PointLight> lights_of(const Options& options, const std::optional<Scene>& scene) {
+    std::vector<PointLight> lights = scene ? scene->lights : std::vector<PointLight>();
+    for (const std::string& text : options.lights)
+        edit_light(lights, text);
+    return lights;
+}
+
+Orbit orbit_of(const Options& options, const Scene& scene) {
+    Orbit orbit = scene.orbit;
+    orbit.azimuth += options.azimuth;
+    orbit.elevation += options.elevation;
+    orbit.distance += options.distance;
+    orbit.field_of_view += options.field_of_view;
+    return orbit;
 }
 
 Raster raster_of(const Options& options, const gpu::Device& device, Size size) {
@@ -152,6 +209,8 @@ std::string listing() {
            section("Lookups (--engine)", lookups(), label) +
            section("Comparisons (--compare)", compares, label) +
            section("Views (--debug-view)", debug_views(), help) +
+           section("Effects (--without)", effects, help) +
+           section("Lights' controls (--light)", light_controls(), help) +
            section("Rasterisers (--raster)", rasters(), label);
 }
 

@@ -112,8 +112,8 @@ int run(const Options& o) {
 
 Run declare_apply(CLI::App& app) {
     const auto o = std::make_shared<Options>();
-    app.add_option("lut", o->lut, "a LUT of any format, or - for standard input")->required();
-    app.add_option("picture", o->picture, "PNG, EXR or another picture, or - for standard input")
+    app.add_option("LUT", o->lut, "a LUT of any format, or - for standard input")->required();
+    app.add_option("PICTURE", o->picture, "PNG, EXR or another picture, or - for standard input")
         ->required();
     app.add_option("-o,--output", o->output,
                    "the picture to write, or - for a PNG to standard output")

@@ -17,11 +17,9 @@ namespace converter {
 namespace {
 
 struct Options {
-    std::string a, b, output, encoding = "srgb";
+    std::string a, b;
     double amount = 0.5;
-    SamplingOptions sampling;
-    MethodOption method;
-    bool json = false;
+    NewLutOptions made;
 };
 
 int run(const Options& o) {
@@ -29,15 +27,15 @@ int run(const Options& o) {
         throw lutlib::UsageError("--amount must be a number from -100 to 100; 0 is the first look, "
                                  "1 the second");
     }
-    const lutlib::Encoding& encoding = encoding_of(o.encoding, "--encoding");
-    const lutlib::ResamplingMethod& method = o.method.get();
+    const lutlib::Encoding& encoding = o.made.results();
+    const lutlib::ResamplingMethod& method = o.made.method.get();
     const lutlib::Lut a = o.a == "identity" ? lutlib::Lut{} : read_look(o.a);
     const lutlib::Lut b = o.b == "identity" ? lutlib::Lut{} : read_look(o.b);
-    const lutlib::Lut lut = blend(a, b, o.amount, o.sampling.sampling(), method);
+    const lutlib::Lut lut = blend(a, b, o.amount, o.made.sampling.sampling(), method);
     const std::string made_of = fmt::format("{} and {:.4g} of {}", lutlib::io::input_name(o.a),
                                             o.amount, lutlib::io::input_name(o.b));
-    write_and_report({lut, o.output, made_of, mixture(a, b, o.amount, method), encoding, {}},
-                     o.json, {{"a", o.a}, {"b", o.b}, {"amount", o.amount}});
+    write_and_report({lut, o.made.output, made_of, mixture(a, b, o.amount, method), encoding, {}},
+                     o.made.json, {{"a", o.a}, {"b", o.b}, {"amount", o.amount}});
     return ok;
 }
 
@@ -49,13 +47,7 @@ Run declare_blend(CLI::App& app) {
     app.add_option("B", o->b, "the look at amount 1, or the word identity")->required();
     app.add_option("--amount", o->amount, "share of B; beyond 0..1 extrapolates")
         ->capture_default_str();
-    app.add_option("-o,--output", o->output, "the new LUT, or - for standard output")->required();
-    o->sampling.declare(app, false);
-    o->method.declare(app);
-    app.add_option("--encoding", o->encoding,
-                   "what the results are, for colour differences: " + encoding_names())
-        ->capture_default_str();
-    app.add_flag("--json", o->json, "print the figures as JSON");
+    o->made.declare(app);
     return [o] { return run(*o); };
 }
 

@@ -17,18 +17,15 @@ namespace {
 
 struct Options {
     std::vector<std::string> inputs;
-    std::string output, encoding = "srgb";
-    SamplingOptions sampling;
-    MethodOption method;
-    bool json = false;
+    NewLutOptions made;
 };
 
 int run(const Options& o) {
     if (o.inputs.size() < 2) {
         throw lutlib::UsageError("compose takes two looks or more, the first to apply first");
     }
-    const lutlib::Encoding& encoding = encoding_of(o.encoding, "--encoding");
-    const lutlib::ResamplingMethod& method = o.method.get();
+    const lutlib::Encoding& encoding = o.made.results();
+    const lutlib::ResamplingMethod& method = o.made.method.get();
     std::vector<lutlib::Lut> looks;
     std::string order;
     for (const std::string& path : o.inputs) {
@@ -39,7 +36,7 @@ int run(const Options& o) {
     for (const lutlib::Lut& look : looks) {
         chain.push_back(&look);
     }
-    const lutlib::Lut lut = compose(chain, o.sampling.sampling(), method);
+    const lutlib::Lut lut = compose(chain, o.made.sampling.sampling(), method);
     const double clamped = clamped_share(chain, method);
     std::vector<std::string> notes;
     if (clamped > 0) {
@@ -47,8 +44,8 @@ int run(const Options& o) {
                                     "domain and are clamped to it",
                                     100 * clamped));
     }
-    write_and_report({lut, o.output, order, composition(chain, method), encoding, notes}, o.json,
-                     {{"inputs", o.inputs}, {"clamped_share", clamped}});
+    write_and_report({lut, o.made.output, order, composition(chain, method), encoding, notes},
+                     o.made.json, {{"inputs", o.inputs}, {"clamped_share", clamped}});
     return ok;
 }
 
@@ -59,13 +56,7 @@ Run declare_compose(CLI::App& app) {
     app.add_option("LUT", o->inputs, "the looks; the first gets the input")
         ->required()
         ->expected(1, -1);
-    app.add_option("-o,--output", o->output, "the new LUT, or - for standard output")->required();
-    o->sampling.declare(app, false);
-    o->method.declare(app);
-    app.add_option("--encoding", o->encoding,
-                   "what the results are, for colour differences: " + encoding_names())
-        ->capture_default_str();
-    app.add_flag("--json", o->json, "print the figures as JSON");
+    o->made.declare(app);
     app.footer("compose A B -o C: C(x) = B(A(x)), on A's domain, with the largest size of all.");
     return [o] { return run(*o); };
 }

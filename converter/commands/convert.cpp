@@ -114,7 +114,7 @@ int run(const Options& o) {
 
 Run declare_convert(CLI::App& app) {
     const auto o = std::make_shared<Options>();
-    app.add_option("input", o->input, "a LUT of any format or a recipe, or - for standard input")
+    app.add_option("LUT", o->input, "a LUT of any format or a recipe, or - for standard input")
         ->required();
     app.add_option("-o,--output", o->output, "the file to write, or - for standard output")
         ->required();

@@ -1,16 +1,18 @@
 // The .cube format, both dialects.
 //
-//   file      = [BOM] { line end }             end: LF, CR LF, or a lone CR; the last may be
-//   missing line      = blank | comment | keyword | row, each but a row's numbers may be followed
-//   by comment comment   = "#" text keyword   = "TITLE" text                    quoted or not
-//             | "LUT_1D_SIZE" n                 2 .. 65536
-//             | "LUT_3D_SIZE" n                 2 .. 256
-//             | "DOMAIN_MIN" r g b              Adobe/Iridas: the input that the first entry stands
-//             for | "DOMAIN_MAX" r g b              ... and the last, per channel |
-//             "LUT_1D_INPUT_RANGE" min max    Resolve: the same, of the 1D table, all channels |
-//             "LUT_3D_INPUT_RANGE" min max    Resolve: of the 3D table | other [text] kept as a
-//             comment
-//   row       = number number number            blanks or tabs between; a decimal comma is read
+//   file    = [BOM] { line end }               the last end may be missing
+//   end     = LF | CR LF | CR
+//   line    = blank | comment | keyword | row    a comment may follow any but a row
+//   comment = "#" text
+//   keyword = "TITLE" text                       quoted or not
+//           | "LUT_1D_SIZE" n                    2 .. 65536
+//           | "LUT_3D_SIZE" n                    2 .. 256
+//           | "DOMAIN_MIN" r g b                 Adobe/Iridas: the input of the first entry
+//           | "DOMAIN_MAX" r g b                 and of the last, per channel
+//           | "LUT_1D_INPUT_RANGE" min max       Resolve: the same, of the 1D table
+//           | "LUT_3D_INPUT_RANGE" min max       Resolve: of the 3D table
+//           | other [text]                       kept as a comment
+//   row     = number number number               blanks or tabs between; a decimal comma is read
 //
 // Keywords may stand anywhere, sizes before the first row. The rows are the 1D table's, if there
 // is one, then the 3D table's, red fastest. With both tables the 1D table shapes the input of the

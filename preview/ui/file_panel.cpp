@@ -39,7 +39,7 @@ std::string path_or(const std::string& typed, const std::string& usual) {
 
 void file_panel(Ui& ui) {
     State& state = ui.history.draft();
-    ImGui::TextWrapped("Open a recipe, LUT or picture, or drop it on the window.");
+    ImGui::TextWrapped("Open a recipe, LUT, picture or glTF model, or drop it on the window.");
     if (path_line(ui, "Open", ui.open_file, "file", "open") && !ui.open_file.empty())
         ui.to_open.push_back(ui.open_file);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -87,33 +87,6 @@ void file_panel(Ui& ui) {
     ImGui::Separator();
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(ui.report.c_str());
-    ImGui::PopTextWrapPos();
-}
-
-void passes_panel(Ui& ui) {
-    ui.shows_passes = true;
-    double total = 0;
-    if (ImGui::BeginTable("passes", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV)) {
-        ImGui::TableSetupColumn("pass");
-        ImGui::TableSetupColumn("GPU ms", ImGuiTableColumnFlags_WidthFixed,
-                                ImGui::GetFontSize() * 6);
-        ImGui::TableHeadersRow();
-        for (const PassTime& pass : ui.facts.passes) {
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(pass.name.c_str());
-            ImGui::TableNextColumn();
-            ImGui::Text("%.3f", pass.milliseconds);
-            total += pass.milliseconds;
-        }
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted("frame");
-        ImGui::TableNextColumn();
-        ImGui::Text("%.3f", total);
-        ImGui::EndTable();
-    }
-    ImGui::Separator();
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(ui.facts.explanation.c_str());
     ImGui::PopTextWrapPos();
 }
 

@@ -4,14 +4,19 @@
 #include "lutlib/recipe.h"
 #include "preview/blooms.h"
 #include "preview/compare.h"
+#include "preview/effects.h"
 #include "preview/lookups.h"
-#include "preview/scene/camera.h"
+#include "preview/scene/scene.h"
 #include "preview/tonemaps.h"
 
 #include <array>
 #include <memory>
 #include <string>
 #include <vector>
+
+namespace preview {
+struct Shown;
+}
 
 namespace preview::ui {
 
@@ -28,7 +33,7 @@ struct SideSourceInfo {
 inline constexpr std::array<SideSourceInfo, 5> side_sources{{
     {SideSource::none, "none", "no look"},
     {SideSource::source, "source", "the LUT that the recipe starts from"},
-    {SideSource::recipe, "recipe", "the recipe's float table, read tetrahedrally"},
+    {SideSource::recipe, "recipe", "the recipe itself, as a float table whose error is told"},
     {SideSource::baked, "baked", "the recipe's strip as that engine reads it"},
     {SideSource::file, "file", "another LUT file"},
 }};
@@ -54,8 +59,10 @@ struct State {
     const Tonemap* tonemap = nullptr;
     const Bloom* bloom = nullptr;
     BloomSettings bloom_settings;
-    bool fxaa = true;
+    EffectSet without;                  ///< what is switched off
+    std::shared_ptr<const Shown> shown; ///< the scene or picture
     Orbit orbit;
+    std::vector<PointLight> lights; ///< in place of the scene's
 };
 bool operator==(const State& a, const State& b);
 

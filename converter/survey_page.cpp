@@ -107,9 +107,12 @@ std::vector<std::string> method(const Survey& survey) {
                     "channel difference in code values; dE-ITP takes code 1 for 100 cd/m2.",
                     survey.colours),
         fmt::format(
-            "Time: a scalar loop on one core over {} pixels whose colours are spread "
-            "evenly in no order, which is the hardest for caches; warmed, median of {} runs, "
-            "with the quartiles beside it. It depends on size, 1D table, storage and lookup, "
+            "Time: what lutconv apply does, on one of the cores and with its vectors, over {} "
+            "pixels "
+            "whose colours are spread evenly in no order, which is the hardest for caches; "
+            "warmed, median of {} runs, with the quartiles beside it. Pixels do not wait for each "
+            "other, so that more cores take so much less time as long as memory keeps up. It "
+            "depends on size, 1D table, storage and lookup, "
             "not on the values, and was measured once for each of these.",
             s.pixels, s.repetitions),
         "Bytes: of the nodes as stored, and 12288 of the 1D table where there is one. Bake time: "
@@ -316,7 +319,8 @@ std::string stiff_html(const lutlib::StiffSurvey& survey) {
             "resampling in floats; {} colours a look. An error is a share of the look's "
             "output range (of its magnitude, where it is constant). Stiffness is the "
             "steepest edge between neighbouring nodes, in output ranges per width of the "
-            "domain: 1 is the identity's.",
+            "domain: 1 is the identity's. A mark at the plot's lower edge is an error below its "
+            "scale, one at the left edge a look that is constant.",
             survey.colours),
         fmt::format("Machine: {}.", lutlib::machine_text())};
     const std::array<std::pair<const char*, double (*)(const lutlib::ErrorStats&)>, 3> shown{{

@@ -15,11 +15,13 @@ h1 { font-size: 1.4em; }
 .summary { font-size: 1.1em; border-left: 4px solid #009E73; padding: .3em .8em; background: #f3f8f6; }
 .plots { display: none; flex-wrap: wrap; gap: 1em; }
 .plots svg { flex: 1 1 560px; max-width: 100%; border: 1px solid #ddd; }
-svg text { font: 12px system-ui, sans-serif; fill: #333; }
-svg .title { font-weight: 600; font-size: 13px; }
+svg text { font: 15px system-ui, sans-serif; fill: #222; }
+svg .title { font-weight: 600; font-size: 17px; }
+svg tspan { font-size: 11px; }
 .grid { stroke: #e6e6e6; fill: none; }
-.front { stroke: #222; stroke-width: 1.3; fill: none; stroke-dasharray: 5 3; }
-.mark { opacity: .28; }
+.frame { stroke: #777; fill: none; }
+.front { stroke: #222; stroke-width: 1.8; fill: none; stroke-dasharray: 6 3; }
+.mark { opacity: .36; }
 .mark.top, .mark.best { opacity: 1; stroke: #222; stroke-width: .7; }
 .mark.best { stroke-width: 2.5; }
 .mark:hover { opacity: 1; stroke: #000; stroke-width: 1.5; }
@@ -28,11 +30,10 @@ input.view { margin-left: 1.2em; }
 table { border-collapse: collapse; font-size: 12px; margin-top: 1em; }
 th, td { padding: .15em .45em; text-align: right; border-bottom: 1px solid #eee; white-space: nowrap; }
 td:not([data-v]) { text-align: left; }
-th:first-child, th:last-child { text-align: left; }
-td:last-child { white-space: normal; min-width: 12em; }
+th.words { text-align: left; }
 th { position: sticky; top: 0; background: #f5f5f5; vertical-align: bottom; }
 th[role=button] { cursor: pointer; }
-tr.dominated { color: #999; }
+tr.dominated { color: #6b6b6b; }
 tr.recommended td { background: #e3f4ec; font-weight: 600; }
 tr.picked td { background: #fff3c4; }
 .on-paper { display: none; }
@@ -41,6 +42,9 @@ tr.picked td { background: #fff3c4; }
   tr.dominated, input.view, label.view { display: none; }
   .on-paper { display: block; }
   th { position: static; }
+  td { white-space: normal; }
+  .plots { break-inside: avoid; }
+  .mark { opacity: .5; }
 }
 )";
 
@@ -86,8 +90,9 @@ std::string views_html(const std::vector<View>& views) {
 
 std::string table_html(const Table& table) {
     std::string out = "<table>\n<thead><tr>";
-    for (const std::string& column : table.columns) {
-        out += "<th>" + escaped(column) + "</th>";
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const bool words = table.rows.empty() || !table.rows.front().cells[i].numeric;
+        out += (words ? "<th class=\"words\">" : "<th>") + escaped(table.columns[i]) + "</th>";
     }
     out += "</tr></thead>\n<tbody>\n";
     for (std::size_t i = 0; i < table.rows.size(); ++i) {

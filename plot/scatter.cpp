@@ -10,8 +10,8 @@
 namespace plot {
 namespace {
 
-constexpr double width = 860, height = 470;
-constexpr double left = 74, right = 160, top = 34, bottom = 50;
+constexpr double width = 860, height = 500;
+constexpr double left = 86, right = 186, top = 40, bottom = 62;
 
 // Okabe and Ito's palette, which the colour-blind can tell apart.
 constexpr std::array<const char*, 6> colours{"#999999", "#D55E00", "#0072B2",
@@ -67,22 +67,35 @@ std::vector<double> ticks(const Axis& axis) {
     return out;
 }
 
+// Powers of ten beyond what is read at a glance are written as such.
+std::string tick_text(double value) {
+    const double power = std::log10(value);
+    if ((power < -3.5 || power > 3.5) && std::abs(power - std::round(power)) < 1e-9) {
+        return fmt::format("10<tspan dy=\"-6\" font-size=\"11\">{:g}</tspan>", std::round(power));
+    }
+    return fmt::format("{:g}", value);
+}
+
 std::string frame(const Scatter& s, const Axis& x, const Axis& y) {
-    std::string out = fmt::format("<text class=\"title\" x=\"{:g}\" y=\"18\">{}</text>\n", left,
+    std::string out = fmt::format("<text class=\"title\" x=\"{:g}\" y=\"22\">{}</text>\n", left,
                                   escaped(s.title));
     for (const double value : ticks(x)) {
-        out += fmt::format("<path class=\"grid\" d=\"M{0:.1f} {1:g}V{2:g}\"/>"
-                           "<text x=\"{0:.1f}\" y=\"{3:g}\" text-anchor=\"middle\">{4:g}</text>\n",
-                           x.at(value), top, height - bottom, height - bottom + 16, value);
+        out +=
+            fmt::format("<path class=\"grid\" d=\"M{0:.1f} {1:g}V{2:g}\"/>"
+                        "<text x=\"{0:.1f}\" y=\"{3:g}\" text-anchor=\"middle\">{4}</text>\n",
+                        x.at(value), top, height - bottom, height - bottom + 19, tick_text(value));
     }
     for (const double value : ticks(y)) {
         out += fmt::format("<path class=\"grid\" d=\"M{1:g} {0:.1f}H{2:g}\"/>"
-                           "<text x=\"{3:g}\" y=\"{4:.1f}\" text-anchor=\"end\">{5:g}</text>\n",
-                           y.at(value), left, width - right, left - 6, y.at(value) + 4, value);
+                           "<text x=\"{3:g}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>\n",
+                           y.at(value), left, width - right, left - 7, y.at(value) + 5,
+                           tick_text(value));
     }
+    out += fmt::format("<path class=\"frame\" d=\"M{0:g} {1:g}V{2:g}H{3:g}\"/>\n", left, top,
+                       height - bottom, width - right);
     out += fmt::format("<text x=\"{:g}\" y=\"{:g}\" text-anchor=\"middle\">{}</text>\n",
                        (left + width - right) / 2, height - 14, escaped(s.x_label));
-    out += fmt::format("<text transform=\"translate(16 {:g}) rotate(-90)\" "
+    out += fmt::format("<text transform=\"translate(18 {:g}) rotate(-90)\" "
                        "text-anchor=\"middle\">{}</text>\n",
                        (top + height - bottom) / 2, escaped(s.y_label));
     return out;
@@ -129,12 +142,12 @@ std::string mark_svg(const Scatter& s, const Mark& mark, const Axis& x, const Ax
 
 std::string legend(const Scatter& s) {
     std::string out;
-    double y = top + 12;
+    double y = top + 8;
     const double x = width - right + 16;
     const auto line = [&](const std::string& symbol, const std::string& name) {
         out += symbol +
-               fmt::format("<text x=\"{:g}\" y=\"{:g}\">{}</text>\n", x + 12, y + 4, escaped(name));
-        y += 16;
+               fmt::format("<text x=\"{:g}\" y=\"{:g}\">{}</text>\n", x + 13, y + 5, escaped(name));
+        y += 22;
     };
     for (std::size_t i = 0; i < s.series.size(); ++i) {
         line(fmt::format("<circle cx=\"{:g}\" cy=\"{:g}\" r=\"4\" fill=\"{}\"/>", x, y,

@@ -68,7 +68,9 @@ bool is_shared(const GpuLook* look) {
 GpuLook::GpuLook(const gpu::Device& device, const LookData& data)
     : lookup(data.lookup), block(data.block), picture(upload(device, data.picture)),
       volume(upload(device, data.volume)), shaper(upload(device, data.shaper)),
-      half_arithmetic(device.has_fast_half()), groups(device.compute_units()) {
+      half_arithmetic(device.has_fast_half() &&
+                      data.lookup->interpolation == lutlib::Interpolation::tetrahedral),
+      groups(device.compute_units()) {
     if (!data.nodes.empty())
         nodes = gpu::make_buffer(device, std::as_bytes(std::span(data.nodes)));
 }

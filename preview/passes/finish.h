@@ -20,7 +20,8 @@ struct GpuLook {
     LookBlock block;
     std::optional<gpu::Image> picture, volume, shaper;
     std::optional<gpu::Buffer> nodes; ///< of Lookup::shared
-    /// Whether shared lookups into 8 bits may compute in half floats, and with how many workgroups.
+    /// Whether a tetrahedral shared lookup into 8 bits computes in half floats, and how many
+    /// workgroups a shared one gets.
     bool half_arithmetic;
     std::uint32_t groups;
 };

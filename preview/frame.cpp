@@ -23,20 +23,47 @@ struct DeclaredScene {
     std::vector<Draw> visible;
 };
 
-DeclaredScene declare_scene(Graph& graph, const Scene& scene, const GpuScene& gpu_scene,
-                            const FrameSettings& settings, Size size) {
+/// The lights that reach the frame, named.
+std::vector<PointLight> shining_lights(Graph& graph, const std::vector<PointLight>& lights,
+                                       const FrameSettings& settings) {
+    std::vector<PointLight> shining;
+    if (settings.without.has(Effect::lights))
+        return shining;
+    for (std::size_t index = 0; index < lights.size(); ++index) {
+        PointLight light = lights[index];
+        light.name = "light " + (light.name.empty() ? std::to_string(index) : light.name);
+        if (!light.is_on)
+            graph.withhold(light.name, "switched off");
+        else if (!settings.force_all && light.intensity == glm::vec3(0))
+            graph.withhold(light.name, "its intensity is 0");
+        else
+            shining.push_back(std::move(light));
+    }
+    return shining;
+}
+
+DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
+                            Size size) {
     DeclaredScene out;
+    const Scene& scene = *inputs.scene;
+    const GpuScene& gpu_scene = *inputs.gpu_scene;
     const Geometry& geometry = gpu_scene.geometry;
+    const std::vector<PointLight> lights =
+        shining_lights(graph, inputs.lights != nullptr ? *inputs.lights : scene.lights, settings);
     std::vector<int> layers;
-    for (std::uint32_t index = 0; index < scene.lights.size(); ++index) {
-        const std::string name = "light " + std::to_string(index);
-        const ShadowCasters casters = shadow_casters(scene, geometry, scene.lights[index]);
+    for (std::uint32_t index = 0; index < lights.size(); ++index) {
+        if (settings.without.has(Effect::shadows)) {
+            layers.push_back(-1);
+            continue;
+        }
+        const ShadowCasters casters = shadow_casters(scene, geometry, lights[index]);
         if (casters.objects.empty()) {
-            graph.withhold("shadow of " + name, casters.reason);
+            graph.withhold("shadow of " + lights[index].name, casters.reason);
             layers.push_back(-1);
         } else {
             layers.push_back(static_cast<int>(out.shadow_maps.size()));
-            out.shadow_maps.push_back({name, index, draws_of(scene, geometry, casters.objects)});
+            out.shadow_maps.push_back(
+                {lights[index].name, index, draws_of(scene, geometry, casters.objects)});
         }
     }
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
@@ -49,10 +76,10 @@ DeclaredScene declare_scene(Graph& graph, const Scene& scene, const GpuScene& gp
     handles.objects = data_or_nothing(graph, "objects", object_blocks(scene));
     handles.materials = data_or_nothing(graph, "materials", material_blocks(scene));
     handles.lights =
-        data_or_nothing(graph, "lights", light_blocks(scene, layers, settings.shadow_size));
+        data_or_nothing(graph, "lights", light_blocks(lights, layers, settings.shadow_size));
     handles.environment = graph.data_of("environment", environment_block(scene.environment));
     handles.view = graph.data_of("view", view);
-    handles.light_count = static_cast<std::uint32_t>(scene.lights.size());
+    handles.light_count = static_cast<std::uint32_t>(lights.size());
     return out;
 }
 
@@ -60,7 +87,7 @@ DeclaredScene declare_scene(Graph& graph, const Scene& scene, const GpuScene& gp
 Handle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
                     Size size, FrameHandles& handles) {
     const Scene& scene = *inputs.scene;
-    DeclaredScene declared = declare_scene(graph, scene, *inputs.gpu_scene, settings, size);
+    DeclaredScene declared = declare_scene(graph, inputs, settings, size);
     handles.shadow_maps =
         add_shadows(graph, declared.handles, settings.shadow_size, std::move(declared.shadow_maps));
     handles.surfaces =
@@ -71,8 +98,10 @@ Handle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSettings
     LightingInputs lighting;
     lighting.surfaces = handles.surfaces;
     lighting.shadow_maps = handles.shadow_maps;
-    lighting.environment = settings.force_all || !scene.environment.is_black();
-    if (!lighting.environment)
+    const bool has_surroundings = !settings.without.has(Effect::environment);
+    lighting.environment =
+        has_surroundings && (settings.force_all || !scene.environment.is_black());
+    if (has_surroundings && !lighting.environment)
         graph.withhold("environment", "the surroundings are black");
     return add_lighting(graph, declared.handles, lighting);
 }
@@ -92,6 +121,8 @@ std::string_view no_bloom_because(const FrameInputs& inputs, const FrameSettings
 
 BloomLayers bloom_of(Graph& graph, Handle hdr, const FrameInputs& inputs,
                      const FrameSettings& settings) {
+    if (settings.without.has(Effect::bloom))
+        return {};
     const Size size = size_of(graph, hdr);
     BloomPlan plan;
     if (settings.bloom != nullptr)
@@ -131,6 +162,34 @@ constexpr DebugView views[] = {
      [](const FrameHandles& h) { return h.graded; }, ViewMode::codes},
 };
 
+Finished finish_of(Graph& graph, Handle hdr, const BloomLayers& bloom, const FrameInputs& inputs,
+                   const FrameSettings& settings) {
+    FinishSettings finish;
+    finish.tonemap = settings.tonemap;
+    if (finish.tonemap != nullptr && settings.without.has(Effect::tonemap))
+        finish.tonemap = tonemap_named("none");
+    finish.compare = settings.compare;
+    finish.split = settings.split;
+    finish.heat_scale = settings.heat_scale;
+    if (settings.without.has(Effect::looks))
+        return add_finish(graph, hdr, bloom, nullptr, nullptr, finish);
+    if (settings.compare->shows_a && inputs.look_a == nullptr)
+        graph.withhold("look A", "there is none");
+    if (settings.compare->shows_b && inputs.look_b == nullptr)
+        graph.withhold("look B", "there is none");
+    return add_finish(graph, hdr, bloom, inputs.look_a, inputs.look_b, finish);
+}
+
+Handle antialiased(Graph& graph, Handle picture, const FrameSettings& settings) {
+    if (settings.without.has(Effect::fxaa))
+        return picture;
+    if (settings.compare == &compare_difference) {
+        graph.withhold("fxaa", "a heat map has no edges to smooth");
+        return picture;
+    }
+    return add_fxaa(graph, picture);
+}
+
 } // namespace
 
 std::span<const DebugView> debug_views() {
@@ -146,6 +205,9 @@ const DebugView* debug_view_named(std::string_view name) {
 FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings) {
     const Size size = picture_size(settings.output, *settings.compare);
     FrameHandles handles;
+    for (const EffectInfo& row : effects)
+        if (settings.without.has(row.effect))
+            graph.withhold(row.name, "switched off");
 
     if (inputs.picture != nullptr) {
         graph.withhold("scene", "a picture is shown");
@@ -161,25 +223,10 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
     const BloomLayers bloom = bloom_of(graph, handles.hdr, inputs, settings);
     handles.bloom = bloom.images[0];
 
-    if (settings.compare->shows_a && inputs.look_a == nullptr)
-        graph.withhold("look A", "there is none");
-    if (settings.compare->shows_b && inputs.look_b == nullptr)
-        graph.withhold("look B", "there is none");
-    FinishSettings finish;
-    finish.tonemap = settings.tonemap;
-    finish.compare = settings.compare;
-    finish.split = settings.split;
-    finish.heat_scale = settings.heat_scale;
-    const Finished finished =
-        add_finish(graph, handles.hdr, bloom, inputs.look_a, inputs.look_b, finish);
+    const Finished finished = finish_of(graph, handles.hdr, bloom, inputs, settings);
     handles.graded = finished.picture;
     handles.figures = finished.figures;
-
-    handles.output = handles.graded;
-    if (settings.fxaa && settings.compare != &compare_difference)
-        handles.output = add_fxaa(graph, handles.graded);
-    else
-        graph.withhold("fxaa", settings.fxaa ? "a heat map has no edges to smooth" : "it is off");
+    handles.output = antialiased(graph, handles.graded, settings);
 
     if (settings.view != nullptr) {
         const Handle shown = settings.view->handle(handles);

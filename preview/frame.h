@@ -4,6 +4,7 @@
 // and the graph drops every pass whose result nobody reads.
 #pragma once
 
+#include "preview/effects.h"
 #include "preview/gpu_scene.h"
 #include "preview/passes/finish.h"
 #include "preview/passes/lighting.h"
@@ -30,7 +31,7 @@ struct FrameSettings {
     const Compare* compare = &compares[0];
     float split = 0.5F;
     float heat_scale = 8;
-    bool fxaa = true;
+    EffectSet without; ///< what is switched off
     std::uint32_t shadow_size = 1024;
     Raster raster = Raster::hardware;
     VisibilityLimits visibility; ///< of Raster::compute
@@ -46,6 +47,7 @@ struct FrameSettings {
 struct FrameInputs {
     const Scene* scene = nullptr;
     const GpuScene* gpu_scene = nullptr;
+    const std::vector<PointLight>* lights = nullptr; ///< null: the scene's own
     const GpuPicture* picture = nullptr;
     const GpuLook* look_a = nullptr; ///< null: no look
     const GpuLook* look_b = nullptr;

@@ -102,11 +102,7 @@ int run(const Options& options) {
     FrameSettings settings = settings_of(options, shown.picture_size);
     if (shown.scene) {
         settings.exposure += shown.scene->exposure;
-        settings.orbit = shown.scene->orbit;
-        settings.orbit.azimuth += options.azimuth;
-        settings.orbit.elevation += options.elevation;
-        settings.orbit.distance += options.distance;
-        settings.orbit.field_of_view += options.field_of_view;
+        settings.orbit = orbit_of(options, *shown.scene);
     } else if (shown.display_encoded()) {
         settings.tonemap = nullptr;
     }

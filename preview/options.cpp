@@ -85,6 +85,10 @@ void declare(CLI::App& app, Options& options) {
     app.add_flag("--fxaa,!--no-fxaa", options.fxaa,
                  "Antialiasing; by default on for scenes and off for pictures")
         ->each([&options](const std::string&) { options.fxaa_given = true; });
+    app.add_option("--without", options.without,
+                   "Effects to switch off, with commas between them, from --list")
+        ->delimiter(',')
+        ->type_name("EFFECTS");
     app.add_option("--shadow-size", options.shadow_size, "Texels of a shadow map's side")
         ->check(CLI::Range(16U, 8192U));
     app.add_option("--raster", options.raster, "Who rasterises, from --list");
@@ -103,7 +107,7 @@ void declare(CLI::App& app, Options& options) {
         ->check(CLI::Range(1, 100000));
     app.add_flag("--json", options.json, "Timings as JSON");
     app.add_flag("--list", options.list,
-                 "Print scenes, tone maps, blooms, lookups, views, devices");
+                 "Print scenes, tone maps, blooms, lookups, views, effects, devices");
     app.add_option("--device", options.device, "Part of a GPU's name, or its number in --list");
     app.add_option("--places", options.places,
                    "Keep in this file where the window's controls are, for scripts: a line "
@@ -127,7 +131,9 @@ FrameSettings settings_of(const Options& options, Size input_size) {
     settings.split = options.split;
     settings.heat_scale = options.heat_scale;
     settings.exposure = options.exposure;
-    settings.fxaa = options.fxaa_given ? options.fxaa : !is_picture;
+    settings.without.set(Effect::fxaa, options.fxaa_given ? !options.fxaa : is_picture);
+    for (const std::string& name : options.without)
+        settings.without.set(require_row(effects, name, "effect")->effect, true);
     settings.shadow_size = options.shadow_size;
     settings.force_all = options.force_all;
     if (!options.size.empty()) {
@@ -138,6 +144,15 @@ FrameSettings settings_of(const Options& options, Size input_size) {
             settings.output.width *= 2;
     }
     return settings;
+}
+
+Orbit orbit_of(const Options& options, const Scene& scene) {
+    Orbit orbit = scene.orbit;
+    orbit.azimuth += options.azimuth;
+    orbit.elevation += options.elevation;
+    orbit.distance += options.distance;
+    orbit.field_of_view += options.field_of_view;
+    return orbit;
 }
 
 Raster raster_of(const Options& options, const gpu::Device& device, Size size) {
@@ -152,6 +167,7 @@ std::string listing() {
            section("Lookups (--engine)", lookups(), label) +
            section("Comparisons (--compare)", compares, label) +
            section("Views (--debug-view)", debug_views(), help) +
+           section("Effects (--without)", effects, help) +
            section("Rasterisers (--raster)", rasters(), label);
 }
 

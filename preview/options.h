@@ -20,6 +20,7 @@ struct Options {
     double seconds = 0;
     float azimuth = 0, elevation = 0, distance = 0, field_of_view = 0; ///< added to the scene's
     BloomSettings bloom_settings{-1, 1, 0.2F, 1};
+    std::vector<std::string> without; ///< names of effects
     bool fxaa = true, fxaa_given = false;
     std::uint32_t shadow_size = 1024;
     bool headless = false, explain = false, timings = false, json = false, list = false;
@@ -36,11 +37,15 @@ void declare(CLI::App& app, Options& options);
 /// Throws lutlib::UsageError for names that no table has, with those that it has.
 FrameSettings settings_of(const Options& options, Size input_size);
 
+/// The scene's camera, moved as the options say.
+Orbit orbit_of(const Options& options, const Scene& scene);
+
 /// Which rasteriser the options choose for the device. Throws lutlib::UsageError for a name that no
 /// row has, and where the device cannot do it.
 Raster raster_of(const Options& options, const gpu::Device& device, Size size);
 
-/// The tables: scenes, tone maps, blooms, lookups, comparisons, views and rasterisers.
+/// The tables: scenes, tone maps, blooms, lookups, comparisons, views, effects and
+/// rasterisers.
 std::string listing();
 
 } // namespace preview

@@ -179,11 +179,11 @@ std::vector<Draw> draws_of(const Scene& scene, const Geometry& geometry,
     return draws;
 }
 
-std::vector<LightBlock> light_blocks(const Scene& scene, const std::vector<int>& layers,
-                                     std::uint32_t map_size) {
+std::vector<LightBlock> light_blocks(const std::vector<PointLight>& lights,
+                                     const std::vector<int>& layers, std::uint32_t map_size) {
     std::vector<LightBlock> blocks;
-    for (std::size_t index = 0; index < scene.lights.size(); ++index) {
-        const PointLight& light = scene.lights[index];
+    for (std::size_t index = 0; index < lights.size(); ++index) {
+        const PointLight& light = lights[index];
         const float texel = 2 * std::tan(glm::radians(light.shadow_angle) / 2) /
                             static_cast<float>(std::max(map_size, 1U));
         blocks.push_back({glm::vec4(light.position, static_cast<float>(layers[index])),

@@ -90,8 +90,8 @@ std::vector<Draw> draws_of(const Scene& scene, const Geometry& geometry,
                            const std::vector<std::uint32_t>& objects);
 
 /// The light blocks; light i has the shadow layer layers[i].
-std::vector<LightBlock> light_blocks(const Scene& scene, const std::vector<int>& layers,
-                                     std::uint32_t map_size);
+std::vector<LightBlock> light_blocks(const std::vector<PointLight>& lights,
+                                     const std::vector<int>& layers, std::uint32_t map_size);
 
 /// The scene on the graph.
 struct SceneHandles {

@@ -165,10 +165,11 @@ const Moving& moving_parts() {
 Scene sample_scene() {
     SceneBuilder build;
     add_still_life(build);
-    build.light({{-2.6f, 3.9f, 3.2f}, {104, 91, 73}, true, {0.2f, 0.3f, -0.2f}, 62, 1, 16});
-    build.light({spark_rest, {3.4f, 2.9f, 2.2f}, true, {0.3f, 0, 0.3f}, 118, 0.05f, 8});
-    build.light({{knot_rest.x, 0.98f, -1.25f}, {0.22f, 1.9f, 2.5f}, false, {}, 60, 0.1f, 20});
-    build.light({{2.3f, 0.7f, -0.9f}, {2.6f, 0.26f, 1.3f}, false, {}, 60, 0.1f, 20});
+    build.light({{-2.6f, 3.9f, 3.2f}, {104, 91, 73}, true, {0.2f, 0.3f, -0.2f}, 62, 1, 16, "key"});
+    build.light({spark_rest, {3.4f, 2.9f, 2.2f}, true, {0.3f, 0, 0.3f}, 118, 0.05f, 8, "spark"});
+    build.light(
+        {{knot_rest.x, 0.98f, -1.25f}, {0.22f, 1.9f, 2.5f}, false, {}, 60, 0.1f, 20, "ring"});
+    build.light({{2.3f, 0.7f, -0.9f}, {2.6f, 0.26f, 1.3f}, false, {}, 60, 0.1f, 20, "rod"});
     build.scene.environment.zenith = {0.095f, 0.108f, 0.140f};
     build.scene.environment.horizon = {0.070f, 0.077f, 0.098f};
     build.scene.environment.ground = {0.036f, 0.035f, 0.038f};
@@ -186,8 +187,8 @@ Scene plain_scene() {
         material.emission = glm::vec3{0};
         material.roughness = std::max(material.roughness, 0.65f);
     }
-    build.light({{-2.6f, 3.9f, 3.2f}, {44, 41, 38}, false, {}, 60, 0.1f, 20});
-    build.light({spark_rest, {0, 0, 0}, false, {}, 60, 0.1f, 20});
+    build.light({{-2.6f, 3.9f, 3.2f}, {44, 41, 38}, false, {}, 60, 0.1f, 20, "key"});
+    build.light({spark_rest, {0, 0, 0}, false, {}, 60, 0.1f, 20, "spark"});
     build.scene.environment.zenith = {0.20f, 0.21f, 0.23f};
     build.scene.environment.horizon = {0.11f, 0.11f, 0.12f};
     build.scene.environment.ground = {0.05f, 0.05f, 0.05f};

@@ -38,6 +38,9 @@ struct PointLight {
     glm::vec3 aim{0};
     float shadow_angle = 60; ///< full angle of the square shadow frustum, degrees
     float shadow_near = 0.1f, shadow_far = 20;
+    std::string name; ///< for people
+    bool is_on = true;
+    friend bool operator==(const PointLight&, const PointLight&) = default;
 };
 
 struct Scene {

@@ -18,8 +18,8 @@ Scene materials_scene() {
                            glm::vec3{0.44f}));
         }
     }
-    build.light({{-4, 5, 6}, {130, 125, 115}, true, {0, 0, 0}, 60, 1, 20});
-    build.light({{5, -1, 5}, {14, 16, 22}, false, {}, 60, 0.1f, 20});
+    build.light({{-4, 5, 6}, {130, 125, 115}, true, {0, 0, 0}, 60, 1, 20, "key"});
+    build.light({{5, -1, 5}, {14, 16, 22}, false, {}, 60, 0.1f, 20, "fill"});
     build.scene.environment.zenith = {0.30f, 0.33f, 0.40f};
     build.scene.environment.horizon = {0.12f, 0.12f, 0.13f};
     build.scene.environment.ground = {0.04f, 0.035f, 0.03f};

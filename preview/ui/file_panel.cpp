@@ -90,31 +90,4 @@ void file_panel(Ui& ui) {
     ImGui::PopTextWrapPos();
 }
 
-void passes_panel(Ui& ui) {
-    ui.shows_passes = true;
-    double total = 0;
-    if (ImGui::BeginTable("passes", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV)) {
-        ImGui::TableSetupColumn("pass");
-        ImGui::TableSetupColumn("GPU ms", ImGuiTableColumnFlags_WidthFixed,
-                                ImGui::GetFontSize() * 6);
-        ImGui::TableHeadersRow();
-        for (const PassTime& pass : ui.facts.passes) {
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(pass.name.c_str());
-            ImGui::TableNextColumn();
-            ImGui::Text("%.3f", pass.milliseconds);
-            total += pass.milliseconds;
-        }
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted("frame");
-        ImGui::TableNextColumn();
-        ImGui::Text("%.3f", total);
-        ImGui::EndTable();
-    }
-    ImGui::Separator();
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(ui.facts.explanation.c_str());
-    ImGui::PopTextWrapPos();
-}
-
 } // namespace preview::ui

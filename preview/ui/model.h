@@ -4,6 +4,7 @@
 #include "lutlib/recipe.h"
 #include "preview/blooms.h"
 #include "preview/compare.h"
+#include "preview/effects.h"
 #include "preview/lookups.h"
 #include "preview/scene/camera.h"
 #include "preview/tonemaps.h"
@@ -54,7 +55,7 @@ struct State {
     const Tonemap* tonemap = nullptr;
     const Bloom* bloom = nullptr;
     BloomSettings bloom_settings;
-    bool fxaa = true;
+    EffectSet without; ///< what is switched off
     Orbit orbit;
 };
 bool operator==(const State& a, const State& b);

@@ -91,7 +91,6 @@ void view_panel(Ui& ui) {
                            ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
     }
     ImGui::EndDisabled();
-    ImGui::Checkbox("Antialiasing (FXAA)", &state.fxaa);
     if (ui.facts.is_scene) {
         ImGui::Separator();
         ImGui::SliderFloat("Azimuth", &state.orbit.azimuth, -180, 180, "%.1f");

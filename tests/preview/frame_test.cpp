@@ -79,7 +79,7 @@ TEST_F(FrameTest, the_sample_scene_keeps_its_shadows_and_blooms) {
     const Loaded loaded(scene_at(*scene_named("sample"), 0));
     Executor executor(device());
     const Rendered rendered = render_frame(executor, loaded.inputs(), settings_for(loaded.scene));
-    for (const char* pass : {"shadow of light 0", "shadow of light 1", "g-buffer", "lighting",
+    for (const char* pass : {"shadow of light key", "shadow of light spark", "g-buffer", "lighting",
                              "hdr resolve", "bloom 0", "finish", "fxaa"})
         EXPECT_TRUE(kept(rendered, pass)) << pass << "\n" << rendered.explanation;
 }
@@ -90,7 +90,7 @@ TEST_F(FrameTest, a_picture_leaves_out_all_that_comes_before_the_resolve) {
     FrameInputs inputs;
     inputs.picture = &picture;
     FrameSettings settings = settings_for({});
-    settings.fxaa = false;
+    settings.without.set(Effect::fxaa, true);
     settings.keep_hdr = true;
     Executor executor(device());
     const Rendered rendered = render_frame(executor, inputs, settings);
@@ -99,6 +99,47 @@ TEST_F(FrameTest, a_picture_leaves_out_all_that_comes_before_the_resolve) {
         ASSERT_EQ(rendered.hdr[at], 0.25F);
     settings.exposure = 2;
     EXPECT_EQ(render_frame(executor, inputs, settings).hdr[0], 1.0F);
+}
+
+TEST_F(FrameTest, every_effect_can_be_switched_off_and_is_said_to_be) {
+    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const GpuLook look(device(), look_for(inverting_look(), *lookup_named("tetrahedral")).data);
+    FrameInputs inputs = loaded.inputs();
+    inputs.look_a = &look;
+    FrameSettings settings = settings_for(loaded.scene);
+    Executor executor(device());
+    const Rendered whole = render_frame(executor, inputs, settings);
+    EXPECT_EQ(whole.explanation.find("switched off"), std::string::npos) << whole.explanation;
+    for (const EffectInfo& row : effects) {
+        settings.without = {};
+        settings.without.set(row.effect, true);
+        const Rendered rendered = render_frame(executor, inputs, settings);
+        EXPECT_NE(rendered.rgba, whole.rgba) << row.name;
+        const std::size_t at = rendered.explanation.find("left out  " + std::string(row.name));
+        ASSERT_NE(at, std::string::npos) << rendered.explanation;
+        EXPECT_NE(rendered.explanation.find("switched off", at), std::string::npos) << row.name;
+        settings.force_all = true; // what a person switched off stays off
+        EXPECT_EQ(render_frame(executor, inputs, settings).rgba, rendered.rgba) << row.name;
+        settings.force_all = false;
+    }
+    for (const EffectInfo& row : effects)
+        settings.without.set(row.effect, true);
+    render_frame(executor, inputs, settings);
+    // g-buffer, lighting, clear, resolve, finish
+    EXPECT_EQ(executor.plan().steps.size(), 5U);
+}
+
+TEST_F(FrameTest, a_light_that_is_off_leaves_the_frame_with_its_shadow) {
+    Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const FrameSettings settings = settings_for(loaded.scene);
+    Executor executor(device());
+    loaded.scene.lights[0].is_on = false;
+    const Rendered off = render_frame(executor, loaded.inputs(), settings);
+    EXPECT_NE(off.explanation.find("left out  light key "), std::string::npos) << off.explanation;
+    EXPECT_FALSE(kept(off, "shadow of light key"));
+    EXPECT_TRUE(kept(off, "shadow of light spark"));
+    loaded.scene.lights.erase(loaded.scene.lights.begin());
+    EXPECT_EQ(render_frame(executor, loaded.inputs(), settings).rgba, off.rgba);
 }
 
 TEST_F(FrameTest, every_debug_view_shows_something_and_runs_only_what_it_reads) {
@@ -187,7 +228,7 @@ TEST_F(FrameTest, a_look_reaches_its_own_side_only) {
     const GpuLook look(device(), look_for(inverting_look(), *lookup_named("tetrahedral")).data);
     FrameInputs inputs = loaded.inputs();
     FrameSettings settings = settings_for(loaded.scene);
-    settings.fxaa = false;
+    settings.without.set(Effect::fxaa, true);
     Executor executor(device());
     const auto plain = render_frame(executor, inputs, settings).rgba;
     inputs.look_b = &look;

@@ -78,7 +78,7 @@ class GeometryTest : public GpuTest {
                 maps.push_back(
                     {"light", index, draws_of(scene, gpu_scene.geometry, casters.objects)});
         }
-        const auto lights = light_blocks(scene, layers, 512);
+        const auto lights = light_blocks(scene.lights, layers, 512);
         if (!lights.empty())
             handles.lights = graph.data("lights", std::as_bytes(std::span(lights)));
         handles.light_count = static_cast<std::uint32_t>(lights.size());

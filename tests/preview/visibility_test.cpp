@@ -381,7 +381,7 @@ TEST_F(VisibilityTest, the_finished_frame_differs_at_edges_only) {
         settings.orbit = scene.orbit;
         settings.tonemap = tonemap_named("agx");
         settings.shadow_size = 256;
-        settings.fxaa = false;
+        settings.without.set(Effect::fxaa, true);
         Executor executor(device());
         const auto expected = render_frame(executor, inputs, settings).rgba;
         settings.raster = Raster::compute;

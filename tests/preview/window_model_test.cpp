@@ -52,6 +52,11 @@ TEST(History, undoes_and_redoes_a_change_of_every_operator_and_of_the_view) {
         EXPECT_TRUE(history.settle()) << op->name;
         states.push_back(history.draft());
     }
+    for (const EffectInfo& row : effects) {
+        history.draft().without.set(row.effect, true);
+        EXPECT_TRUE(history.settle()) << row.name;
+        states.push_back(history.draft());
+    }
     history.draft().split = 0.25F;
     history.draft().orbit.azimuth = 12;
     history.draft().sides[0].source = SideSource::baked;

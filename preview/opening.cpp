@@ -1,0 +1,46 @@
+#include "preview/opening.h"
+
+#include "preview/ui/commands.h"
+
+namespace preview {
+
+namespace {
+
+void open_looks(ui::State& state, const Options& options) {
+    const std::string& on_recipe = options.look_b.empty() ? options.look_a : options.look_b;
+    if (on_recipe != "none")
+        ui::open_look(state, on_recipe);
+    if (!options.look_b.empty() && options.look_a != "none")
+        ui::open_side(state.sides[0], options.look_a);
+}
+
+} // namespace
+
+void take_shown(ui::State& state, const Shown& shown, const Options& options) {
+    state.without.set(Effect::fxaa, !shown.scene);
+    if (shown.scene)
+        state.orbit = orbit_of(options, *shown.scene);
+}
+
+ui::State opening_state(const Shown& shown, const Options& options) {
+    const FrameSettings given = settings_of(options, shown.picture_size);
+    ui::State state = ui::initial_state();
+    state.tonemap = given.tonemap;
+    state.bloom = given.bloom;
+    state.bloom_settings = given.bloom_settings;
+    state.exposure = given.exposure;
+    state.split = given.split;
+    state.heat_scale = given.heat_scale;
+    if (!options.compare.empty())
+        state.compare = given.compare;
+    take_shown(state, shown, options);
+    state.without = given.without;
+    for (const Lookup* row : ui::engine_lookups())
+        if (row->name == options.engine)
+            for (ui::Side& side : state.sides)
+                side.engine = row;
+    open_looks(state, options);
+    return state;
+}
+
+} // namespace preview

@@ -1,0 +1,30 @@
+#include "preview/present.h"
+
+namespace preview {
+
+void record_present(const vk::raii::CommandBuffer& commands, const gpu::Image& picture,
+                    vk::Image target) {
+    using Stage = vk::PipelineStageFlagBits2;
+    using Access = vk::AccessFlagBits2;
+    constexpr auto layout = vk::ImageLayout::eTransferDstOptimal;
+    const vk::ImageSubresourceRange all(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1);
+    const vk::ImageMemoryBarrier2 to_clear(Stage::eAllCommands, {}, Stage::eAllTransfer,
+                                           Access::eTransferWrite, vk::ImageLayout::eUndefined,
+                                           layout, VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
+                                           target, all);
+    commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, to_clear));
+    commands.clearColorImage(target, layout, vk::ClearColorValue(std::array{0.F, 0.F, 0.F, 1.F}),
+                             all);
+    const vk::MemoryBarrier2 to_blit(Stage::eAllTransfer, Access::eTransferWrite,
+                                     Stage::eAllTransfer, Access::eTransferWrite);
+    commands.pipelineBarrier2(vk::DependencyInfo({}, to_blit));
+    const vk::ImageSubresourceLayers layers(vk::ImageAspectFlagBits::eColor, 0, 0, 1);
+    const vk::Offset3D zero(0, 0, 0);
+    const vk::Offset3D far(static_cast<int>(picture.desc().width),
+                           static_cast<int>(picture.desc().height), 1);
+    commands.blitImage(picture.vk(), vk::ImageLayout::eTransferSrcOptimal, target, layout,
+                       vk::ImageBlit(layers, {zero, far}, layers, {zero, far}),
+                       vk::Filter::eNearest);
+}
+
+} // namespace preview

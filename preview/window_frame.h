@@ -1,0 +1,39 @@
+// A frame of the window: its settings from what a person has chosen, and what finished frames tell
+// the panels and the next frame.
+#pragma once
+
+#include "preview/frame.h"
+#include "preview/graph/execute.h"
+#include "preview/options.h"
+#include "preview/shown.h"
+#include "preview/ui/ui.h"
+
+#include <optional>
+
+namespace preview {
+
+/// The settings of a frame of that size.
+FrameSettings window_settings(const ui::Ui& ui, const Shown& shown, const Options& options,
+                              Size output);
+
+/// Reads measurements of finished frames, without waiting for any.
+class FrameReader {
+  public:
+    explicit FrameReader(int frames_in_flight) : frames_in_flight_(frames_in_flight) {}
+
+    /// Another scene or picture is shown: what was measured holds no longer.
+    void forget();
+    /// The largest value of the HDR picture that a frame with these settings has, when frames of
+    /// the same light have measured it.
+    std::optional<float> hdr_maximum_for(const FrameSettings& settings);
+    /// After a frame was submitted, with the handles that build_frame() gave.
+    void read(Executor& executor, const Graph& graph, const FrameHandles& handles, ui::Ui& ui);
+
+  private:
+    int frames_in_flight_;
+    FrameSettings measured_for_; ///< of the light in the newest frames
+    int frames_of_light_ = 0;    ///< how many of those frames there are
+    std::optional<float> hdr_maximum_;
+};
+
+} // namespace preview

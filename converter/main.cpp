@@ -1,44 +1,6 @@
-// lutconv: the command line of lutlib. Errors are caught here and nowhere else.
-#include "converter/command.h"
-#include "lutlib/error.h"
-
-#include <cstdio>
-#include <exception>
-
-namespace {
-
-int complain(const char* message, int code) {
-    std::fprintf(stderr, "lutconv: %s\n", message);
-    return code;
-}
-
-} // namespace
+// lutconv: the command line of lutlib.
+#include "converter/program.h"
 
 int main(int argc, char** argv) {
-    using namespace converter;
-    CLI::App app("Bakes, verifies, converts and edits colour LUTs.\n"
-                 "Exit codes: 0 ok, 1 verification failed, 2 bad input, 3 bad usage.",
-                 "lutconv");
-    app.require_subcommand(1);
-    app.set_version_flag("--version", std::string(LUT_VERSION));
-    Run run;
-    for (const Command& command : commands()) {
-        CLI::App* const verb =
-            app.add_subcommand(std::string(command.name), std::string(command.help));
-        verb->final_callback([&run, chosen = command.declare(*verb)] { run = chosen; });
-    }
-    try {
-        app.parse(argc, argv);
-        return run();
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? ok : bad_usage;
-    } catch (const lutlib::UsageError& error) {
-        return complain(error.what(), bad_usage);
-    } catch (const lutlib::Error& error) {
-        return complain(error.what(), bad_input);
-    } catch (const std::bad_alloc&) {
-        return complain("not enough memory for this input", bad_input);
-    } catch (const std::exception& error) {
-        return complain(error.what(), bad_input);
-    }
+    return converter::run_program(argc, argv);
 }

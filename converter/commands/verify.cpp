@@ -17,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 
 namespace converter {
@@ -132,21 +133,14 @@ class Reference {
           extension_(path == io::standard_stream ? "cube" : io::extension_of(path)) {
         if (io::is_png(bytes_)) {
             ours_ = io::decode_lut(bytes_, name_).lut;
-            return;
-        }
-        try {
-            io::ocio().parse(bytes_, extension_, name_, {});
-        } catch (const lutlib::Error& error) {
-            ours_ = lutlib::read_cube(bytes_, name_);
-            refusal_ = error.message();
         }
     }
 
-    Oracle oracle(lutlib::Interpolation how) const {
-        const io::EvaluationOptions options{.interpolation = how};
-        std::shared_ptr<io::OcioTransform> transform =
-            ours_ ? io::ocio().from_lut(*ours_, options)
-                  : io::ocio().parse(bytes_, extension_, name_, options);
+    Oracle oracle(lutlib::Interpolation how) {
+        std::shared_ptr<io::OcioTransform>& transform = transforms_[how];
+        if (!transform) {
+            transform = evaluator(how);
+        }
         return [transform](std::vector<lutlib::Rgb>& colors) { transform->apply(colors); };
     }
 
@@ -154,11 +148,25 @@ class Reference {
     const std::string& refusal() const { return refusal_; }
 
   private:
+    std::shared_ptr<io::OcioTransform> evaluator(lutlib::Interpolation how) {
+        const io::EvaluationOptions options{.interpolation = how};
+        if (!ours_) {
+            try {
+                return io::ocio().parse(bytes_, extension_, name_, options);
+            } catch (const lutlib::Error& error) {
+                ours_ = lutlib::read_cube(bytes_, name_);
+                refusal_ = error.message();
+            }
+        }
+        return io::ocio().from_lut(*ours_, options);
+    }
+
     std::string name_, bytes_, extension_, refusal_;
     std::optional<lutlib::Lut> ours_;
+    std::map<lutlib::Interpolation, std::shared_ptr<io::OcioTransform>> transforms_;
 };
 
-std::vector<lutlib::Alternative> other_interpolations(const Reference& reference,
+std::vector<lutlib::Alternative> other_interpolations(Reference& reference,
                                                       lutlib::Interpolation used) {
     std::vector<lutlib::Alternative> out;
     for (const lutlib::InterpolationInfo& row : lutlib::interpolations()) {
@@ -272,7 +280,7 @@ int run(const Options& o) {
         throw lutlib::UsageError("the picture and the look cannot both come from standard input");
     }
     const Subject s = open_subject(o);
-    const Reference reference(o.against);
+    Reference reference(o.against);
     const lutlib::Interpolation how = baked_interpolation(o, s);
     std::optional<lutlib::Verification> result;
     std::optional<FittedCheck> fitted;

@@ -1,6 +1,6 @@
 #include "lutlib/color/difference.h"
 
-#include "lutlib/color/primaries.h"
+#include "lutlib/color/difference_constants.h"
 #include "lutlib/color/transfer.h"
 
 #include <cmath>
@@ -13,9 +13,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double degree = std::numbers::pi / 180;
 
-constexpr Matrix3 rec709_to_xyz = rgb_to_xyz(rec709);
 constexpr Matrix3 rec709_to_rec2020 = rgb_to_rgb(rec709, rec2020);
-constexpr RgbD lab_white = rec709_to_xyz * RgbD{1, 1, 1};
 
 bool finite(RgbD c) {
     return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b);
@@ -25,10 +23,8 @@ RgbD srgb_to_linear(RgbD c) {
     return {srgb_decode(c.r), srgb_decode(c.g), srgb_decode(c.b)};
 }
 
-// CIE 15:2004, section 8.2.1.
 double lab_curve(double t) {
-    constexpr double delta = 6.0 / 29;
-    return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;
+    return t > lab_cut ? std::cbrt(t) : t * lab_slope + lab_offset;
 }
 
 double square(double x) {
@@ -40,16 +36,9 @@ double hue_degrees(double a, double b) {
     return h < 0 ? h + 360 : h;
 }
 
-// ITU-R BT.2100-2 table 7, with the T axis of BT.2124 (half of Ct).
 RgbD itp(RgbD rec2020_nits) {
-    constexpr Matrix3 to_lms{{{{1688.0 / 4096, 2146.0 / 4096, 262.0 / 4096},
-                               {683.0 / 4096, 2951.0 / 4096, 462.0 / 4096},
-                               {99.0 / 4096, 309.0 / 4096, 3688.0 / 4096}}}};
-    constexpr Matrix3 to_itp{{{{0.5, 0.5, 0},
-                               {0.5 * 6610 / 4096, -0.5 * 13613 / 4096, 0.5 * 7003 / 4096},
-                               {17933.0 / 4096, -17390.0 / 4096, -543.0 / 4096}}}};
-    const RgbD lms = to_lms * rec2020_nits;
-    return to_itp * RgbD{pq_from_nits(lms.r), pq_from_nits(lms.g), pq_from_nits(lms.b)};
+    const RgbD lms = rec2020_to_lms * rec2020_nits;
+    return pq_lms_to_itp * RgbD{pq_from_nits(lms.r), pq_from_nits(lms.g), pq_from_nits(lms.b)};
 }
 
 } // namespace

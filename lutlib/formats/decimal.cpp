@@ -2,6 +2,8 @@
 
 #include <array>
 #include <bit>
+#include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -10,9 +12,10 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the digit loads assume little endian");
 
-// More bytes than a row is looked at ahead: three numbers of a sign, at most 15 digits and a point,
-// their separators, and the last eight-byte load.
-constexpr std::size_t look_ahead = 128;
+// Numbers begin within so many bytes of their row's begin, or the row is left to another reader.
+constexpr std::size_t row_length = 100;
+// More bytes than are looked at ahead: a sign, 8 digits, a point and 16 digits behind those.
+constexpr std::size_t look_ahead = row_length + 28;
 
 constexpr std::array<std::uint64_t, 9> whole_power_of_ten{
     1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
@@ -118,6 +121,20 @@ bool blank(char c) {
     return c == ' ' || c == '\t';
 }
 
+// A number of any other form that from_chars reads as a finite float, such as 1.5e-07.
+const char* parse_general(const char* p, const char* end, float& out) {
+    const auto [stop, status] = std::from_chars(p, end, out);
+    return status == std::errc{} && std::isfinite(out) ? stop : nullptr;
+}
+
+const char* parse_any(const char* p, const char* end, float& out) {
+    if (p >= end) {
+        return nullptr;
+    }
+    const char* const q = parse_number(p, out);
+    return q && (blank(*q) || *q == '\n' || *q == '\r') ? q : parse_general(p, end, out);
+}
+
 } // namespace
 
 RowRun parse_rows(std::string_view text, Rgb* out, std::size_t most) {
@@ -134,15 +151,16 @@ RowRun parse_rows(std::string_view text, Rgb* out, std::size_t most) {
             p += 27;
             continue;
         }
-        const char* q = parse_number(p, row.r);
+        const char* const end = p + row_length;
+        const char* q = parse_any(p, end, row.r);
         if (!q || !blank(*q)) {
             break;
         }
-        q = parse_number(q + 1, row.g);
+        q = parse_any(q + 1, end, row.g);
         if (!q || !blank(*q)) {
             break;
         }
-        q = parse_number(q + 1, row.b);
+        q = parse_any(q + 1, end, row.b);
         if (!q) {
             break;
         }

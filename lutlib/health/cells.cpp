@@ -34,8 +34,12 @@ double length(const RgbD& v) {
     return std::sqrt(dot(v, v));
 }
 
-double sum(const Rgb& c) {
-    return static_cast<double>(c.r) + static_cast<double>(c.g) + static_cast<double>(c.b);
+double sum(const RgbD& c) {
+    return c.r + c.g + c.b;
+}
+
+RgbD magnitudes(const RgbD& c) {
+    return {std::abs(c.r), std::abs(c.g), std::abs(c.b)};
 }
 
 // A count and the input where the thing begins: the darkest or the brightest of all.
@@ -44,7 +48,8 @@ struct Region {
     Rgb in;
 
     void add(const Rgb& at, bool darkest) {
-        if (cells == 0 || (darkest ? sum(at) < sum(in) : sum(at) > sum(in))) {
+        if (cells == 0 || (darkest ? sum(to_double(at)) < sum(to_double(in))
+                                   : sum(to_double(at)) > sum(to_double(in)))) {
             in = at;
         }
         ++cells;
@@ -199,14 +204,19 @@ class CellPass {
         raise(out.deepest[sign], std::abs(determinant(slopes)), in);
     }
 
-    // The singular values only where their bounds by sums of squares leave a new largest possible:
-    // s1 <= |J|, and s1 / s3 = s1 * (s1 s2) / |det| <= |J| * |cofactors| / |det|.
+    // The singular values only where their bounds leave a new largest possible:
+    // s1^2 <= the largest sum of a column times that of a row, which is sharp for channels that do
+    // not mix, and s1 / s3 = s1 * (s1 s2) / |det| <= |J| * |cofactors| / |det|.
     static void raise_singular(const Jacobian& j, bool flat, const Rgb& in, Sums& out) {
         const double square = dot(j[0], j[0]) + dot(j[1], j[1]) + dot(j[2], j[2]);
         const double det = std::abs(determinant(j));
         // |cofactors| <= |J|^2 / sqrt(3)
         const bool ill = !flat && square * std::sqrt(square / 3) > out.condition.value * det;
-        if (!ill && square <= out.gain.value * out.gain.value) {
+        const RgbD a = magnitudes(j[0]), b = magnitudes(j[1]), c = magnitudes(j[2]);
+        const RgbD rows = a + b + c;
+        const double bound =
+            std::max({sum(a), sum(b), sum(c)}) * std::max({rows.r, rows.g, rows.b});
+        if (!ill && bound <= out.gain.value * out.gain.value) {
             return;
         }
         const SingularValues s = singular_values(j);

@@ -1,5 +1,7 @@
 #include "tests/converter/run_program.h"
 
+#include "converter/program.h"
+
 #include <gtest/gtest.h>
 
 #include <fcntl.h>
@@ -11,11 +13,40 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 
 extern char** environ;
 
 namespace converter_test {
+namespace {
+
+// Sends a file descriptor to a file for as long as it lives.
+class Redirection {
+  public:
+    Redirection(int descriptor, const std::string& path)
+        : descriptor_(descriptor), before_(dup(descriptor)) {
+        const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        dup2(file, descriptor);
+        close(file);
+    }
+    ~Redirection() {
+        dup2(before_, descriptor_);
+        close(before_);
+    }
+    Redirection(const Redirection&) = delete;
+    Redirection& operator=(const Redirection&) = delete;
+
+  private:
+    int descriptor_, before_;
+};
+
+void flush_all() {
+    std::cout.flush();
+    std::fflush(nullptr);
+}
+
+} // namespace
 
 Result lutconv(const std::vector<std::string>& arguments, const std::string& input) {
     const Folder folder;
@@ -41,6 +72,25 @@ Result lutconv(const std::vector<std::string>& arguments, const std::string& inp
     waitpid(child, &status, 0);
     EXPECT_TRUE(WIFEXITED(status)) << "lutconv was killed by signal " << WTERMSIG(status);
     return {WEXITSTATUS(status), contents(out), contents(err)};
+}
+
+Result lutconv_in_process(const std::vector<std::string>& arguments) {
+    const Folder folder;
+    const std::string out = folder.path("out"), err = folder.path("err");
+    std::vector<const char*> argv{"lutconv"};
+    for (const std::string& word : arguments) {
+        argv.push_back(word.c_str());
+    }
+    Result result;
+    flush_all();
+    {
+        const Redirection to_out(1, out), to_err(2, err);
+        result.exit_code = converter::run_program(static_cast<int>(argv.size()), argv.data());
+        flush_all();
+    }
+    result.out = contents(out);
+    result.err = contents(err);
+    return result;
 }
 
 std::vector<std::string> verbs() {

@@ -15,6 +15,10 @@ struct Result {
 /// Runs lutconv with these arguments and this standard input.
 Result lutconv(const std::vector<std::string>& arguments, const std::string& input = "");
 
+/// The same without a process of its own, for tests of many runs: its start costs more than a small
+/// LUT's work, and a sanitizer's much more.
+Result lutconv_in_process(const std::vector<std::string>& arguments);
+
 /// The verbs as the program itself lists them, so that a new one is tested unasked.
 std::vector<std::string> verbs();
 

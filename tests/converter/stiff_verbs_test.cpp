@@ -51,10 +51,10 @@ Runs runs_of(const std::string& verb, const std::string& look, const Folder& fol
 }
 
 // Those that the verb's own help offers. verify's oracle knows no nearest node, and says so.
-std::vector<std::string> interpolations_of(const std::string& verb) {
-    const std::string help = lutconv({verb, "--help"}).out;
+Arguments interpolations_of(const std::string& verb) {
+    const std::string help = lutconv_in_process({verb, "--help"}).out;
     const std::size_t at = help.find("--interpolation");
-    std::vector<std::string> out;
+    Arguments out;
     if (at == std::string::npos) {
         return out;
     }
@@ -100,7 +100,7 @@ void run_and_judge(const std::string& verb, const Arguments& arguments, int high
         line += " " + word;
     }
     SCOPED_TRACE(line);
-    const Result result = lutconv(words);
+    const Result result = lutconv_in_process(words);
     EXPECT_GE(result.exit_code, 0);
     EXPECT_LE(result.exit_code, highest_exit_code) << result.err;
     EXPECT_FALSE(says_nan(result.out)) << result.out;
@@ -132,22 +132,18 @@ TEST_P(EveryVerb, gives_a_defined_answer_or_a_clear_error) {
     const std::string look = folder.write("look.cube", write_cube(lut, best_dialect(lut)));
     const std::vector<std::string> all = verbs();
     ASSERT_GE(all.size(), 10U);
-    // Of the largest files one run of each verb is enough for a test that is run often.
-    const bool large = lut.cube && lut.cube->size > 65;
     for (const std::string& verb : all) {
         const Runs runs = runs_of(verb, look, folder);
-        for (const Arguments& arguments : runs.each) {
-            run_and_judge(verb, arguments, runs.highest_exit_code, folder);
-            if (large) {
-                break;
+        const Arguments methods = interpolations_of(verb);
+        // Every form of the verb and every interpolation, each in at least one run.
+        for (std::size_t i = 0; i < std::max(runs.each.size(), methods.size()); ++i) {
+            Arguments arguments = runs.each[i % runs.each.size()];
+            if (!methods.empty()) {
+                // Behind eval's LUT come its colours.
+                const Arguments option{"--interpolation", methods[i % methods.size()]};
+                arguments.insert(arguments.begin() + (verb == "eval" ? 1 : 0), option.begin(),
+                                 option.end());
             }
-        }
-        for (const std::string& how : large ? Arguments{} : interpolations_of(verb)) {
-            Arguments arguments = runs.each.front();
-            const Arguments option{"--interpolation", how};
-            // Behind eval's LUT come its colours.
-            arguments.insert(arguments.begin() + (verb == "eval" ? 1 : 0), option.begin(),
-                             option.end());
             run_and_judge(verb, arguments, runs.highest_exit_code, folder);
         }
     }

@@ -1,9 +1,11 @@
-#include "lutlib/color/difference.h"
+#include "lutlib/color/difference_all.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <random>
+#include <vector>
 
 namespace lutlib {
 namespace {
@@ -115,6 +117,93 @@ TEST(DeltaEItp, of_neutrals_is_720_times_the_difference_of_their_pq_codes) {
     // (ITU-R BT.2408 prints 51 % and 30 %).
     const double d = delta_e_itp_nits({100, 100, 100}, {10, 10, 10});
     EXPECT_NEAR(d, 720 * (0.508078 - 0.299699), 720 * 1e-6);
+}
+
+// Where the formula itself jumps: hues opposite to each other, and a mean hue at 0 degrees.
+bool jumps(const Lab& p, const Lab& q) {
+    const double dot = p.a * q.a + p.b * q.b, cross = p.a * q.b - p.b * q.a;
+    const bool opposite = dot < 0 && std::abs(cross) < 1e-3 * -dot;
+    const double across = std::abs(p.b * std::hypot(q.a, q.b) + q.b * std::hypot(p.a, p.b));
+    return opposite || across < 1e-6 * std::hypot(p.a, p.b) * std::hypot(q.a, q.b);
+}
+
+class ColourCounts : public testing::TestWithParam<std::size_t> {};
+// Around the lengths of vectors, and beyond one piece.
+INSTANTIATE_TEST_SUITE_P(ManyColours, ColourCounts,
+                         testing::Values(0, 1, 2, 3, 7, 8, 9, 129, 5000));
+
+TEST_P(ColourCounts, differ_as_much_as_one_pair_at_a_time) {
+    const std::size_t count = GetParam();
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> channel(-0.2, 1.2), near(-1e-3, 1e-3);
+    std::vector<RgbD> a(count), b(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        a[i] = {channel(random), channel(random), channel(random)};
+        // Far apart, near, neutral against coloured, both neutral, equal.
+        b[i] = i % 5 == 0   ? RgbD{channel(random), channel(random), channel(random)}
+               : i % 5 == 1 ? a[i] + RgbD{near(random), near(random), near(random)}
+               : i % 5 == 2 ? RgbD{a[i].g, a[i].g, a[i].g}
+                            : a[i];
+        if (i % 5 == 3) {
+            a[i] = {a[i].r, a[i].r, a[i].r};
+            b[i] = 0.5 * a[i];
+        }
+    }
+    std::vector<Lab> lab_a(count), lab_b(count);
+    lab_from_linear_all(a, lab_a);
+    lab_from_linear_all(b, lab_b);
+    std::vector<double> e_2000(count), e_itp(count);
+    delta_e_2000_all(lab_a, lab_b, e_2000);
+    delta_e_itp_nits_all(a, b, e_itp);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Lab one = lab_from_linear(a[i]);
+        for (const double d : {one.L - lab_a[i].L, one.a - lab_a[i].a, one.b - lab_a[i].b}) {
+            EXPECT_NEAR(d, 0, 1e-10);
+        }
+        EXPECT_NEAR(e_itp[i], delta_e_itp_nits(a[i], b[i]), 1e-9);
+        if (!jumps(lab_a[i], lab_b[i])) {
+            EXPECT_NEAR(e_2000[i], delta_e_2000(lab_a[i], lab_b[i]), 1e-9)
+                << lab_a[i].L << " " << lab_a[i].a << " " << lab_a[i].b << " against " << lab_b[i].L
+                << " " << lab_b[i].a << " " << lab_b[i].b;
+        }
+        if (a[i] == b[i]) {
+            EXPECT_EQ(e_2000[i], 0);
+            EXPECT_EQ(e_itp[i], 0);
+        }
+    }
+}
+
+TEST(ManyColours, give_every_published_value) {
+    std::vector<Lab> a, b;
+    for (const Pair& row : published) {
+        a.push_back(row.a);
+        b.push_back(row.b);
+    }
+    std::vector<double> out(a.size());
+    delta_e_2000_all(a, b, out);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        EXPECT_NEAR(out[i], published[i].difference, 5.1e-5);
+    }
+}
+
+TEST(ManyColours, that_are_not_finite_are_infinitely_far_and_huge_ones_finitely) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    for (const double x : {nan, inf, -inf, 1e30, 3e90, -3e90}) {
+        const RgbD colours[] = {{.5, .5, .5}, {x, 0, 0}, {0, x, 0}, {0, 0, x}, {x, x, x}};
+        const RgbD greys[] = {{.5, .5, .5}, {.5, .5, .5}, {.1, .2, .3}, {0, 0, 0}, {1, 1, 1}};
+        std::vector<Lab> a(5), b(5);
+        std::vector<double> e_2000(5), e_itp(5);
+        lab_from_linear_all(colours, a);
+        lab_from_linear_all(greys, b);
+        delta_e_2000_all(a, b, e_2000);
+        delta_e_itp_nits_all(colours, greys, e_itp);
+        for (std::size_t i = 0; i < 5; ++i) {
+            EXPECT_EQ(std::isfinite(e_2000[i]), i == 0 || std::isfinite(x)) << x;
+            EXPECT_EQ(std::isfinite(e_itp[i]), i == 0 || std::isfinite(x)) << x;
+        }
+        EXPECT_EQ(e_2000[0], 0);
+    }
 }
 
 } // namespace

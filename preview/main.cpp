@@ -98,12 +98,15 @@ int run(const Options& options) {
     device_options.wanted = options.device;
     device_options.validation = options.validate;
     const gpu::Device device(device_options);
-    const Shown shown = load_shown(device, options.input, options.seconds);
-    FrameSettings settings = settings_of(options, shown.picture_size);
-    if (shown.scene) {
-        settings.exposure += shown.scene->exposure;
-        settings.orbit = orbit_of(options, *shown.scene);
-    } else if (shown.display_encoded()) {
+    const auto shown = std::make_shared<const Shown>(load_shown(options.input, options.seconds));
+    for (const std::string& line : shown->left_out)
+        std::fprintf(stderr, "lutpreview: %s: left out: %s\n", shown->name.c_str(), line.c_str());
+    FrameSettings settings = settings_of(options, shown->picture_size());
+    const std::vector<PointLight> lights = lights_of(options, shown->scene);
+    if (shown->scene) {
+        settings.exposure += shown->scene->exposure;
+        settings.orbit = orbit_of(options, *shown->scene);
+    } else if (shown->display_encoded()) {
         settings.tonemap = nullptr;
     }
     settings.raster = raster_of(options, device, picture_size(settings.output, *settings.compare));
@@ -111,7 +114,9 @@ int run(const Options& options) {
     std::string skipped; // lines of --explain
     const auto look_a = load_side(device, options.look_a, options, skipped, "A");
     const auto look_b = load_side(device, options.look_b, options, skipped, "B");
-    FrameInputs inputs = shown.inputs();
+    const GpuShown on_gpu(device, shown);
+    FrameInputs inputs = on_gpu.inputs();
+    inputs.lights = &lights;
     inputs.look_a = look_a ? &*look_a : nullptr;
     inputs.look_b = look_b ? &*look_b : nullptr;
 

@@ -16,14 +16,19 @@ void open_looks(ui::State& state, const Options& options) {
 
 } // namespace
 
-void take_shown(ui::State& state, const Shown& shown, const Options& options) {
-    state.without.set(Effect::fxaa, !shown.scene);
-    if (shown.scene)
-        state.orbit = orbit_of(options, *shown.scene);
+void take_shown(ui::State& state, std::shared_ptr<const Shown> shown) {
+    state.without.set(Effect::fxaa, !shown->scene);
+    state.lights.clear();
+    if (shown->scene) {
+        state.orbit = shown->scene->orbit;
+        state.lights = shown->scene->lights;
+    }
+    state.shown = std::move(shown);
 }
 
-ui::State opening_state(const Shown& shown, const Options& options) {
-    const FrameSettings given = settings_of(options, shown.picture_size);
+ui::State opening_state(const Options& options) {
+    const auto shown = std::make_shared<const Shown>(load_shown(options.input, options.seconds));
+    const FrameSettings given = settings_of(options, shown->picture_size());
     ui::State state = ui::initial_state();
     state.tonemap = given.tonemap;
     state.bloom = given.bloom;
@@ -33,8 +38,11 @@ ui::State opening_state(const Shown& shown, const Options& options) {
     state.heat_scale = given.heat_scale;
     if (!options.compare.empty())
         state.compare = given.compare;
-    take_shown(state, shown, options);
+    take_shown(state, shown);
     state.without = given.without;
+    state.lights = lights_of(options, shown->scene);
+    if (shown->scene)
+        state.orbit = orbit_of(options, *shown->scene);
     for (const Lookup* row : ui::engine_lookups())
         if (row->name == options.engine)
             for (ui::Side& side : state.sides)

@@ -7,10 +7,10 @@
 
 namespace preview {
 
-/// What a scene or picture, newly shown, sets: the camera and the antialiasing.
-void take_shown(ui::State& state, const Shown& shown, const Options& options);
+/// Shows a scene or picture, with its camera, lights and antialiasing.
+void take_shown(ui::State& state, std::shared_ptr<const Shown> shown);
 
-/// With the looks read from their files. Throws lutlib::Error.
-ui::State opening_state(const Shown& shown, const Options& options);
+/// With the scene or picture and the looks read from their files. Throws lutlib::Error.
+ui::State opening_state(const Options& options);
 
 } // namespace preview

@@ -1,6 +1,7 @@
 #include "preview/options.h"
 
 #include "lutlib/error.h"
+#include "preview/light_edit.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -50,8 +51,10 @@ std::string section(std::string_view title, const Rows& rows, Text text) {
 } // namespace
 
 void declare(CLI::App& app, Options& options) {
-    app.add_option("input", options.input,
-                   "A built-in scene (--list) or a picture file, which stands for the scene");
+    app.add_option(
+        "input", options.input,
+        "A built-in scene (--list), a glTF 2.0 file (textures stand as their mean), or a picture "
+        "file, which stands for the scene");
     app.add_option("--a", options.look_a, "Look of side A: none, or any LUT file or picture")
         ->type_name("LOOK");
     app.add_option("--b", options.look_b, "Look of side B")->type_name("LOOK");
@@ -88,7 +91,14 @@ void declare(CLI::App& app, Options& options) {
     app.add_option("--without", options.without,
                    "Effects to switch off, with commas between them, from --list")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->type_name("EFFECTS");
+    app.add_option(
+           "--light", options.lights,
+           "Changes a light, as key.intensity=2 or 1.color=1,0.5,0; --list has the controls. "
+           "May be repeated")
+        ->allow_extra_args(false)
+        ->type_name("LIGHT.CONTROL=VALUE");
     app.add_option("--shadow-size", options.shadow_size, "Texels of a shadow map's side")
         ->check(CLI::Range(16U, 8192U));
     app.add_option("--raster", options.raster, "Who rasterises, from --list");
@@ -106,13 +116,15 @@ void declare(CLI::App& app, Options& options) {
     app.add_option("--frames", options.frames, "Frames that --timings measures")
         ->check(CLI::Range(1, 100000));
     app.add_flag("--json", options.json, "Timings as JSON");
-    app.add_flag("--list", options.list,
-                 "Print scenes, tone maps, blooms, lookups, views, effects, devices");
+    app.add_flag(
+        "--list", options.list,
+        "Print scenes, tone maps, blooms, lookups, views, effects, lights' controls, devices");
     app.add_option("--device", options.device, "Part of a GPU's name, or its number in --list");
     app.add_option("--places", options.places,
                    "Keep in this file where the window's controls are, for scripts: a line "
-                   "'NAME X Y WIDTH HEIGHT' for each, in pixels, after one with the number of "
-                   "the frame, whenever nothing is left to draw");
+                   "'NAME X Y WIDTH HEIGHT' for each, in pixels, after 'frame NUMBER' and where "
+                   "the mouse was last seen, 'mouse X Y'; written when all that happened up to "
+                   "then is drawn");
     app.add_flag("--validate", options.validate, "Run under Vulkan's validation layers");
 }
 
@@ -146,6 +158,13 @@ FrameSettings settings_of(const Options& options, Size input_size) {
     return settings;
 }
 
+std::vector<PointLight> lights_of(const Options& options, const std::optional<Scene>& scene) {
+    std::vector<PointLight> lights = scene ? scene->lights : std::vector<PointLight>();
+    for (const std::string& text : options.lights)
+        edit_light(lights, text);
+    return lights;
+}
+
 Orbit orbit_of(const Options& options, const Scene& scene) {
     Orbit orbit = scene.orbit;
     orbit.azimuth += options.azimuth;
@@ -168,6 +187,7 @@ std::string listing() {
            section("Comparisons (--compare)", compares, label) +
            section("Views (--debug-view)", debug_views(), help) +
            section("Effects (--without)", effects, help) +
+           section("Lights' controls (--light)", light_controls(), help) +
            section("Rasterisers (--raster)", rasters(), label);
 }
 

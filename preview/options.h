@@ -12,7 +12,7 @@ class App;
 namespace preview {
 
 struct Options {
-    std::string input = "sample"; ///< a built-in scene or a picture file
+    std::string input = "sample"; ///< a built-in scene, a model or a picture file
     std::string look_a = "none", look_b;
     std::string raster = "auto";
     std::string compare, engine, tonemap = "agx", bloom = "glare", size, debug_view, device;
@@ -21,6 +21,7 @@ struct Options {
     float azimuth = 0, elevation = 0, distance = 0, field_of_view = 0; ///< added to the scene's
     BloomSettings bloom_settings{-1, 1, 0.2F, 1};
     std::vector<std::string> without; ///< names of effects
+    std::vector<std::string> lights;  ///< changes, as edit_light() takes them
     bool fxaa = true, fxaa_given = false;
     std::uint32_t shadow_size = 1024;
     bool headless = false, explain = false, timings = false, json = false, list = false;
@@ -37,6 +38,9 @@ void declare(CLI::App& app, Options& options);
 /// Throws lutlib::UsageError for names that no table has, with those that it has.
 FrameSettings settings_of(const Options& options, Size input_size);
 
+/// The scene's lights, changed as the options say. Throws lutlib::UsageError.
+std::vector<PointLight> lights_of(const Options& options, const std::optional<Scene>& scene);
+
 /// The scene's camera, moved as the options say.
 Orbit orbit_of(const Options& options, const Scene& scene);
 
@@ -44,8 +48,8 @@ Orbit orbit_of(const Options& options, const Scene& scene);
 /// row has, and where the device cannot do it.
 Raster raster_of(const Options& options, const gpu::Device& device, Size size);
 
-/// The tables: scenes, tone maps, blooms, lookups, comparisons, views, effects and
-/// rasterisers.
+/// The tables: scenes, tone maps, blooms, lookups, comparisons, views, effects,
+/// lights' controls and rasterisers.
 std::string listing();
 
 } // namespace preview

@@ -2,19 +2,12 @@
 
 #include "lutlib/error.h"
 
-#include <GLFW/glfw3.h>
 #include <imgui.h>
-#include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/backends/imgui_impl_vulkan.h>
-
-#include <filesystem>
 
 namespace preview {
 
 namespace {
-
-constexpr const char* font_path = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr float font_size = 14;
 
 vk::raii::DescriptorPool make_pool(const gpu::Device& device) {
     const vk::DescriptorPoolSize sizes(vk::DescriptorType::eCombinedImageSampler, 16);
@@ -46,24 +39,8 @@ void check(VkResult result) {
 
 } // namespace
 
-Overlay::Overlay(const gpu::Device& device, GLFWwindow* window, vk::Format format,
-                 std::string settings_path)
-    : device_(device), settings_path_(std::move(settings_path)), descriptors_(make_pool(device)),
-      pass_(make_pass(device, format)) {
-    IMGUI_CHECKVERSION();
-    ImGui::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = settings_path_.empty() ? nullptr : settings_path_.c_str();
-    ImGui::StyleColorsDark();
-    ImGuiStyle& style = ImGui::GetStyle();
-    style.WindowRounding = 0;
-    style.FrameRounding = 3;
-    float scale = 1;
-    glfwGetWindowContentScale(window, &scale, nullptr);
-    style.ScaleAllSizes(scale);
-    load_font(scale);
-
-    ImGui_ImplGlfw_InitForVulkan(window, true);
+Overlay::Overlay(const gpu::Device& device, vk::Format format)
+    : device_(device), descriptors_(make_pool(device)), pass_(make_pass(device, format)) {
     ImGui_ImplVulkan_InitInfo info{};
     info.Instance = *device.instance();
     info.PhysicalDevice = *device.physical();
@@ -85,19 +62,6 @@ Overlay::Overlay(const gpu::Device& device, GLFWwindow* window, vk::Format forma
 Overlay::~Overlay() {
     (*device_.vk()).waitIdle(*device_.vk().getDispatcher());
     ImGui_ImplVulkan_Shutdown();
-    ImGui_ImplGlfw_Shutdown();
-    ImGui::DestroyContext();
-}
-
-void Overlay::load_font(float scale) {
-    ImGuiIO& io = ImGui::GetIO();
-    std::error_code missing;
-    if (std::filesystem::exists(font_path, missing) &&
-        io.Fonts->AddFontFromFileTTF(font_path, font_size * scale) != nullptr)
-        return;
-    io.Fonts->AddFontDefault();
-    notice_ = std::string("the font ") + font_path +
-              " is missing (Debian: fonts-dejavu-core); a built-in one stands in";
 }
 
 void Overlay::set_targets(const gpu::Swapchain& swapchain) {
@@ -113,8 +77,6 @@ void Overlay::set_targets(const gpu::Swapchain& swapchain) {
 
 void Overlay::begin_frame() {
     ImGui_ImplVulkan_NewFrame();
-    ImGui_ImplGlfw_NewFrame();
-    ImGui::NewFrame();
 }
 
 void Overlay::record(const vk::raii::CommandBuffer& commands, std::uint32_t image) const {

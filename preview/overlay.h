@@ -1,39 +1,28 @@
-// Dear ImGui on a window's images: its input from GLFW, its drawing with Vulkan.
+// What Dear ImGui draws, onto a window's images with Vulkan.
 #pragma once
 
 #include "preview/gpu/swapchain.h"
-
-#include <string>
-
-struct GLFWwindow;
 
 namespace preview {
 
 class Overlay {
   public:
-    /// `settings_path`: where the layout is remembered; empty: nowhere. The window's callbacks
-    /// must have been set before.
-    Overlay(const gpu::Device& device, GLFWwindow* window, vk::Format format,
-            std::string settings_path);
+    /// The context (gui.h) must be there before.
+    Overlay(const gpu::Device& device, vk::Format format);
     ~Overlay();
     Overlay(const Overlay&) = delete;
     Overlay& operator=(const Overlay&) = delete;
 
     /// After every Swapchain::resize().
     void set_targets(const gpu::Swapchain& swapchain);
+    /// Before Gui::begin_frame().
     void begin_frame();
     /// What was drawn since begin_frame(), over an image that stands in eTransferDstOptimal; leaves
     /// it ready to be presented.
     void record(const vk::raii::CommandBuffer& commands, std::uint32_t image) const;
 
-    /// What a person should know of the set-up; empty when all is well.
-    const std::string& notice() const { return notice_; }
-
   private:
-    void load_font(float scale);
-
     const gpu::Device& device_;
-    std::string settings_path_, notice_;
     vk::raii::DescriptorPool descriptors_;
     vk::raii::RenderPass pass_;
     std::vector<vk::raii::Framebuffer> framebuffers_;

@@ -3,7 +3,7 @@
 namespace preview {
 
 void record_present(const vk::raii::CommandBuffer& commands, const gpu::Image& picture,
-                    vk::Image target) {
+                    vk::Image target, vk::Offset2D place) {
     using Stage = vk::PipelineStageFlagBits2;
     using Access = vk::AccessFlagBits2;
     constexpr auto layout = vk::ImageLayout::eTransferDstOptimal;
@@ -19,12 +19,13 @@ void record_present(const vk::raii::CommandBuffer& commands, const gpu::Image& p
                                      Stage::eAllTransfer, Access::eTransferWrite);
     commands.pipelineBarrier2(vk::DependencyInfo({}, to_blit));
     const vk::ImageSubresourceLayers layers(vk::ImageAspectFlagBits::eColor, 0, 0, 1);
-    const vk::Offset3D zero(0, 0, 0);
-    const vk::Offset3D far(static_cast<int>(picture.desc().width),
-                           static_cast<int>(picture.desc().height), 1);
+    const vk::Offset3D size(static_cast<int>(picture.desc().width),
+                            static_cast<int>(picture.desc().height), 1);
+    const std::array from{vk::Offset3D(0, 0, 0), size};
+    const std::array to{vk::Offset3D(place, 0),
+                        vk::Offset3D(place.x + size.x, place.y + size.y, 1)};
     commands.blitImage(picture.vk(), vk::ImageLayout::eTransferSrcOptimal, target, layout,
-                       vk::ImageBlit(layers, {zero, far}, layers, {zero, far}),
-                       vk::Filter::eNearest);
+                       vk::ImageBlit(layers, from, layers, to), vk::Filter::eNearest);
 }
 
 } // namespace preview

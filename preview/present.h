@@ -5,9 +5,9 @@
 
 namespace preview {
 
-/// Clears `target` to black and copies the picture to its upper left corner. `picture` stands in
-/// eTransferSrcOptimal and is no larger; `target` is left in eTransferDstOptimal.
+/// Clears `target` to black and copies the picture to it, its upper left corner at `place`. `picture`
+/// stands in eTransferSrcOptimal and lies within; `target` is left in eTransferDstOptimal.
 void record_present(const vk::raii::CommandBuffer& commands, const gpu::Image& picture,
-                    vk::Image target);
+                    vk::Image target, vk::Offset2D place);
 
 } // namespace preview

@@ -2,25 +2,28 @@
 
 #include "lutlib/error.h"
 #include "lutlib/io/image.h"
+#include "preview/scene/import.h"
 
 #include <filesystem>
 
 namespace preview {
 
-FrameInputs Shown::inputs() const {
-    FrameInputs out;
-    out.scene = scene ? &*scene : nullptr;
-    out.gpu_scene = gpu_scene ? &*gpu_scene : nullptr;
-    out.picture = picture ? &*picture : nullptr;
-    return out;
+namespace {
+
+ShownPicture load_picture(const std::string& path) {
+    lutlib::io::FloatImage image = lutlib::io::read_image(path);
+    return {{static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height)},
+            std::move(image.rgba),
+            lutlib::io::info_of(image.depth).integer};
 }
 
-Shown load_shown(const gpu::Device& device, const std::string& input, double seconds) {
+} // namespace
+
+Shown load_shown(const std::string& input, double seconds) {
     Shown shown;
     shown.name = input;
     if (const SceneInfo* info = scene_named(input)) {
         shown.scene = scene_at(*info, seconds);
-        shown.gpu_scene.emplace(device, *shown.scene);
         return shown;
     }
     if (!std::filesystem::exists(input)) {
@@ -28,14 +31,33 @@ Shown load_shown(const gpu::Device& device, const std::string& input, double sec
         for (const SceneInfo& info : scenes())
             names += (names.empty() ? "" : ", ") + std::string(info.name);
         throw lutlib::UsageError("'" + input +
-                                 "' is neither a picture file nor a scene; scenes are: " + names);
+                                 "' is neither a file nor a scene; scenes are: " + names);
     }
-    const lutlib::io::FloatImage image = lutlib::io::read_image(input);
-    shown.picture_size = {static_cast<std::uint32_t>(image.width),
-                          static_cast<std::uint32_t>(image.height)};
-    shown.picture.emplace(device, shown.picture_size, image.rgba,
-                          lutlib::io::info_of(image.depth).integer);
+    if (is_model_file(input)) {
+        ImportedScene imported = import_scene(input);
+        shown.scene = std::move(imported.scene);
+        shown.left_out = std::move(imported.left_out);
+    } else {
+        shown.picture = load_picture(input);
+    }
     return shown;
+}
+
+GpuShown::GpuShown(const gpu::Device& device, std::shared_ptr<const Shown> shown)
+    : shown_(std::move(shown)) {
+    if (shown_->scene)
+        scene_.emplace(device, *shown_->scene);
+    if (shown_->picture)
+        picture_.emplace(device, shown_->picture->size, shown_->picture->rgba,
+                         shown_->picture->display_encoded);
+}
+
+FrameInputs GpuShown::inputs() const {
+    FrameInputs out;
+    out.scene = shown_->scene ? &*shown_->scene : nullptr;
+    out.gpu_scene = scene_ ? &*scene_ : nullptr;
+    out.picture = picture_ ? &*picture_ : nullptr;
+    return out;
 }
 
 } // namespace preview

@@ -5,9 +5,6 @@
 #define GLFW_INCLUDE_VULKAN
 #include <GLFW/glfw3.h>
 
-#include <cstdlib>
-#include <filesystem>
-
 namespace preview {
 
 namespace {
@@ -74,19 +71,6 @@ VkSurfaceKHR Window::make_surface(const gpu::Device& device) const {
 Size window_size(const Options& options) {
     const Size given = settings_of(options, {}).output;
     return options.size.empty() ? Size{1600, 900} : given;
-}
-
-std::string layout_path() {
-    namespace fs = std::filesystem;
-    const char* const config = std::getenv("XDG_CONFIG_HOME");
-    const char* const home = std::getenv("HOME");
-    if (config == nullptr && home == nullptr)
-        return {};
-    const fs::path folder =
-        (config != nullptr ? fs::path(config) : fs::path(home) / ".config") / "lutpreview";
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    return failed ? std::string() : (folder / "layout.ini").string();
 }
 
 } // namespace preview

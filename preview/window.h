@@ -1,11 +1,9 @@
-// The window itself, by GLFW: what a Vulkan device needs to draw in it, and its place on disk.
+// The window itself, by GLFW: what a Vulkan device needs to draw in it.
 #pragma once
 
 #include "preview/gpu/device.h"
 #include "preview/options.h"
 #include "preview/passes/pass.h"
-
-#include <string>
 
 struct GLFWwindow;
 
@@ -40,8 +38,5 @@ class Window {
 
 /// The options' size, or that of a window nobody asked a size for.
 Size window_size(const Options& options);
-
-/// Where the panels' layout is remembered, or empty.
-std::string layout_path();
 
 } // namespace preview

@@ -24,9 +24,10 @@ std::optional<DifferenceFigures> figures_of(const Executor& executor, Size pictu
 
 } // namespace
 
-FrameSettings window_settings(const ui::Ui& ui, const Shown& shown, const Options& options,
+FrameSettings window_settings(const ui::Ui& ui, const Options& options, const gpu::Device& device,
                               Size output) {
     const ui::State& state = ui.history.draft();
+    const Shown& shown = *state.shown;
     FrameSettings settings;
     settings.output = output;
     settings.orbit = state.orbit;
@@ -40,6 +41,7 @@ FrameSettings window_settings(const ui::Ui& ui, const Shown& shown, const Option
     settings.without = state.without;
     settings.shadow_size = options.shadow_size;
     settings.force_all = options.force_all;
+    settings.raster = raster_of(options, device, picture_size(output, *settings.compare));
     return settings;
 }
 
@@ -48,10 +50,12 @@ void FrameReader::forget() {
     frames_of_light_ = 0;
 }
 
-std::optional<float> FrameReader::hdr_maximum_for(const FrameSettings& settings) {
-    if (!same_light(settings, measured_for_)) {
+std::optional<float> FrameReader::hdr_maximum_for(const FrameSettings& settings,
+                                                  const std::vector<PointLight>& lights) {
+    if (!same_light(settings, measured_for_) || lights != lights_) {
         forget();
         measured_for_ = settings;
+        lights_ = lights;
     }
     return hdr_maximum_;
 }

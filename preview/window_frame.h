@@ -13,26 +13,29 @@
 namespace preview {
 
 /// The settings of a frame of that size.
-FrameSettings window_settings(const ui::Ui& ui, const Shown& shown, const Options& options,
+FrameSettings window_settings(const ui::Ui& ui, const Options& options, const gpu::Device& device,
                               Size output);
 
 /// Reads measurements of finished frames, without waiting for any.
 class FrameReader {
   public:
-    explicit FrameReader(int frames_in_flight) : frames_in_flight_(frames_in_flight) {}
+    /// `frames` are in flight at once.
+    explicit FrameReader(int frames) : frames_in_flight_(frames) {}
 
     /// Another scene or picture is shown: what was measured holds no longer.
     void forget();
     /// The largest value of the HDR picture that a frame with these settings has, when frames of
     /// the same light have measured it.
-    std::optional<float> hdr_maximum_for(const FrameSettings& settings);
+    std::optional<float> hdr_maximum_for(const FrameSettings& settings,
+                                         const std::vector<PointLight>& lights);
     /// After a frame was submitted, with the handles that build_frame() gave.
     void read(Executor& executor, const Graph& graph, const FrameHandles& handles, ui::Ui& ui);
 
   private:
     int frames_in_flight_;
     FrameSettings measured_for_; ///< of the light in the newest frames
-    int frames_of_light_ = 0;    ///< how many of those frames there are
+    std::vector<PointLight> lights_;
+    int frames_of_light_ = 0; ///< how many of those frames there are
     std::optional<float> hdr_maximum_;
 };
 

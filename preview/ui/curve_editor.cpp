@@ -127,7 +127,10 @@ bool curve_editor(Ui& ui, const Parameter& parameter, Knots& knots, const std::s
         dragged.reset();
         dragged_view = view_of(parameter, knots);
     }
-    const Canvas canvas{active ? dragged_view : view_of(parameter, knots), origin, size};
+    // A knot at either end is to be seen and caught whole.
+    const Canvas canvas{active ? dragged_view : view_of(parameter, knots),
+                        {origin.x + knot_radius, origin.y},
+                        {size.x - 2 * knot_radius, size.y}};
     const ImGuiIO& io = ImGui::GetIO();
     const Knot mouse = canvas.knot(io.MousePos);
     std::optional<std::size_t> under;
@@ -159,8 +162,8 @@ bool curve_editor(Ui& ui, const Parameter& parameter, Knots& knots, const std::s
         draw_ribbon(list, canvas);
     draw_grid(list, canvas);
     draw_curve(list, canvas, parameter, knots);
-    draw_knots(list, canvas, knots, active ? dragged : under);
     list.PopClipRect();
+    draw_knots(list, canvas, knots, active ? dragged : under);
     if (hovered || active) {
         const Knot shown = active && dragged && *dragged < knots.size() ? knots[*dragged] : mouse;
         ImGui::SetTooltip("%.4g : %.4g\nclick: new knot, right: delete", shown.x, shown.y);

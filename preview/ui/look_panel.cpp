@@ -30,7 +30,7 @@ bool parameter_control(Ui& ui, const Parameter& parameter, lutlib::Value& value,
     case ParameterKind::number: {
         double number = std::get<double>(value);
         changed = ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, &number, &parameter.min,
-                                      &parameter.max, "%.4g", ImGuiSliderFlags_AlwaysClamp);
+                                      &parameter.max, "%.5g", ImGuiSliderFlags_AlwaysClamp);
         value = number;
         break;
     }
@@ -45,7 +45,7 @@ bool parameter_control(Ui& ui, const Parameter& parameter, lutlib::Value& value,
         double channels[3] = {color.r, color.g, color.b};
         const auto speed = static_cast<float>((parameter.max - parameter.min) / 1000);
         changed = ImGui::DragScalarN(label.c_str(), ImGuiDataType_Double, channels, 3, speed,
-                                     &parameter.min, &parameter.max, "%.4g",
+                                     &parameter.min, &parameter.max, "%.5g",
                                      ImGuiSliderFlags_AlwaysClamp);
         value = RgbD{channels[0], channels[1], channels[2]};
         break;

@@ -22,7 +22,7 @@ auto values_of(const Orbit& o) {
 
 auto values_of(const State& s) {
     return std::tie(s.recipe_path, s.base_path, s.sides, s.compare, s.split, s.heat_scale,
-                    s.exposure, s.tonemap, s.bloom, s.without);
+                    s.exposure, s.tonemap, s.bloom, s.without, s.shown, s.lights);
 }
 
 } // namespace

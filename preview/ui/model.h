@@ -6,13 +6,17 @@
 #include "preview/compare.h"
 #include "preview/effects.h"
 #include "preview/lookups.h"
-#include "preview/scene/camera.h"
+#include "preview/scene/scene.h"
 #include "preview/tonemaps.h"
 
 #include <array>
 #include <memory>
 #include <string>
 #include <vector>
+
+namespace preview {
+struct Shown;
+}
 
 namespace preview::ui {
 
@@ -55,8 +59,10 @@ struct State {
     const Tonemap* tonemap = nullptr;
     const Bloom* bloom = nullptr;
     BloomSettings bloom_settings;
-    EffectSet without; ///< what is switched off
+    EffectSet without;                  ///< what is switched off
+    std::shared_ptr<const Shown> shown; ///< the scene or picture
     Orbit orbit;
+    std::vector<PointLight> lights; ///< in place of the scene's
 };
 bool operator==(const State& a, const State& b);
 

@@ -19,10 +19,8 @@ struct Panel {
     void (*draw)(Ui& ui);
 };
 constexpr Panel panels[] = {
-    {"Look", &look_panel},
-    {"View", &view_panel},
-    {"Files", &file_panel},
-    {"Passes", &passes_panel},
+    {"Look", &look_panel},  {"View", &view_panel},     {"Scene", &scene_panel},
+    {"Files", &file_panel}, {"Passes", &passes_panel},
 };
 
 struct Shortcut {
@@ -52,12 +50,21 @@ constexpr Shortcut shortcuts[] = {
          else
              attempt(ui, [&] { save_recipe(state, state.recipe_path); });
      }},
+    {"Ctrl+Shift+R", "make everything on the GPU anew", GLFW_KEY_R, true, true,
+     [](Ui& ui) { ui.wants_new_screen = true; }},
+    {"Ctrl+Q", "quit", GLFW_KEY_Q, true, false, [](Ui& ui) { ui.quits = true; }},
     {"1", "side A alone", GLFW_KEY_1, false, false, &compare_by<0>},
     {"2", "side B alone", GLFW_KEY_2, false, false, &compare_by<1>},
     {"3", "split by a line", GLFW_KEY_3, false, false, &compare_by<2>},
     {"4", "side by side", GLFW_KEY_4, false, false, &compare_by<3>},
     {"5", "difference", GLFW_KEY_5, false, false, &compare_by<4>},
 };
+
+/// What a text field takes for itself.
+bool is_for_text(const KeyPress& press) {
+    return press.ctrl ? press.key == GLFW_KEY_Z || press.key == GLFW_KEY_Y
+                      : press.key <= GLFW_KEY_GRAVE_ACCENT;
+}
 
 constexpr const char* mouse_help[][2] = {
     {"hold A, hold B", "that side alone, while held"},
@@ -66,12 +73,19 @@ constexpr const char* mouse_help[][2] = {
     {"wheel", "nearer, farther"},
 };
 
+void mark_window(Ui& ui, const std::string& name) {
+    const ImVec2 low = ImGui::GetWindowPos();
+    const ImVec2 size = ImGui::GetWindowSize();
+    ui.places[name] = {low.x, low.y, size.x, size.y};
+}
+
 void help_window(Ui& ui) {
     if (!ui.shows_help)
         return;
     ImGui::SetNextWindowPos({30, 30}, ImGuiCond_Appearing);
-    if (ImGui::Begin("Help", &ui.shows_help, ImGuiWindowFlags_AlwaysAutoResize) &&
-        ImGui::BeginTable("keys", 2)) {
+    const bool open = ImGui::Begin("Help", &ui.shows_help, ImGuiWindowFlags_AlwaysAutoResize);
+    mark_window(ui, "help");
+    if (open && ImGui::BeginTable("keys", 2)) {
         const auto row = [](const char* keys, const char* help) {
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(keys);
@@ -92,7 +106,9 @@ void error_window(Ui& ui) {
         return;
     ImGui::SetNextWindowPos({30, 60}, ImGuiCond_Appearing);
     ImGui::SetNextWindowSize({520, 0});
-    if (ImGui::Begin("Error", nullptr, ImGuiWindowFlags_NoCollapse)) {
+    const bool open = ImGui::Begin("Error", nullptr, ImGuiWindowFlags_NoCollapse);
+    mark_window(ui, "error");
+    if (open) {
         for (const std::string& error : ui.errors)
             ImGui::TextWrapped("%s", error.c_str());
         if (ImGui::Button("Close"))
@@ -127,7 +143,8 @@ void replace_dialog(Ui& ui) {
 
 } // namespace
 
-void mark(Ui& ui, const std::string& name) {
+void mark(Ui& ui, std::string name) {
+    std::replace(name.begin(), name.end(), ' ', '-');
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
     ui.places[name] = {low.x, low.y, high.x - low.x, high.y - low.y};
@@ -163,13 +180,16 @@ void handle_shortcuts(Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
     ui.held = nullptr;
     const std::vector<KeyPress> pressed = std::exchange(ui.pressed, {});
-    if (io.WantTextInput)
-        return;
-    for (const KeyPress& press : pressed)
+    for (const KeyPress& press : pressed) {
+        if (io.WantTextInput && is_for_text(press))
+            continue;
         for (const Shortcut& shortcut : shortcuts)
             if (press.key == shortcut.key && press.ctrl == shortcut.ctrl &&
                 press.shift == shortcut.shift)
                 shortcut.action(ui);
+    }
+    if (io.WantTextInput)
+        return;
     if (!io.KeyCtrl && ImGui::IsKeyDown(GLFW_KEY_A))
         ui.held = &compares[0];
     if (!io.KeyCtrl && ImGui::IsKeyDown(GLFW_KEY_B))
@@ -213,6 +233,18 @@ void picture_area(Ui& ui, const Rect& area) {
     ImGui::End();
 }
 
+/// The largest part of `area`, in its middle, that shows the picture as it is.
+Rect fitted(const Ui& ui, const Rect& area) {
+    if (ui.facts.aspect <= 0)
+        return area;
+    const Compare* compare = ui.held != nullptr ? ui.held : ui.history.draft().compare;
+    const float aspect = ui.facts.aspect * (compare == &compare_side ? 2.0F : 1.0F);
+    const float width = std::max(std::floor(std::min(area.width, area.height * aspect)), 1.0F);
+    const float height = std::max(std::floor(std::min(area.height, area.width / aspect)), 1.0F);
+    return {area.x + std::floor((area.width - width) / 2),
+            area.y + std::floor((area.height - height) / 2), width, height};
+}
+
 Rect draw(Ui& ui) {
     constexpr float least_width = 340;
     ui.places.clear();
@@ -226,6 +258,7 @@ Rect draw(Ui& ui) {
     ImGui::Begin("Panels", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
+    mark_window(ui, "panels");
     const float width = ImGui::GetWindowWidth();
     if (ImGui::Button("Undo"))
         ui.history.undo();
@@ -251,7 +284,8 @@ Rect draw(Ui& ui) {
         ImGui::EndTabBar();
     }
     ImGui::End();
-    const Rect area{0, 0, std::max(window.x - width, 1.0F), std::max(window.y, 1.0F)};
+    const Rect area =
+        fitted(ui, {0, 0, std::max(window.x - width, 1.0F), std::max(window.y, 1.0F)});
     picture_area(ui, area);
     dialogs(ui);
     return area;

@@ -25,7 +25,9 @@ struct PassTime {
 /// What the panels show and do not change.
 struct Facts {
     std::string device, input;
-    bool is_scene = true;         ///< there is a camera to move
+    std::vector<std::string> left_out; ///< of the input, by its import
+    bool is_scene = true;              ///< there is a camera to move
+    float aspect = 0;             ///< a picture's width over its height; 0: a scene fills any area
     bool display_encoded = false; ///< there is nothing to tone map
     double bake_milliseconds = 0;
     std::optional<DifferenceFigures> figures; ///< of the frame, when it compares by difference
@@ -46,7 +48,9 @@ struct Ui {
     Facts facts;
     std::vector<std::string> errors; ///< shown until they are closed
     std::string report;              ///< of the last export
+    bool wants_new_screen = false;   ///< everything on the GPU shall be made anew
     bool shows_help = false;
+    bool quits = false;
     bool shows_passes = false;     ///< set by the passes panel while it is seen: timings are wanted
     const Compare* held = nullptr; ///< shown instead while a key is held
     /// Since the last frame: no press is lost, however short.
@@ -74,6 +78,7 @@ Rect draw(Ui& ui);
 // The parts.
 void look_panel(Ui& ui);
 void view_panel(Ui& ui);
+void scene_panel(Ui& ui);
 void file_panel(Ui& ui);
 void passes_panel(Ui& ui);
 void dialogs(Ui& ui);
@@ -85,7 +90,7 @@ void picture_area(Ui& ui, const Rect& area);
 bool curve_editor(Ui& ui, const lutlib::Parameter& parameter, lutlib::Knots& knots,
                   const std::string& place);
 
-/// Remembers where the last item is.
-void mark(Ui& ui, const std::string& name);
+/// Remembers where the last item is; the name without blanks.
+void mark(Ui& ui, std::string name);
 
 } // namespace preview::ui

@@ -27,6 +27,7 @@ void row_choice(Ui& ui, const char* title, const Rows& rows, const Row*& chosen)
 
 void side_controls(Ui& ui, Side& side, const std::string& name) {
     ImGui::PushID(name.c_str());
+    ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(("Side " + name).c_str());
     for (const SideSourceInfo& info : side_sources) {
         ImGui::SameLine();

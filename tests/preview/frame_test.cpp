@@ -212,6 +212,28 @@ TEST_F(FrameTest, an_animated_scene_uploads_only_what_moves) {
     EXPECT_EQ(executor.rebuilds(), 1U);
 }
 
+TEST_F(FrameTest, a_light_that_changes_is_all_that_is_uploaded) {
+    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    std::vector<PointLight> lights = loaded.scene.lights;
+    FrameInputs inputs = loaded.inputs();
+    inputs.lights = &lights;
+    const FrameSettings settings = settings_for(loaded.scene);
+    Executor executor(device());
+    const Rendered before = render_frame(executor, inputs, settings);
+    for (PointLight& light : lights) {
+        light.intensity *= 0.5F;
+        light.position += glm::vec3(0.1F);
+        const std::uint64_t uploads = executor.uploads();
+        const std::uint64_t rebuilds = executor.rebuilds();
+        Graph graph;
+        build_frame(graph, inputs, settings);
+        executor.render(graph);
+        EXPECT_EQ(executor.uploads() - uploads, 1U) << light.name;
+        EXPECT_EQ(executor.rebuilds(), rebuilds) << light.name;
+    }
+    EXPECT_NE(render_frame(executor, inputs, settings).rgba, before.rgba);
+}
+
 TEST_F(FrameTest, the_same_moment_renders_the_same_picture_and_another_one_does_not) {
     Executor executor(device());
     const auto at = [&](double seconds) {

@@ -2,6 +2,7 @@
 #include "lutlib/edit.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
+#include "preview/scene/light_controls.h"
 #include "preview/ui/commands.h"
 #include "preview/ui/knots.h"
 #include "preview/ui/look_baker.h"
@@ -55,6 +56,17 @@ TEST(History, undoes_and_redoes_a_change_of_every_operator_and_of_the_view) {
     for (const EffectInfo& row : effects) {
         history.draft().without.set(row.effect, true);
         EXPECT_TRUE(history.settle()) << row.name;
+        states.push_back(history.draft());
+    }
+    for (const LightControl& control : light_controls()) {
+        std::vector<PointLight>& lights = history.draft().lights;
+        lights.resize(2);
+        control.set(lights[1], glm::vec3(control.kind == LightControl::Kind::flag
+                                             ? 1 - control.get(lights[1]).x
+                                             : control.max / 2,
+                                         control.max, control.max));
+        history.settle();
+        EXPECT_FALSE(history.draft() == states.back()) << control.name;
         states.push_back(history.draft());
     }
     history.draft().split = 0.25F;

@@ -1,0 +1,65 @@
+#include "preview/scene/light_controls.h"
+
+#include <algorithm>
+
+namespace preview {
+
+namespace {
+
+float strongest(glm::vec3 v) {
+    return std::max({v.x, v.y, v.z});
+}
+
+/// The intensity's largest component is the light's strength, and the rest its colour. A light
+/// without either is white.
+glm::vec3 color_of(const PointLight& light) {
+    const float strength = strongest(light.intensity);
+    return strength > 0 ? light.intensity / strength : glm::vec3(1);
+}
+
+void set_color(PointLight& light, glm::vec3 color) {
+    if (strongest(color) > 0)
+        light.intensity = color * (strongest(light.intensity) / strongest(color));
+}
+
+using Kind = LightControl::Kind;
+
+constexpr float least_intensity = 1e-4F, most_intensity = 1e6F;
+constexpr float farthest = 1000;
+
+const LightControl rows[] = {
+    {"on", "On", "whether it shines", Kind::flag, 0, 1, false,
+     [](const PointLight& light) { return glm::vec3(light.is_on ? 1 : 0, 0, 0); },
+     [](PointLight& light, glm::vec3 v) { light.is_on = v.x != 0; }},
+    {"intensity", "Intensity", "of its strongest channel, radiance times m^2", Kind::number,
+     least_intensity, most_intensity, true,
+     [](const PointLight& light) { return glm::vec3(strongest(light.intensity), 0, 0); },
+     [](PointLight& light, glm::vec3 v) { light.intensity = color_of(light) * v.x; }},
+    {"color", "Colour", "linear sRGB; its intensity stays", Kind::color, 0, 1, false, color_of,
+     set_color},
+    {"position", "Position", "metres", Kind::point, -farthest, farthest, false,
+     [](const PointLight& light) { return light.position; },
+     [](PointLight& light, glm::vec3 v) { light.position = v; }},
+    {"shadow", "Casts a shadow", "whether things stand in its way", Kind::flag, 0, 1, false,
+     [](const PointLight& light) { return glm::vec3(light.casts_shadow ? 1 : 0, 0, 0); },
+     [](PointLight& light, glm::vec3 v) { light.casts_shadow = v.x != 0; }},
+    {"aim", "Shadow's aim", "the middle of what its shadow map sees, metres", Kind::point,
+     -farthest, farthest, false, [](const PointLight& light) { return light.aim; },
+     [](PointLight& light, glm::vec3 v) { light.aim = v; }},
+    {"angle", "Shadow's angle", "what its shadow map sees, degrees; no shadow falls outside",
+     Kind::number, 1, 170, false,
+     [](const PointLight& light) { return glm::vec3(light.shadow_angle, 0, 0); },
+     [](PointLight& light, glm::vec3 v) { light.shadow_angle = v.x; }},
+};
+
+} // namespace
+
+std::span<const LightControl> light_controls() {
+    return rows;
+}
+
+std::string light_name(const PointLight& light, std::size_t index) {
+    return light.name.empty() ? std::to_string(index) : light.name;
+}
+
+} // namespace preview

@@ -1,0 +1,37 @@
+// What can be changed of a light, as a table: the command line and the panel follow it.
+#pragma once
+
+#include "preview/scene/scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace preview {
+
+struct LightControl {
+    enum class Kind : std::uint8_t { flag, number, color, point };
+
+    std::string_view name;
+    std::string_view label;
+    std::string_view help;
+    Kind kind;
+    float min = 0, max = 1; ///< of every component, both included
+    bool logarithmic = false;
+    /// Flags are 0 or 1; those and numbers are in x.
+    glm::vec3 (*get)(const PointLight& light);
+    void (*set)(PointLight& light, glm::vec3 value);
+};
+
+std::span<const LightControl> light_controls();
+
+/// How many of a value's components its kind has.
+constexpr int components(LightControl::Kind kind) {
+    return kind == LightControl::Kind::color || kind == LightControl::Kind::point ? 3 : 1;
+}
+
+/// What people call the light: its name, or its number in the scene.
+std::string light_name(const PointLight& light, std::size_t index);
+
+} // namespace preview

@@ -1,0 +1,42 @@
+// Mouse and keys on their way from the window to the panels, in the order in which they happened.
+//
+// Dear ImGui looks at the mouse and the keys once a frame. What happens faster than frames follow
+// would be lost, or seen where the mouse went later, so a frame gets no more than it can tell
+// apart.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <vector>
+
+namespace preview::ui {
+
+/// Where the mouse is while it is not in the window, as Dear ImGui has it.
+inline constexpr float far_away = -std::numeric_limits<float>::max();
+
+struct InputEvent {
+    enum class Kind : std::uint8_t { move, wheel, button, key, character };
+    Kind kind = Kind::move;
+    float x = 0, y = 0; ///< where the mouse is, in the window's pixels; how far the wheel turned
+    int code = 0;       ///< GLFW's button or key, or the character
+    int scancode = 0, modifiers = 0; ///< of keys, as GLFW has them
+    bool down = false;               ///< of buttons and keys: pressed (or repeated), not released
+    bool repeats = false;
+};
+
+class InputQueue {
+  public:
+    void push(const InputEvent& event) { events_.push_back(event); }
+    bool empty() const { return events_.empty(); }
+
+    /// What the next frame sees, oldest first. Nothing follows a button's change in a frame, or the
+    /// press of a key but its characters; a button changes in a later frame than the mouse came
+    /// there, for a panel must know what is under the mouse. Empty only when nothing is left.
+    std::vector<InputEvent> next_frame();
+
+  private:
+    std::deque<InputEvent> events_;
+};
+
+} // namespace preview::ui

@@ -205,6 +205,9 @@ FrameSettings settings_of(const Options& options, Size input_size) {
     }
     if (!options.probe.empty())
         settings.probe = parse_place(options.probe, settings.output);
+    if (settings.probe && settings.view != nullptr)
+        throw lutlib::UsageError(
+            "--probe tells the finished picture, which --debug-view leaves out");
     return settings;
 }
 

@@ -30,6 +30,12 @@ int samples_per_step(int size) {
     return size <= 17 ? 4 : size <= 25 ? 3 : 2;
 }
 
+// Thirty in each cell of a small lattice; of more than 16 nodes, fewer.
+int colours_to_judge_by(int size) {
+    const int cells = (size - 1) * (size - 1) * (size - 1);
+    return std::clamp(30 * cells, 2000, 100000);
+}
+
 // The samples of one channel: inputs, their places, and the share of the domain around each.
 struct AxisSamples {
     std::vector<double> input, place, share;
@@ -138,6 +144,54 @@ std::vector<bool> corners(int size) {
     return out;
 }
 
+// A node with itself and those one step away along any axes.
+constexpr std::size_t neighbours = 27;
+
+// Which neighbour of a node another one is.
+class NodeGrid {
+  public:
+    explicit NodeGrid(int size) : size_(static_cast<std::size_t>(size)) {
+        place_.reserve(size_ * size_ * size_);
+        for (std::size_t k = 0; k < size_ * size_ * size_; ++k) {
+            // Differences of these numbers are those of the axes, three to a digit.
+            place_.push_back(
+                static_cast<int>(k % size_ + 3 * (k / size_ % size_) + 9 * (k / size_ / size_)));
+        }
+    }
+
+    std::size_t neighbour(std::size_t node, std::size_t other) const {
+        return static_cast<std::size_t>(place_[other] - place_[node] +
+                                        static_cast<int>(neighbours / 2));
+    }
+
+    Eigen::SparseMatrix<double, Eigen::RowMajor>
+    matrix(const std::vector<std::array<double, neighbours>>& rows) const {
+        const auto n = static_cast<Eigen::Index>(rows.size());
+        const auto side = static_cast<Eigen::Index>(size_);
+        Eigen::SparseMatrix<double, Eigen::RowMajor> out(n, n);
+        out.reserve(n * static_cast<Eigen::Index>(neighbours));
+        for (Eigen::Index k = 0; k < n; ++k) {
+            out.startVec(k);
+            for (std::size_t i = 0; i < neighbours; ++i) {
+                const auto step = [&](std::size_t digit) {
+                    return static_cast<Eigen::Index>(digit % 3) - 1;
+                };
+                const double value = rows[static_cast<std::size_t>(k)][i];
+                if (value != 0) {
+                    out.insertBack(k, k + step(i) + side * (step(i / 3) + side * step(i / 9))) =
+                        value;
+                }
+            }
+        }
+        out.finalize();
+        return out;
+    }
+
+  private:
+    std::size_t size_;
+    std::vector<int> place_;
+};
+
 } // namespace
 
 // Samples of the look as rows of weights on nodes.
@@ -174,63 +228,62 @@ struct LatticeFit::State {
             }
         }
         samples.target = mapped(look, std::move(inputs));
-        rehearsal.emplace(look, reader, SampleCounts{});
+        const int count = colours_to_judge_by(reader.size);
+        rehearsal.emplace(look, reader, SampleCounts{.random = count});
         exam.emplace(
             look, reader,
-            SampleCounts{.neutral = 997, .lattice = true, .skipped = SampleCounts{}.random});
+            SampleCounts{.neutral = 997, .random = count, .lattice = true, .skipped = count});
         within_unit = lutlib::within_unit(samples.target) && lutlib::within_unit(exam->targets);
     }
 
+    // The normal equations: each node has entries with itself and its neighbours alone.
     void solve() {
-        using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-        using Vector = Eigen::VectorXd;
-        const auto rows = static_cast<Eigen::Index>(samples.target.size());
-        const auto nodes = static_cast<Eigen::Index>(point.size());
+        const NodeGrid grid(reader.size);
         const std::vector<bool> fixed = corners(reader.size);
-        Matrix a(rows + nodes, nodes);
-        a.reserve(static_cast<Eigen::Index>(samples.node.size()) + nodes);
-        std::vector<double> weight_sum(point.size());
-        for (Eigen::Index s = 0; s < rows; ++s) {
-            const auto row = static_cast<std::size_t>(s);
-            const double root = std::sqrt(static_cast<double>(samples.share[row]));
-            a.startVec(s);
-            for (auto k = static_cast<std::size_t>(samples.first[row]);
-                 k < static_cast<std::size_t>(samples.first[row + 1]); ++k) {
-                const auto node = static_cast<std::size_t>(samples.node[k]);
-                if (!fixed[node]) {
-                    const double w = root * static_cast<double>(samples.weight[k]);
-                    a.insertBack(s, samples.node[k]) = w;
-                    weight_sum[node] += w * w;
+        std::vector<std::array<double, neighbours>> normal(point.size());
+        std::vector<RgbD> pull(point.size());
+        for (std::size_t s = 0; s < samples.target.size(); ++s) {
+            const auto begin = static_cast<std::size_t>(samples.first[s]);
+            const auto end = static_cast<std::size_t>(samples.first[s + 1]);
+            // What the point samples leave over is what the correction of each node must explain.
+            const RgbD left = samples.target[s] - samples.read(point, s);
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto node = static_cast<std::size_t>(samples.node[i]);
+                if (fixed[node]) {
+                    continue;
+                }
+                const double w =
+                    static_cast<double>(samples.share[s]) * static_cast<double>(samples.weight[i]);
+                pull[node] = pull[node] + w * left;
+                for (std::size_t k = begin; k < end; ++k) {
+                    const auto other = static_cast<std::size_t>(samples.node[k]);
+                    if (!fixed[other]) {
+                        normal[node][grid.neighbour(node, other)] +=
+                            w * static_cast<double>(samples.weight[k]);
+                    }
                 }
             }
         }
-        for (Eigen::Index k = 0; k < nodes; ++k) {
-            const double sum = weight_sum[static_cast<std::size_t>(k)];
-            a.startVec(rows + k);
-            a.insertBack(rows + k, k) = sum > 0 ? std::sqrt(ridge * sum) : 1;
+        for (auto& row : normal) {
+            double& own = row[neighbours / 2];
+            own = own > 0 ? own * (1 + ridge) : 1;
         }
-        a.finalize();
-        // What the point samples leave over is what the correction of each node must explain.
-        std::array<Vector, 3> left{Vector::Zero(rows + nodes), Vector::Zero(rows + nodes),
-                                   Vector::Zero(rows + nodes)};
-        for (std::size_t s = 0; s < samples.target.size(); ++s) {
-            const RgbD difference = samples.target[s] - samples.read(point, s);
-            const double root = std::sqrt(static_cast<double>(samples.share[s]));
-            for (std::size_t c = 0; c < 3; ++c) {
-                left[c][static_cast<Eigen::Index>(s)] = root * difference[c];
-            }
-        }
+        const Eigen::SparseMatrix<double, Eigen::RowMajor> matrix = grid.matrix(normal);
         fitted = point;
         tbb::parallel_for(std::size_t{0}, std::size_t{3}, [&](std::size_t c) {
-            Eigen::LeastSquaresConjugateGradient<Matrix> solver;
+            Eigen::VectorXd right(matrix.rows());
+            for (std::size_t k = 0; k < point.size(); ++k) {
+                right[static_cast<Eigen::Index>(k)] = pull[k][c];
+            }
+            Eigen::ConjugateGradient<Eigen::SparseMatrix<double, Eigen::RowMajor>,
+                                     Eigen::Lower | Eigen::Upper>
+                solver;
             solver.setTolerance(solver_tolerance);
             solver.setMaxIterations(solver_iterations);
-            solver.compute(a);
-            const Vector correction = solver.solve(left[c]);
+            solver.compute(matrix);
+            const Eigen::VectorXd correction = solver.solve(right);
             for (std::size_t k = 0; k < point.size(); ++k) {
-                if (!fixed[k]) {
-                    fitted[k][c] += correction[static_cast<Eigen::Index>(k)];
-                }
+                fitted[k][c] += correction[static_cast<Eigen::Index>(k)];
             }
         });
     }

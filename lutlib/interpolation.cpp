@@ -107,9 +107,7 @@ RgbD trilinear_exact(const Lut3D& cube, RgbD in) {
 
 RgbD tetrahedral_exact(const Lut3D& cube, RgbD in) {
     const auto cell = locate(cube, in);
-    std::array<std::size_t, 3> order{0, 1, 2};
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return cell[a].f > cell[b].f; });
+    const auto order = axes_by_fraction<double>({cell[0].f, cell[1].f, cell[2].f});
     std::array<int, 3> node{cell[0].i, cell[1].i, cell[2].i};
     RgbD sum = (1 - cell[order[0]].f) * to_double(cube.at(node[0], node[1], node[2]));
     for (std::size_t step = 0; step < 3; ++step) {
@@ -189,9 +187,7 @@ NodeWeights node_weights(Interpolation how, int size, RgbD place) {
                      (r ? f[0] : 1 - f[0]) * (g ? f[1] : 1 - f[1]) * (b ? f[2] : 1 - f[2]));
         }
     } else {
-        std::array<std::size_t, 3> order{0, 1, 2};
-        std::stable_sort(order.begin(), order.end(),
-                         [&](std::size_t a, std::size_t b) { return f[a] > f[b]; });
+        const auto order = axes_by_fraction(f);
         add_node(out, first, 1 - f[order[0]]);
         for (std::size_t step = 0; step < 3; ++step) {
             first += stride[order[step]];

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 
 namespace lutlib {
 
@@ -25,6 +26,22 @@ struct InterpolationInfo {
 std::span<const InterpolationInfo> interpolations();
 std::optional<Interpolation> interpolation_named(std::string_view name);
 std::string_view name_of(Interpolation kind);
+
+/// The axes in order of falling fraction, equal ones in their own order: the way that tetrahedral
+/// interpolation walks from a cell's dark corner to its bright one.
+template <class T>
+constexpr std::array<std::size_t, 3> axes_by_fraction(const std::array<T, 3>& fraction) {
+    std::array<std::size_t, 3> order{0, 1, 2};
+    const auto settle = [&](std::size_t i) {
+        if (fraction[order[i + 1]] > fraction[order[i]]) {
+            std::swap(order[i], order[i + 1]);
+        }
+    };
+    settle(0);
+    settle(1);
+    settle(0);
+    return order;
+}
 
 /// A curve is always interpolated linearly; `Interpolation` chooses how the cube is.
 Rgb evaluate(const Lut1D& curve, Rgb in);

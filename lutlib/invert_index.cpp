@@ -1,6 +1,7 @@
 #include "lutlib/invert_index.h"
 
 #include "lutlib/color/matrix.h"
+#include "lutlib/interpolation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,13 +46,6 @@ Matrix3 slope(const std::array<RgbD, 4>& corner, const std::array<std::size_t, 3
         }
     }
     return m;
-}
-
-std::array<std::size_t, 3> path_of(const Place& fraction) {
-    std::array<std::size_t, 3> path{0, 1, 2};
-    std::stable_sort(path.begin(), path.end(),
-                     [&](std::size_t a, std::size_t b) { return fraction[a] > fraction[b]; });
-    return path;
 }
 
 } // namespace
@@ -183,7 +177,7 @@ Nearest OutputIndex::descend(RgbD wanted, Place at) const {
     const auto output = [&](const Place& p, Matrix3* jacobian) {
         const Cell cell = cell_of(p);
         const Place f{p[0] - cell.r, p[1] - cell.g, p[2] - cell.b};
-        const auto path = path_of(f);
+        const auto path = axes_by_fraction(f);
         const auto corner = corners(cube_, cell, path);
         const Matrix3 m = slope(corner, path);
         if (jacobian) {

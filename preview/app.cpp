@@ -8,8 +8,8 @@
 #include "preview/scene/import.h"
 #include "preview/screen.h"
 #include "preview/ui/commands.h"
-#include "preview/ui/input.h"
 #include "preview/ui/look_baker.h"
+#include "preview/window_events.h"
 #include "preview/window_frame.h"
 
 #include <GLFW/glfw3.h>
@@ -23,9 +23,6 @@ namespace {
 
 // Dear ImGui needs a frame to notice an event, and one to show what it led to.
 constexpr int frames_after_event = 3;
-// A device that is lost again before so many frames were drawn will not do.
-constexpr int frames_of_recovery = 10;
-using ScopeAreas = std::array<vk::Rect2D, scopes.size()>;
 
 void print_validation(const gpu::Device& device) {
     for (const std::string& message : device.validation_messages())
@@ -38,44 +35,37 @@ class App {
     void run();
 
   private:
-    static App& of(GLFWwindow* window) {
-        return *static_cast<App*>(glfwGetWindowUserPointer(window));
-    }
-    void set_callbacks();
     void wake() { frames_due_ = frames_after_event; }
     void open(const std::string& path);
     void make_screen();
-    void recover(const vk::SystemError& error);
     void follow_shown();
     void resize_if_asked();
     void frame(const std::vector<ui::InputEvent>& events);
     void request_looks();
     void take_looks();
     void render(const ui::Rect& area);
-    vk::Rect2D output_area(const ui::Rect& area) const;
-    ScopeAreas scope_areas() const;
     void write_places() const;
 
     Options options_;
     Window window_;
+    WindowEvents events_{window_.handle()};
     std::optional<Gui> gui_;
     std::optional<Screen> screen_;
-    ui::InputQueue input_;
     ui::Ui ui_;
     ui::LookRequest requested_;
     bool baking_ = false;
     ui::LookBaker baker_;
     FrameReader reader_{frames_in_flight};
+    /// Of the last frame; none when something that it reads has been written since.
+    std::optional<Graph> drawn_;
     int frames_due_ = frames_after_event;
-    int frames_to_prove_ = 0; ///< until the screen that replaced a lost one has shown that it works
-    bool resize_ = true;
+    Recovery recovery_;
 };
 
 App::App(const Options& options)
     : options_(options), window_(window_size(options)), ui_(opening_state(options)),
       baker_([] { glfwPostEmptyEvent(); }) {
-    set_callbacks();
-    gui_.emplace(window_.handle(), layout_path(), font_path);
+    gui_.emplace(window_.handle(), layout_path(), options_.font);
     if (!gui_->notice().empty())
         ui_.errors.push_back(gui_->notice());
     make_screen();
@@ -85,58 +75,12 @@ void App::make_screen() {
     if (screen_)
         print_validation(screen_->device);
     screen_.reset();
+    drawn_.reset();
     screen_.emplace(window_, options_);
     ui_.facts.device = screen_->device.name();
-    resize_ = true;
+    events_.resized = true;
     baking_ = false; // the new screen has no looks
     follow_shown();
-}
-
-void App::recover(const vk::SystemError& error) {
-    if (frames_to_prove_ > 0)
-        throw lutlib::Error(std::string("the GPU was lost twice: ") + error.what() +
-                            "; choose another with --device, or render with --headless");
-    ui_.errors.push_back(std::string("the GPU was lost and everything on it was made anew: ") +
-                         error.what());
-    frames_to_prove_ = frames_of_recovery;
-    wake();
-    make_screen();
-}
-
-void App::set_callbacks() {
-    glfwSetWindowUserPointer(window_.handle(), this);
-    glfwSetFramebufferSizeCallback(window_.handle(), [](GLFWwindow* window, int, int) {
-        of(window).resize_ = true;
-        of(window).wake();
-    });
-    using Kind = ui::InputEvent::Kind;
-    glfwSetCursorPosCallback(window_.handle(), [](GLFWwindow* w, double x, double y) {
-        of(w).input_.push({Kind::move, static_cast<float>(x), static_cast<float>(y)});
-    });
-    glfwSetCursorEnterCallback(window_.handle(), [](GLFWwindow* w, int entered) {
-        // A drag goes on outside; its moves keep coming.
-        if (entered == GLFW_FALSE && !ImGui::IsAnyMouseDown())
-            of(w).input_.push({Kind::move, ui::far_away, ui::far_away});
-    });
-    glfwSetScrollCallback(window_.handle(), [](GLFWwindow* w, double x, double y) {
-        of(w).input_.push({Kind::wheel, static_cast<float>(x), static_cast<float>(y)});
-    });
-    glfwSetMouseButtonCallback(window_.handle(), [](GLFWwindow* w, int button, int action, int) {
-        of(w).input_.push({Kind::button, 0, 0, button, 0, 0, action == GLFW_PRESS});
-    });
-    glfwSetKeyCallback(window_.handle(),
-                       [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
-                           of(w).input_.push({Kind::key, 0, 0, key, scancode, modifiers,
-                                              action != GLFW_RELEASE, action == GLFW_REPEAT});
-                       });
-    glfwSetCharCallback(window_.handle(), [](GLFWwindow* w, unsigned character) {
-        of(w).input_.push({Kind::character, 0, 0, static_cast<int>(character)});
-    });
-    glfwSetDropCallback(window_.handle(), [](GLFWwindow* window, int count, const char** paths) {
-        of(window).wake();
-        for (int i = 0; i < count; ++i)
-            of(window).ui_.to_open.emplace_back(paths[i]);
-    });
 }
 
 void App::open(const std::string& path) {
@@ -155,13 +99,14 @@ void App::follow_shown() {
     if (screen_->shown && screen_->shown->shown() == shown)
         return;
     screen_->show(shown);
+    drawn_.reset();
     reader_.forget();
     ui_.facts.input = shown->name;
     ui_.facts.left_out = shown->left_out;
+    ui_.facts.is_scene = shown->scene.has_value();
     ui_.facts.aspect = shown->picture ? static_cast<float>(shown->picture->size.width) /
                                             static_cast<float>(shown->picture->size.height)
                                       : 0.0F;
-    ui_.facts.is_scene = shown->scene.has_value();
     ui_.facts.display_encoded = shown->display_encoded();
 }
 
@@ -178,34 +123,39 @@ void App::run() {
             frames_due_ = 0;
             continue;
         }
-        const std::vector<ui::InputEvent> events = input_.next_frame();
-        if (!events.empty())
+        const std::vector<ui::InputEvent> events = events_.input.next_frame();
+        if (!events.empty() || !events_.dropped.empty() || events_.resized)
             wake();
         --frames_due_;
         try {
             if (std::exchange(ui_.wants_new_screen, false))
                 make_screen();
             frame(events);
-            frames_to_prove_ = std::max(frames_to_prove_ - 1, 0);
+            recovery_.drew();
         } catch (const vk::SystemError& error) {
             if (!is_lost(error))
                 throw;
-            recover(error);
+            ui_.errors.push_back(recovery_.lost(error));
+            wake();
+            make_screen();
         }
     }
     print_validation(screen_->device);
 }
 
 void App::resize_if_asked() {
-    if (!resize_)
+    if (!events_.resized)
         return;
     screen_->resize(window_);
-    resize_ = false;
+    events_.resized = false;
 }
 
 void App::frame(const std::vector<ui::InputEvent>& events) {
     resize_if_asked();
-    for (const std::string& path : std::exchange(ui_.to_open, {}))
+    std::vector<std::string> paths = std::exchange(ui_.to_open, {});
+    for (std::string& path : std::exchange(events_.dropped, {}))
+        paths.push_back(std::move(path));
+    for (const std::string& path : paths)
         ui::attempt(ui_, [&] { open(path); });
     for (const ui::InputEvent& event : events)
         if (event.kind == ui::InputEvent::Kind::key && event.down && !event.repeats)
@@ -247,45 +197,16 @@ void App::take_looks() {
     }
     for (std::size_t i = 0; i < screen_->looks.size(); ++i) {
         screen_->looks[i].set(baked->sides[i]);
+        ui_.facts.look_notes[i] = baked->sides[i].note;
         ui_.facts.tables[i] = baked->sides[i].table;
     }
-}
-
-/// The picture's part of the window, in its pixels.
-vk::Rect2D App::output_area(const ui::Rect& area) const {
-    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-    const vk::Extent2D window = screen_->swapchain.extent();
-    const auto x = std::min(static_cast<std::uint32_t>(area.x * scale.x), window.width - 2);
-    const auto y = std::min(static_cast<std::uint32_t>(area.y * scale.y), window.height - 1);
-    const auto width = std::max(static_cast<std::uint32_t>(area.width * scale.x) & ~1U, 2U);
-    const auto height = std::max(static_cast<std::uint32_t>(area.height * scale.y), 1U);
-    return {{static_cast<int>(x), static_cast<int>(y)},
-            {std::min(width, (window.width - x) & ~1U), std::min(height, window.height - y)}};
-}
-
-/// The scopes' parts of the window, in its pixels; empty for one that is not seen.
-ScopeAreas App::scope_areas() const {
-    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-    const vk::Extent2D window = screen_->swapchain.extent();
-    ScopeAreas areas;
-    for (std::size_t i = 0; i < areas.size(); ++i) {
-        const ui::Rect& place = ui_.scope_places[i];
-        const auto x = static_cast<std::uint32_t>(std::max(place.x * scale.x, 0.0F));
-        const auto y = static_cast<std::uint32_t>(std::max(place.y * scale.y, 0.0F));
-        const auto width = static_cast<std::uint32_t>(place.width * scale.x);
-        const auto height = static_cast<std::uint32_t>(place.height * scale.y);
-        if (x < window.width && y < window.height && width > 0 && height > 0)
-            areas[i] = vk::Rect2D(
-                {static_cast<int>(x), static_cast<int>(y)},
-                {std::min(width, window.width - x), std::min(height, window.height - y)});
-    }
-    return areas;
+    drawn_.reset();
 }
 
 void App::render(const ui::Rect& area) {
     Screen& screen = *screen_;
-    const vk::Rect2D output = output_area(area);
-    const ScopeAreas scope_places = scope_areas();
+    const vk::Rect2D output = output_area(area, screen.swapchain.extent());
+    const ScopeAreas scope_places = scope_areas(ui_, screen.swapchain.extent());
     FrameSettings settings =
         window_settings(ui_, options_, screen.device, {output.extent.width, output.extent.height});
     for (std::size_t i = 0; i < scopes.size(); ++i)
@@ -301,7 +222,7 @@ void App::render(const ui::Rect& area) {
 
     const std::optional<std::uint32_t> image = screen.swapchain.acquire();
     if (!image) {
-        resize_ = true;
+        events_.resized = true;
         frames_due_ = frames_after_event;
         return;
     }
@@ -317,13 +238,17 @@ void App::render(const ui::Rect& area) {
         record_present(commands, pictures, screen.swapchain.image(*image));
         screen.overlay.record(commands, *image);
     };
-    screen.executor.render(graph, end);
+    if (drawn_ && *drawn_ == graph)
+        screen.executor.repeat(end);
+    else
+        screen.executor.render(graph, end);
     if (!screen.swapchain.present(*image)) {
-        resize_ = true;
+        events_.resized = true;
         frames_due_ = frames_after_event;
     }
     if (reader_.read(screen.executor, graph, handles, ui_))
         frames_due_ = std::max(frames_due_, 1);
+    drawn_ = std::move(graph);
 }
 
 void App::write_places() const {

@@ -124,14 +124,12 @@ class Bench {
         const auto codes = codes_of(texels);
         display_.emplace(gpu::make_image(device, {Format::rgba8, size_.width, size_.height},
                                          std::as_bytes(std::span(codes))));
-        const auto light = picture_texels(size_, 40);
-        light_.emplace(gpu::make_image(device, {Format::rgba32f, size_.width, size_.height},
-                                       std::as_bytes(std::span(light))));
+        hdr_.emplace(half_image(picture_texels(size_, 40)));
     }
 
     void run() {
-        time_copies();
-        time_lookups();
+        time_lookups("rgba8", *display_);
+        time_lookups("rgba16f", *hdr_);
         time_finishing();
         time_scopes();
         time_sample();
@@ -141,8 +139,16 @@ class Bench {
     const std::vector<FrameTimings>& frames() const { return frames_; }
 
   private:
-    Handle display(Graph& graph) const {
-        return graph.import("display", *display_, display_->desc());
+    gpu::Image half_image(const std::vector<float>& texels) {
+        const gpu::Image light =
+            gpu::make_image(device_, {Format::rgba32f, size_.width, size_.height},
+                            std::as_bytes(std::span(texels)));
+        Graph graph;
+        const Handle half =
+            add_copy(graph, graph.import("light", light, light.desc()), Format::rgba16f);
+        graph.present(half);
+        executor_.render(graph);
+        return gpu::make_image(device_, graph.image_desc(half), executor_.read_image(half));
     }
 
     /// The median time of one step among those whose names `counts` accepts, added up by frame and
@@ -191,30 +197,38 @@ class Bench {
         rows_.push_back(std::move(row));
     }
 
-    void time_copies() {
-        copy_ = measure("copy", "rgba8 to rgba8", "copy", [&](Graph& graph) {
-            return add_copy(graph, display(graph), Format::rgba8);
-        });
+    /// Every lookup from a picture of one format into 8 bits, beside the copy that does no more.
+    void time_lookups(const std::string& format, const gpu::Image& image) {
+        const std::string formats = format + " to rgba8";
+        const auto picture = [&](Graph& graph) {
+            return graph.import("picture", image, image.desc());
+        };
+        const auto time_copy = [&](const std::string& name) {
+            return measure("copy", name, "copy", [&](Graph& graph) {
+                return add_copy(graph, picture(graph), Format::rgba8);
+            });
+        };
+        copy_ = time_copy(formats);
         add(copy_, copy_);
-    }
-
-    void time_lookups() {
         for (const Lookup& lookup : lookups()) {
             if (lookup.source == Lookup::Source::none)
                 continue;
-            const GpuLook look(device_,
-                               look_for(sample_look(lookup.shared ? 16 : 33), lookup).data);
-            FinishSettings settings;
-            Row row = measure("lut", std::string(lookup.name), "finish", [&](Graph& graph) {
-                return add_finish(graph, display(graph), {}, &look, nullptr, settings).picture;
-            });
-            row.exact = !lookup.filtered;
-            add(std::move(row), copy_);
+            GpuLook look(device_, look_for(sample_look(lookup.shared ? 16 : 33), lookup).data);
+            const auto time_look = [&](const std::string& name) {
+                Row row = measure("lut, " + formats, name, "finish", [&](Graph& graph) {
+                    return add_finish(graph, picture(graph), {}, &look, nullptr, {}).picture;
+                });
+                row.exact = !lookup.filtered;
+                add(std::move(row), copy_);
+            };
+            time_look(std::string(lookup.name));
+            if (lookup.shared && look.half_arithmetic) {
+                look.half_arithmetic = false;
+                time_look(std::string(lookup.name) + ", float");
+            }
         }
         // Again after all the others: the clocks may have moved.
-        add(measure("copy", "rgba8 to rgba8, again", "copy",
-                    [&](Graph& graph) { return add_copy(graph, display(graph), Format::rgba8); }),
-            copy_);
+        add(time_copy(formats + ", again"), copy_);
     }
 
     void time_finishing() {
@@ -223,8 +237,9 @@ class Bench {
         for (const Bloom& bloom : blooms())
             for (const float threshold : {0.0F, 1.0F}) {
                 Graph graph;
-                const Handle light = graph.import("light", *light_, light_->desc());
-                const Handle hdr = add_copy(graph, light, Format::rgba16f);
+                // Written just before, as it is in a frame.
+                const Handle hdr =
+                    add_copy(graph, graph.import("hdr", *hdr_, hdr_->desc()), Format::rgba16f);
                 BloomSettings bloom_settings;
                 bloom_settings.threshold = threshold;
                 const BloomPlan plan = bloom_plan(
@@ -239,8 +254,7 @@ class Bench {
                 Row row;
                 row.group = "bloom + tone map + lut";
                 row.name = fmt::format("{}, threshold {}", bloom.name, threshold);
-                row.bytes =
-                    bytes_moved(graph) - light_->desc().bytes() - graph.image_desc(hdr).bytes();
+                row.bytes = bytes_moved(graph) - 2 * hdr_->desc().bytes();
                 row.milliseconds = time(
                     graph, [](const std::string& step) { return step != "copy"; }, 1);
                 add(std::move(row), copy_);
@@ -314,7 +328,7 @@ class Bench {
     const Options& options_;
     Executor executor_;
     Size size_;
-    std::optional<gpu::Image> display_, light_;
+    std::optional<gpu::Image> display_, hdr_;
     Row copy_;
     std::vector<Row> rows_;
     Timings frame_; ///< of the last row of a frame

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 namespace preview {
 
@@ -15,14 +16,13 @@ constexpr float font_size = 14;
 
 /// Dear ImGui asserts that a font file is there and is one.
 bool is_font(const std::string& path) {
-    std::error_code unknown;
-    return std::filesystem::is_regular_file(path, unknown) &&
-           std::filesystem::file_size(path, unknown) > 0;
+    char start[4] = {};
+    std::ifstream(path, std::ios::binary).read(start, sizeof start);
+    const std::string_view magic(start, sizeof start);
+    return magic == std::string_view("\0\1\0\0", 4) || magic == "OTTO" || magic == "ttcf";
 }
 
 } // namespace
-
-const char* const font_path = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
 Gui::Gui(GLFWwindow* window, std::string layout_path, const std::string& font)
     : window_(window), layout_path_(std::move(layout_path)) {
@@ -41,7 +41,7 @@ Gui::Gui(GLFWwindow* window, std::string layout_path, const std::string& font)
         io.Fonts->AddFontFromFileTTF(font.c_str(), font_size * scale) == nullptr) {
         io.Fonts->AddFontDefault();
         notice_ = "the font " + font +
-                  " is missing (Debian: fonts-dejavu-core); a built-in one stands in";
+                  " is missing or no font (Debian: fonts-dejavu-core); a built-in one stands in";
     }
     ImGui_ImplGlfw_InitForVulkan(window, false);
 }

@@ -15,7 +15,7 @@ namespace preview {
 class Gui {
   public:
     /// `layout_path`: where the layout is remembered; empty: nowhere. A font file that is missing
-    /// leaves a notice().
+    /// or no font leaves a notice().
     Gui(GLFWwindow* window, std::string layout_path, const std::string& font_path);
     ~Gui();
     Gui(const Gui&) = delete;
@@ -37,8 +37,5 @@ class Gui {
 
 /// Where the panels' layout is remembered, or empty.
 std::string layout_path();
-
-/// The panels' font.
-extern const char* const font_path;
 
 } // namespace preview

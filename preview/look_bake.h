@@ -14,6 +14,7 @@ struct LoadedLook {
     LookData data;
     /// Why it may as well be left out; empty when it does something.
     std::string skip_reason;
+    std::string note; ///< how exactly it stands for its recipe; empty when not measured
     /// The look as a table, or what the picture that is read holds of it; null: no look.
     std::shared_ptr<const lutlib::Lut> table;
 };

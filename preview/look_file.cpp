@@ -8,6 +8,7 @@
 #include "lutlib/io/png.h"
 #include "lutlib/io/recipe_file.h"
 #include "lutlib/recognise.h"
+#include "preview/recipe_table.h"
 
 namespace preview {
 
@@ -39,11 +40,17 @@ LoadedLook from_picture_file(const std::string& bytes, const std::string& path,
     return out;
 }
 
+LoadedLook look_of_recipe(const lutlib::Recipe& recipe, const Lookup& lookup) {
+    if (lookup.source != Lookup::Source::table)
+        return look_for(lutlib::bake_recipe(recipe), lookup);
+    return measured_look(*measured_table(recipe), lookup);
+}
+
 } // namespace
 
 LoadedLook load_look(const std::string& path, const Lookup* lookup) {
     if (path.empty() || path == "none")
-        return {no_look(), "there is none", nullptr};
+        return {no_look(), "there is none", {}, {}};
     const std::string bytes = lutlib::io::read_file(path);
     if (lutlib::io::is_png(bytes))
         return from_picture_file(bytes, path, lookup);
@@ -53,8 +60,7 @@ LoadedLook load_look(const std::string& path, const Lookup* lookup) {
         const auto read_base = [](const std::string& file) {
             return lutlib::io::read_lut(file).lut;
         };
-        return look_for(lutlib::bake_recipe(lutlib::io::recipe_from(bytes, path, read_base)),
-                        *lookup);
+        return look_of_recipe(lutlib::io::recipe_from(bytes, path, read_base), *lookup);
     }
     const lutlib::io::Reading reading = lutlib::io::decode_lut(bytes, path);
     return look_for(reading.lut, *lookup);

@@ -117,6 +117,17 @@ Texels shaper_texels(const lutlib::Lut1D& shaper) {
     return out;
 }
 
+std::vector<std::uint16_t> half_nodes(const lutlib::CodePicture& strip, int size) {
+    std::vector<std::uint16_t> nodes;
+    for (int b = 0; b < size; ++b)
+        for (int g = 0; g < size; ++g)
+            for (int r = 0; r < size; ++r)
+                for (std::size_t c = 0; c < 4; ++c)
+                    nodes.push_back(
+                        c < 3 ? half_of(static_cast<float>(strip.code({b * size + r, g}, c))) : 0);
+    return nodes;
+}
+
 std::array<float, 4> padded(lutlib::Rgb c) {
     return {c.r, c.g, c.b, 0};
 }
@@ -152,6 +163,8 @@ LookData look_data(const lutlib::CodePicture& codes, int size, const Lookup& loo
     LookData data;
     data.lookup = &lookup;
     data.block.size = size;
+    if (lookup.shared)
+        data.nodes = half_nodes(codes, size);
     const bool wide = codes.bits > 8;
     data.picture.desc = {wide ? Format::rgba16 : Format::rgba8,
                          static_cast<std::uint32_t>(codes.width),

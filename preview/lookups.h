@@ -55,6 +55,8 @@ struct LookData {
     const Lookup* lookup = nullptr;
     LookBlock block;
     Texels picture, volume, shaper;
+    /// Of Lookup::shared: three half floats and a gap a node, red fastest.
+    std::vector<std::uint16_t> nodes;
 };
 
 /// No look.

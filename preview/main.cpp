@@ -30,12 +30,14 @@ const Lookup* lookup_of(const Options& options) {
 }
 
 std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& path,
-                                 const Options& options, std::string& skipped, const char* side) {
+                                 const Options& options, std::string& notes, const char* side) {
     const LoadedLook look = load_look(path, lookup_of(options));
+    if (!look.note.empty())
+        notes += "look " + std::string(side) + ": " + look.note + "\n";
     if (look.skip_reason.empty() || (options.force_all && path != "none" && !path.empty()))
         return std::optional<GpuLook>(std::in_place, device, look.data);
     if (path != "none" && !path.empty())
-        skipped += "left out  look " + std::string(side) + ": " + look.skip_reason + "\n";
+        notes += "left out  look " + std::string(side) + ": " + look.skip_reason + "\n";
     return std::nullopt;
 }
 
@@ -121,8 +123,13 @@ int run(const Options& options) {
     device_options.validation = options.validate;
     const gpu::Device device(device_options);
     const auto shown = std::make_shared<const Shown>(load_shown(options.input, options.seconds));
-    for (const std::string& line : shown->left_out)
-        std::fprintf(stderr, "lutpreview: %s: left out: %s\n", shown->name.c_str(), line.c_str());
+    std::string notes; // lines of --explain
+    for (const std::string& line : shown->left_out) {
+        notes += "left out  of " + shown->name + ": " + line + "\n";
+        if (!options.explain)
+            std::fprintf(stderr, "lutpreview: %s: left out: %s\n", shown->name.c_str(),
+                         line.c_str());
+    }
     FrameSettings settings = settings_of(options, shown->picture_size());
     const std::vector<PointLight> lights = lights_of(options, shown->scene);
     if (shown->scene) {
@@ -133,9 +140,8 @@ int run(const Options& options) {
     }
     settings.raster = raster_of(options, device, picture_size(settings.output, *settings.compare));
     settings.keep_hdr = writes_light(options.output);
-    std::string skipped; // lines of --explain
-    const auto look_a = load_side(device, options.look_a, options, skipped, "A");
-    const auto look_b = load_side(device, options.look_b, options, skipped, "B");
+    const auto look_a = load_side(device, options.look_a, options, notes, "A");
+    const auto look_b = load_side(device, options.look_b, options, notes, "B");
     const GpuShown on_gpu(device, shown);
     FrameInputs inputs = on_gpu.inputs();
     inputs.lights = &lights;
@@ -146,7 +152,7 @@ int run(const Options& options) {
     if (!options.output.empty() || options.explain || settings.probe) {
         const Rendered rendered = render_frame(executor, inputs, settings);
         if (options.explain)
-            std::printf("%s%s", rendered.explanation.c_str(), skipped.c_str());
+            std::printf("%s%s", rendered.explanation.c_str(), notes.c_str());
         if (rendered.probe)
             std::fputs(options.json ? probe_json(*rendered.probe, *settings.probe).c_str()
                                     : probe_table(*rendered.probe, *settings.probe).c_str(),

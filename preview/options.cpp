@@ -55,6 +55,18 @@ ProbePlace parse_place(const std::string& text, Size picture) {
                                          picture.width, picture.height, text));
 }
 
+/// A number from low to high; unlike CLI::Range it refuses NaN.
+CLI::Validator within(double low, double high) {
+    return {[=](std::string& text) {
+                double value = 0;
+                const bool good =
+                    CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+                return good ? std::string()
+                            : fmt::format("'{}' is not a number from {} to {}", text, low, high);
+            },
+            fmt::format("in [{} - {}]", low, high)};
+}
+
 template <class Rows, class Text>
 std::string section(std::string_view title, const Rows& rows, Text text) {
     std::string out = fmt::format("{}\n", title);
@@ -76,30 +88,35 @@ void declare(CLI::App& app, Options& options) {
     app.add_option("--compare", options.compare,
                    "a, b, split, side or diff; by default a, or split when --b is given");
     app.add_option("--split", options.split, "Where the line stands, of the width")
-        ->check(CLI::Range(0.0, 1.0));
+        ->check(within(0, 1));
     app.add_option("--heat-scale", options.heat_scale, "dE2000 at the end of the heat map")
-        ->check(CLI::Range(4.0, 96.0));
+        ->check(within(4, 96));
     app.add_option("--engine", options.engine,
                    "The lookup that reads the looks: an engine's or another of --list");
     app.add_option("--tonemap", options.tonemap, "Tone map, from --list");
     app.add_option("--bloom", options.bloom, "Bloom, from --list");
     app.add_option("--bloom-strength", options.bloom_settings.strength,
                    "Share of the light that blooms; by default the method's own")
-        ->check(CLI::Range(0.0, 1.0));
+        ->check(within(0, 1));
     app.add_option("--bloom-threshold", options.bloom_settings.threshold,
                    "Brightness above which light blooms; 0: all light")
-        ->check(CLI::Range(0.0, 65504.0));
+        ->check(within(0, 65504));
     app.add_option("--bloom-knee", options.bloom_settings.knee,
                    "Half width of the soft step about the threshold")
-        ->check(CLI::Range(0.0, 65504.0));
+        ->check(within(0, 65504));
     app.add_option("--bloom-radius", options.bloom_settings.radius, "Scales the bloom's width")
-        ->check(CLI::Range(0.05, 8.0));
-    app.add_option("--exposure", options.exposure, "Stops")->check(CLI::Range(-20.0, 20.0));
-    app.add_option("--time", options.seconds, "The moment of the scene, in seconds");
-    app.add_option("--azimuth", options.azimuth, "Turns the camera to the right, degrees");
-    app.add_option("--elevation", options.elevation, "Raises the camera, degrees");
-    app.add_option("--distance", options.distance, "Moves the camera away, metres");
-    app.add_option("--fov", options.field_of_view, "Widens the field of view, degrees");
+        ->check(within(0.05, 8));
+    app.add_option("--exposure", options.exposure, "Stops")->check(within(-20, 20));
+    app.add_option("--time", options.seconds, "The moment of the scene, in seconds")
+        ->check(within(-1e6, 1e6));
+    app.add_option("--azimuth", options.azimuth, "Turns the camera to the right, degrees")
+        ->check(within(-360, 360));
+    app.add_option("--elevation", options.elevation, "Raises the camera, degrees")
+        ->check(within(-180, 180));
+    app.add_option("--distance", options.distance, "Moves the camera away, metres")
+        ->check(within(-1000, 1000));
+    app.add_option("--fov", options.field_of_view, "Widens the field of view, degrees")
+        ->check(within(-120, 120));
     app.add_flag("--fxaa,!--no-fxaa", options.fxaa,
                  "Antialiasing; by default on for scenes and off for pictures")
         ->each([&options](const std::string&) { options.fxaa_given = true; });
@@ -119,8 +136,8 @@ void declare(CLI::App& app, Options& options) {
     app.add_option("--raster", options.raster, "Who rasterises, from --list");
     app.add_flag("--headless", options.headless, "Render without a window");
     app.add_option("--size", options.size,
-                   "Size of the output; by default the picture's own or "
-                   "1280x720")
+                   "Size of the output, within which a picture keeps its proportions; by default "
+                   "the picture's own or 1280x720")
         ->type_name("WxH");
     app.add_option("-o,--output", options.output,
                    "Picture file; .exr and .hdr get the light before tone mapping");
@@ -132,9 +149,9 @@ void declare(CLI::App& app, Options& options) {
         ->check(CLI::Range(2, 65));
     app.add_option("--cube-turn", options.cube.turn, "Turns it about the neutral axis, degrees");
     app.add_option("--cube-tilt", options.cube.tilt, "Degrees; 90 looks down on white")
-        ->check(CLI::Range(-90.0, 90.0));
+        ->check(within(-90, 90));
     app.add_option("--cube-zoom", options.cube.zoom, "Brings it nearer")
-        ->check(CLI::Range(0.3, 8.0));
+        ->check(within(0.3, 8));
     app.add_flag("--cube-clamped", options.cube.clamped,
                  "Nodes where a display shows them, within 0 to 1");
     app.add_flag("--cube-by-input", options.cube.by_input,
@@ -159,6 +176,7 @@ void declare(CLI::App& app, Options& options) {
         "--list", options.list,
         "Print scenes, tone maps, blooms, lookups, views, effects, lights' controls, devices");
     app.add_option("--device", options.device, "Part of a GPU's name, or its number in --list");
+    app.add_option("--font", options.font, "The window's font, a TrueType or OpenType file");
     app.add_option("--places", options.places,
                    "Keep in this file where the window's controls are, for scripts: a line "
                    "'NAME X Y WIDTH HEIGHT' for each, in pixels, after 'frame NUMBER' and where "
@@ -198,6 +216,11 @@ FrameSettings settings_of(const Options& options, Size input_size) {
     settings.force_all = options.force_all;
     if (!options.size.empty()) {
         settings.output = parse_size("--size", options.size);
+        if (is_picture) {
+            const std::uint32_t sides = settings.compare == &compare_side ? 2 : 1;
+            settings.output = fitted(input_size, picture_size(settings.output, *settings.compare));
+            settings.output.width *= sides;
+        }
     } else if (is_picture) {
         settings.output = input_size;
         if (settings.compare == &compare_side)

@@ -33,6 +33,7 @@ struct Options {
     bool force_all = false, validate = false;
     int frames = 50;
     std::string output;
+    std::string font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"; ///< of the window
     std::string places; ///< file that tells where the window's controls are
 };
 

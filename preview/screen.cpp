@@ -1,5 +1,7 @@
 #include "preview/screen.h"
 
+#include "lutlib/error.h"
+
 namespace preview {
 
 Screen::Screen(const Window& window, const Options& options)
@@ -22,6 +24,14 @@ void Screen::resize(const Window& window) {
 bool is_lost(const vk::SystemError& error) {
     return error.code() == vk::Result::eErrorDeviceLost ||
            error.code() == vk::Result::eErrorSurfaceLostKHR;
+}
+
+std::string Recovery::lost(const vk::SystemError& error) {
+    if (unproved_ > 0)
+        throw lutlib::Error(std::string("the GPU was lost twice: ") + error.what() +
+                            "; choose another with --device, or render with --headless");
+    unproved_ = frames_of_proof;
+    return std::string("the GPU was lost, and everything on it was made anew: ") + error.what();
 }
 
 } // namespace preview

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 namespace preview {
 
@@ -36,5 +37,21 @@ struct Screen {
 
 /// Whether the error says that the device, or its hold of the window, is lost.
 bool is_lost(const vk::SystemError& error);
+
+/// Decides whether a lost device is worth another try.
+class Recovery {
+  public:
+    /// A screen that is lost again before so many frames were drawn will not do.
+    static constexpr int frames_of_proof = 10;
+
+    /// What to tell a person before everything is made anew. Throws lutlib::Error when the last try
+    /// has not proved itself.
+    std::string lost(const vk::SystemError& error);
+    /// A frame was drawn.
+    void drew() { unproved_ -= unproved_ > 0 ? 1 : 0; }
+
+  private:
+    int unproved_ = 0; ///< frames that the newest screen still has to draw
+};
 
 } // namespace preview

@@ -1,5 +1,7 @@
 #include "preview/window_frame.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <cstring>
 
@@ -28,6 +30,33 @@ std::optional<DifferenceFigures> figures_of(const Executor& executor, Size pictu
 }
 
 } // namespace
+
+vk::Rect2D output_area(const ui::Rect& area, vk::Extent2D window) {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    const auto x = std::min(static_cast<std::uint32_t>(area.x * scale.x), window.width - 2);
+    const auto y = std::min(static_cast<std::uint32_t>(area.y * scale.y), window.height - 1);
+    const auto width = std::max(static_cast<std::uint32_t>(area.width * scale.x) & ~1U, 2U);
+    const auto height = std::max(static_cast<std::uint32_t>(area.height * scale.y), 1U);
+    return {{static_cast<int>(x), static_cast<int>(y)},
+            {std::min(width, (window.width - x) & ~1U), std::min(height, window.height - y)}};
+}
+
+ScopeAreas scope_areas(const ui::Ui& ui, vk::Extent2D window) {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    ScopeAreas areas;
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+        const ui::Rect& place = ui.scope_places[i];
+        const auto x = static_cast<std::uint32_t>(std::max(place.x * scale.x, 0.0F));
+        const auto y = static_cast<std::uint32_t>(std::max(place.y * scale.y, 0.0F));
+        const auto width = static_cast<std::uint32_t>(place.width * scale.x);
+        const auto height = static_cast<std::uint32_t>(place.height * scale.y);
+        if (x < window.width && y < window.height && width > 0 && height > 0)
+            areas[i] = vk::Rect2D(
+                {static_cast<int>(x), static_cast<int>(y)},
+                {std::min(width, window.width - x), std::min(height, window.height - y)});
+    }
+    return areas;
+}
 
 FrameSettings window_settings(const ui::Ui& ui, const Options& options, const gpu::Device& device,
                               Size output) {

@@ -12,6 +12,13 @@
 
 namespace preview {
 
+/// The picture's part of a window of that size, in its pixels.
+vk::Rect2D output_area(const ui::Rect& area, vk::Extent2D window);
+
+/// The scopes' parts of the window, in its pixels; empty for one that is not seen.
+using ScopeAreas = std::array<vk::Rect2D, scopes.size()>;
+ScopeAreas scope_areas(const ui::Ui& ui, vk::Extent2D window);
+
 /// The settings of a frame of that size, in which no scope has a size yet.
 FrameSettings window_settings(const ui::Ui& ui, const Options& options, const gpu::Device& device,
                               Size output);

@@ -1,5 +1,5 @@
 // The one place where a picture becomes finite: exposure, sanitising, and the largest value. A
-// picture of another size is filtered by the area that a pixel covers.
+// picture of another size is filtered by the area that a pixel covers, between black bars.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "common/sanitise.glsl"
@@ -8,7 +8,10 @@ layout(constant_id = 0) const bool resized = false;
 layout(binding = 0) uniform sampler2D source;
 layout(binding = 1) writeonly uniform image2D target;
 layout(std430, binding = 2) buffer Maximum { uint maximum; };
-layout(push_constant) uniform Push { float exposure; };
+layout(push_constant) uniform Push {
+    ivec2 corner, extent; // of the picture in the target, where it is resized
+    float exposure;
+};
 
 shared uint group_maximum;
 
@@ -17,19 +20,21 @@ vec3 light_at(ivec2 at) {
 }
 
 /// The mean over the pixel's area in the source, which is at least one texel wide.
-vec3 filtered(ivec2 at, ivec2 size) {
+vec3 filtered(ivec2 at) {
+    if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, extent)))
+        return vec3(0.0);
     ivec2 source_size = textureSize(source, 0);
-    vec2 scale = vec2(source_size) / vec2(size);
+    vec2 scale = vec2(source_size) / vec2(extent);
     vec2 centre = (vec2(at) + 0.5) * scale;
-    vec2 extent = max(scale, vec2(1.0)) * 0.5;
-    ivec2 first = ivec2(floor(centre - extent));
-    ivec2 last = ivec2(ceil(centre + extent)) - 1;
+    vec2 reach = max(scale, vec2(1.0)) * 0.5;
+    ivec2 first = ivec2(floor(centre - reach));
+    ivec2 last = ivec2(ceil(centre + reach)) - 1;
     vec3 sum = vec3(0.0);
     float weights = 0.0;
     for (int y = first.y; y <= last.y; ++y)
         for (int x = first.x; x <= last.x; ++x) {
-            vec2 low = max(vec2(x, y), centre - extent);
-            vec2 high = min(vec2(x, y) + 1.0, centre + extent);
+            vec2 low = max(vec2(x, y), centre - reach);
+            vec2 high = min(vec2(x, y) + 1.0, centre + reach);
             float weight = max(high.x - low.x, 0.0) * max(high.y - low.y, 0.0);
             sum += weight * light_at(clamp(ivec2(x, y), ivec2(0), source_size - 1));
             weights += weight;
@@ -46,7 +51,7 @@ void main() {
     float brightest = 0.0;
     for (int i = 0; i < texels_each; ++i) {
         ivec2 at = min(tile_texel(i), size - 1);
-        light[i] = round_to_half(resized ? filtered(at, size) : light_at(at));
+        light[i] = round_to_half(resized ? filtered(at - corner) : light_at(at));
         brightest = max(brightest, max(light[i].r, max(light[i].g, light[i].b)));
     }
     for (int i = 0; i < texels_each; ++i)

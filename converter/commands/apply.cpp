@@ -1,4 +1,5 @@
 // lutconv apply: a picture through a LUT, on the codes or floats as the file stores them.
+#include "lutlib/apply.h"
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/report.h"
@@ -16,7 +17,6 @@ namespace converter {
 namespace {
 
 namespace io = lutlib::io;
-using lutlib::Rgb;
 
 struct Options {
     std::string lut, picture, output, depth;
@@ -30,12 +30,6 @@ struct Report {
     std::size_t clamped = 0;        ///< pixels whose output an integer file clamps to 0..1
     const io::DepthInfo* depth = nullptr;
 };
-
-bool outside(const Rgb& c, const lutlib::Domain& domain) {
-    // The comparisons' form counts NaN.
-    return !(c.r >= domain.min.r && c.r <= domain.max.r && c.g >= domain.min.g &&
-             c.g <= domain.max.g && c.b >= domain.min.b && c.b <= domain.max.b);
-}
 
 // The picture's own depth, as far as the file type has it: PNG stores integers, EXR floats.
 io::Depth usual_depth(const io::FloatImage& image, const std::string& output) {
@@ -64,17 +58,12 @@ io::Depth depth_named(const std::string& name) {
 
 Report apply(const lutlib::Lut& lut, lutlib::Interpolation how, io::FloatImage& image,
              io::Depth depth) {
+    const std::size_t pixels = image.rgba.size() / 4;
+    float* const rgba = image.rgba.data();
     Report report{image.width, image.height, 0, 0, &io::info_of(depth)};
-    const lutlib::Domain domain = lut.domain();
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-        const Rgb in{image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]};
-        const Rgb out = evaluate(lut, in, how);
-        report.outside_domain += outside(in, domain);
-        report.clamped += report.depth->integer && outside(out, {});
-        for (std::size_t c = 0; c < 3; ++c) {
-            image.rgba[i + c] = out[c];
-        }
-    }
+    report.outside_domain = lutlib::pixels_outside(lut.domain(), rgba, pixels, 4);
+    lutlib::apply(lutlib::StoredLut(lut), lutlib::lookup_of(how), rgba, rgba, pixels, 4);
+    report.clamped = report.depth->integer ? lutlib::pixels_outside({}, rgba, pixels, 4) : 0;
     return report;
 }
 

@@ -101,12 +101,16 @@ std::string missing_of(const vk::raii::PhysicalDevice& device) {
         device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan13Features>();
     const auto& base = chain.get<vk::PhysicalDeviceFeatures2>().features;
     const auto& v13 = chain.get<vk::PhysicalDeviceVulkan13Features>();
+    const vk::PhysicalDeviceLimits limits = device.getProperties().limits;
     const NeededFeature needed[] = {
         {"dynamicRendering", v13.dynamicRendering == VK_TRUE},
         {"maintenance4", v13.maintenance4 == VK_TRUE},
         {"synchronization2", v13.synchronization2 == VK_TRUE},
         {"shaderStorageImageWriteWithoutFormat",
          base.shaderStorageImageWriteWithoutFormat == VK_TRUE},
+        // What shaders/common/lattice16.glsl and its workgroups take.
+        {"workgroups of 1024", limits.maxComputeWorkGroupInvocations >= 1024},
+        {"32 KiB of shared memory", limits.maxComputeSharedMemorySize >= 32768},
     };
     for (const NeededFeature& feature : needed)
         if (!feature.present)
@@ -119,6 +123,27 @@ bool supports_int64_atomics(const vk::raii::PhysicalDevice& device) {
         device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
     return chain.get<vk::PhysicalDeviceFeatures2>().features.shaderInt64 == VK_TRUE &&
            chain.get<vk::PhysicalDeviceVulkan12Features>().shaderBufferInt64Atomics == VK_TRUE;
+}
+
+bool supports_half(const vk::raii::PhysicalDevice& device) {
+    const auto chain =
+        device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
+    return chain.get<vk::PhysicalDeviceVulkan12Features>().shaderFloat16 == VK_TRUE;
+}
+
+/// The number of NVIDIA's streaming multiprocessors; empty for others.
+std::optional<std::uint32_t> multiprocessors(const vk::raii::PhysicalDevice& device) {
+    const auto extensions = device.enumerateDeviceExtensionProperties();
+    if (std::none_of(extensions.begin(), extensions.end(), [](const auto& extension) {
+            return std::string_view(extension.extensionName) ==
+                   VK_NV_SHADER_SM_BUILTINS_EXTENSION_NAME;
+        }))
+        return std::nullopt;
+    return device
+        .getProperties2<vk::PhysicalDeviceProperties2,
+                        vk::PhysicalDeviceShaderSMBuiltinsPropertiesNV>()
+        .get<vk::PhysicalDeviceShaderSMBuiltinsPropertiesNV>()
+        .shaderSMCount;
 }
 
 std::optional<std::uint32_t> graphics_family(const vk::raii::PhysicalDevice& device) {
@@ -230,6 +255,9 @@ Device::Device(const DeviceOptions& options) : messages_(std::make_unique<Messag
     has_int64_atomics_ = supports_int64_atomics(physical_);
     v12.shaderBufferInt64Atomics = has_int64_atomics_ ? VK_TRUE : VK_FALSE;
     features.features.shaderInt64 = has_int64_atomics_ ? VK_TRUE : VK_FALSE;
+    has_half_ = supports_half(physical_);
+    v12.shaderFloat16 = has_half_ ? VK_TRUE : VK_FALSE;
+    compute_units_ = multiprocessors(physical_).value_or(compute_units_);
     v13.pNext = &v12;
     vk::DeviceCreateInfo info({}, queue_info, {}, options.device_extensions, nullptr, &features);
     device_ = {physical_, info};
@@ -241,6 +269,10 @@ Device::Device(const DeviceOptions& options) : messages_(std::make_unique<Messag
 Device::~Device() {
     if (*device_)
         (*device_).waitIdle(*device_.getDispatcher());
+}
+
+bool Device::has_fast_half() const {
+    return has_half_ && physical_.getProperties().deviceType != vk::PhysicalDeviceType::eCpu;
 }
 
 std::uint32_t Device::memory_type(std::uint32_t type_bits, vk::MemoryPropertyFlags wanted,

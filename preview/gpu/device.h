@@ -48,6 +48,12 @@ class Device {
     const std::string& name() const { return name_; }
     /// 64-bit integers in shaders, with atomics on buffers of them.
     bool has_int64_atomics() const { return has_int64_atomics_; }
+    /// Half-float arithmetic in shaders.
+    bool has_half() const { return has_half_; }
+    /// The same where it is faster than float: not on CPUs.
+    bool has_fast_half() const;
+    /// How many workgroups of 1024 run at the same time; a guess where the driver does not tell.
+    std::uint32_t compute_units() const { return compute_units_; }
     const vk::PhysicalDeviceLimits& limits() const { return limits_; }
 
     /// The index of a memory type among `type_bits` with `wanted`, preferably also `preferred`.
@@ -77,6 +83,8 @@ class Device {
     std::uint32_t queue_family_ = 0;
     std::string name_;
     bool has_int64_atomics_ = false;
+    bool has_half_ = false;
+    std::uint32_t compute_units_ = 64;
     vk::PhysicalDeviceLimits limits_;
     vk::PhysicalDeviceMemoryProperties memory_;
     mutable std::uint64_t allocation_count_ = 0;

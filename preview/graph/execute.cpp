@@ -61,14 +61,16 @@ Executor::Executor(const gpu::Device& device, std::uint32_t frames_in_flight)
       pool_(device.vk(),
             vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer,
                                       device.queue_family())) {
-    vk::raii::CommandBuffers commands(device.vk(),
-                                      {*pool_, vk::CommandBufferLevel::ePrimary, frames_in_flight});
+    vk::raii::CommandBuffers commands(
+        device.vk(), {*pool_, vk::CommandBufferLevel::ePrimary, frames_in_flight + 1});
     for (vk::raii::CommandBuffer& buffer : commands) {
         Slot slot;
         slot.commands = std::move(buffer);
         slot.fence = {device.vk(), vk::FenceCreateInfo(vk::FenceCreateFlagBits::eSignaled)};
         slots_.push_back(std::move(slot));
     }
+    repeated_ = std::make_unique<Slot>(std::move(slots_.back()));
+    slots_.pop_back();
 }
 
 Executor::~Executor() {
@@ -87,6 +89,7 @@ void Executor::wait_for(const Slot& slot) const {
 void Executor::wait() {
     for (const Slot& slot : slots_)
         wait_for(slot);
+    wait_for(*repeated_);
 }
 
 void Executor::render(const Graph& graph, const FrameEnd& end) {
@@ -111,9 +114,24 @@ void Executor::render(const Graph& graph, const FrameEnd& end) {
     slot_ = (slot_ + 1) % slots_.size();
     Slot& slot = slots_[slot_];
     wait_for(slot);
+    wait_for(*repeated_); // so that no more than frames_in_flight hold the caller's semaphores
     slot.frame = frame;
     record(graph, slot, end);
+    submit(slot, end);
+}
 
+void Executor::repeat(const FrameEnd& end) {
+    if (!realised_)
+        throw std::logic_error("there is no frame to repeat");
+    wait();
+    repeated_->commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    if (end.record)
+        end.record(repeated_->commands);
+    repeated_->commands.end();
+    submit(*repeated_, end);
+}
+
+void Executor::submit(const Slot& slot, const FrameEnd& end) const {
     device_.vk().resetFences(*slot.fence);
     const vk::CommandBufferSubmitInfo commands(*slot.commands);
     device_.queue().submit2(vk::SubmitInfo2({}, end.waits, commands, end.signals), *slot.fence);

@@ -44,6 +44,9 @@ class Executor {
     /// Plans, records and submits the graph. Waits only for the frame whose slot it takes over.
     /// Imported resources must live until wait() or until frames_in_flight later frames.
     void render(const Graph& graph, const FrameEnd& end = {});
+    /// Ends one more frame with what the last one presented; computes nothing, and timings() and
+    /// buffers stay the last one's. Waits for that to be finished.
+    void repeat(const FrameEnd& end);
     void wait();
 
     /// The image behind a presented handle of the last graph, in eTransferSrcOptimal.
@@ -76,6 +79,7 @@ class Executor {
     };
 
     void wait_for(const Slot& slot) const;
+    void submit(const Slot& slot, const FrameEnd& end) const;
     void record(const Graph& graph, Slot& slot, const FrameEnd& end);
     void upload_changed(const Graph& graph, const vk::raii::CommandBuffer& commands);
     void record_barriers(const Graph& graph, std::span<const Barrier> barriers,
@@ -90,6 +94,7 @@ class Executor {
     std::unique_ptr<Shared> shared_;
     vk::raii::CommandPool pool_;
     std::vector<Slot> slots_;
+    std::unique_ptr<Slot> repeated_;
     std::unique_ptr<Realised> realised_;
     Plan plan_;
     std::string shape_;

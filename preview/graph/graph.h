@@ -108,6 +108,7 @@ struct Resource {
     const gpu::Image* imported_image = nullptr;
     const gpu::Buffer* imported_buffer = nullptr;
     std::vector<std::byte> data;
+    friend bool operator==(const Resource&, const Resource&) = default;
 };
 
 struct Version {
@@ -116,6 +117,7 @@ struct Version {
     std::uint32_t producer = none; ///< the pass that writes it
     std::uint32_t previous = none; ///< the version whose contents it keeps
     bool retired = false;
+    friend bool operator==(const Version&, const Version&) = default;
 };
 
 /// One appearance of a resource in a pass.
@@ -129,6 +131,7 @@ struct Use {
     bool writes = false;
     bool clears = false; ///< an attachment that starts from `clear`
     std::array<float, 4> clear{};
+    friend bool operator==(const Use&, const Use&) = default;
 };
 
 struct Draw {
@@ -137,6 +140,7 @@ struct Draw {
     std::int32_t vertex_offset = 0;
     std::uint32_t instance_count = 1;
     std::uint32_t first_instance = 0;
+    friend bool operator==(const Draw&, const Draw&) = default;
 };
 
 enum class PassKind : std::uint8_t { compute, raster, fill };
@@ -155,12 +159,14 @@ struct PassRecord {
     RasterState raster;
     std::vector<Draw> draws;
     std::uint32_t fill_value = 0;
+    friend bool operator==(const PassRecord&, const PassRecord&) = default;
 };
 
 /// Something that the scene or the settings withheld before it became a pass.
 struct Withheld {
     std::string name;
     std::string reason;
+    friend bool operator==(const Withheld&, const Withheld&) = default;
 };
 
 class Graph;
@@ -251,6 +257,10 @@ class Graph {
     std::span<const PassRecord> passes() const { return passes_; }
     std::span<const Withheld> withheld() const { return withheld_; }
     std::span<const std::uint32_t> presented() const { return presented_; }
+
+    /// The same passes over the same inputs: the same results, when no imported resource was
+    /// written in between.
+    friend bool operator==(const Graph&, const Graph&) = default;
 
   private:
     friend class Pass;

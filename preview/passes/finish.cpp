@@ -10,10 +10,8 @@ namespace {
 
 constexpr std::uint64_t figures_bytes = 4 * (1 + 4096);
 
-// Groups of finish_shared.comp: as many as the largest GPUs hold at once, for more would only copy
-// the lattice more often.
-constexpr std::uint32_t most_groups = 264;
-constexpr std::uint32_t tile_width = 64, tile_height = 32;
+// Of finish_shared.comp.
+constexpr std::uint32_t tile_width = 32, tile_height = 128;
 
 struct FilterBlock {
     std::array<std::array<float, 4>, BloomPlan::max_layers> layers{};
@@ -69,7 +67,11 @@ bool is_shared(const GpuLook* look) {
 
 GpuLook::GpuLook(const gpu::Device& device, const LookData& data)
     : lookup(data.lookup), block(data.block), picture(upload(device, data.picture)),
-      volume(upload(device, data.volume)), shaper(upload(device, data.shaper)) {}
+      volume(upload(device, data.volume)), shaper(upload(device, data.shaper)),
+      half_arithmetic(device.has_fast_half()), groups(device.compute_units()) {
+    if (!data.nodes.empty())
+        nodes = gpu::make_buffer(device, std::as_bytes(std::span(data.nodes)));
+}
 
 void bind_finish(Graph& graph, Pass& pass, Handle picture, const BloomLayers& bloom,
                  const GpuLook* a, const GpuLook* b, const FinishSettings& settings) {
@@ -102,7 +104,8 @@ Finished add_finish(Graph& graph, Handle picture, const BloomLayers& bloom, cons
     const Size size = size_of(graph, picture);
     const bool side = &compare == &compare_side;
     const bool difference = &compare == &compare_difference;
-    const bool shared = is_shared(a) || is_shared(b);
+    const GpuLook* const shared = is_shared(a) ? a : is_shared(b) ? b : nullptr;
+    const bool half = shared && shared->half_arithmetic && settings.format == Format::rgba8;
 
     Finished out;
     Handle figures = graph.buffer("figures", difference ? figures_bytes : 8);
@@ -111,17 +114,21 @@ Finished add_finish(Graph& graph, Handle picture, const BloomLayers& bloom, cons
     const Handle target =
         graph.image("finished", {settings.format, side ? 2 * size.width : size.width, size.height});
 
-    Pass pass = graph.compute("finish", shared ? "finish_shared.comp" : "finish.comp");
+    Pass pass = graph.compute("finish", half     ? "finish_shared_half.comp"
+                                        : shared ? "finish_shared.comp"
+                                                 : "finish.comp");
     bind_finish(graph, pass, picture, bloom, a, b, settings);
     out.picture = pass.write(target);
     figures = difference ? pass.modify(figures) : pass.write(figures);
     if (difference)
         out.figures = figures;
+    if (shared)
+        pass.storage(graph.import("look nodes", *shared->nodes, shared->nodes->bytes()));
 
     if (shared) {
         const std::uint32_t tiles = ((size.width + tile_width - 1) / tile_width) *
                                     ((size.height + tile_height - 1) / tile_height);
-        pass.dispatch(std::min(tiles, most_groups));
+        pass.dispatch(std::min(tiles, shared->groups));
     } else {
         pass.dispatch_over(size.width, size.height, many_each);
     }

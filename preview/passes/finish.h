@@ -19,6 +19,10 @@ struct GpuLook {
     const Lookup* lookup;
     LookBlock block;
     std::optional<gpu::Image> picture, volume, shaper;
+    std::optional<gpu::Buffer> nodes; ///< of Lookup::shared
+    /// Whether shared lookups into 8 bits may compute in half floats, and with how many workgroups.
+    bool half_arithmetic;
+    std::uint32_t groups;
 };
 
 struct FinishSettings {

@@ -1,16 +1,43 @@
 #include "preview/passes/resolve.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace preview {
+
+namespace {
+
+struct Push {
+    std::array<std::int32_t, 2> corner, extent;
+    float exposure;
+};
+
+} // namespace
+
+Size fitted(Size picture, Size box) {
+    const double scale = std::min(static_cast<double>(box.width) / picture.width,
+                                  static_cast<double>(box.height) / picture.height);
+    const auto side = [&](std::uint32_t length, std::uint32_t most) {
+        return std::clamp(static_cast<std::uint32_t>(std::lround(length * scale)), 1U, most);
+    };
+    return {side(picture.width, box.width), side(picture.height, box.height)};
+}
 
 Resolved add_resolve(Graph& graph, Handle source, Size size, float exposure) {
     const Handle zero = graph.fill("clear maximum", graph.buffer("hdr maximum", 4), 0);
     Pass pass = graph.compute("hdr resolve", "resolve.comp");
+    const Size extent = fitted(size_of(graph, source), size);
     pass.constants({size_of(graph, source) == size ? 0U : 1U});
     pass.read(source);
     Resolved out;
     out.hdr = pass.write(graph.image("hdr", {Format::rgba16f, size.width, size.height}));
     out.maximum = pass.modify(zero);
-    pass.push(exposure);
+    const auto signed_pair = [](std::uint32_t x, std::uint32_t y) {
+        return std::array{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
+    };
+    pass.push(Push{signed_pair((size.width - extent.width) / 2, (size.height - extent.height) / 2),
+                   signed_pair(extent.width, extent.height), exposure});
     pass.dispatch_over(size.width, size.height, many_each);
     return out;
 }

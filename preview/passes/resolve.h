@@ -10,7 +10,11 @@ struct Resolved {
     Handle maximum; ///< buffer of one float: the largest value of any channel
 };
 
-/// `exposure` multiplies. A source of another size than `size` is filtered by area.
+/// `exposure` multiplies. A source of another size than `size` is filtered by area and keeps its
+/// proportions: it stands in the middle, between black bars.
 Resolved add_resolve(Graph& graph, Handle source, Size size, float exposure);
+
+/// The largest size of the picture's proportions within the box, at least 1x1.
+Size fitted(Size picture, Size box);
 
 } // namespace preview

@@ -2,9 +2,12 @@
 
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
+#include "preview/scene/gltf_file.h"
 #include "preview/scene/import_parts.h"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/scene.h>
 
 #include <fmt/format.h>
@@ -23,6 +26,23 @@ constexpr glm::vec3 fit_centre{0.26F, 0.62F, -0.1F}; // where the sample's camer
 constexpr float fit_radius = 1.5F;
 /// Coordinates beyond it are as good as infinite: areas' squares must be floats.
 constexpr float most_coordinate = 1e9F;
+
+/// The file system, in which the file at `path` holds other bytes.
+class ReducedFile : public Assimp::DefaultIOSystem {
+  public:
+    ReducedFile(std::string path, std::string bytes)
+        : path_(std::move(path)), bytes_(std::move(bytes)) {}
+
+    Assimp::IOStream* Open(const char* file, const char* mode) override {
+        if (file != path_)
+            return DefaultIOSystem::Open(file, mode);
+        return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes_.data()),
+                                          bytes_.size());
+    }
+
+  private:
+    std::string path_, bytes_;
+};
 
 bool is_usable(const aiVector3D& v) {
     return std::abs(v.x) < most_coordinate && std::abs(v.y) < most_coordinate &&
@@ -63,7 +83,7 @@ class MeshImport {
   private:
     void add(const aiFace& face) {
         if (face.mNumIndices != 3) {
-            left_out_.add("points and lines");
+            left_out_.add("faces that are no triangles");
             return;
         }
         glm::vec3 corners[3];
@@ -122,7 +142,6 @@ void import_meshes(const aiScene& file, const std::string& path, Scene& scene, L
         const aiMesh& given = *file.mMeshes[i];
         int two_sided = 0;
         file.mMaterials[given.mMaterialIndex]->Get(AI_MATKEY_TWOSIDED, two_sided);
-        left_out.add("vertex colours", given.HasVertexColors(0) ? 1 : 0);
         scene.meshes.push_back(MeshImport(given, two_sided != 0, left_out).run());
         vertices += scene.meshes.back().vertices.size();
         if (vertices > import_limits.vertices)
@@ -190,9 +209,12 @@ bool is_model_file(const std::string& path) {
 
 ImportedScene import_scene(const std::string& path) {
     LeftOut left_out;
-    const GltfFacts facts =
-        check_gltf(lutlib::io::read_file(path, import_limits.file_bytes), path, left_out);
+    GltfFile gltf(lutlib::io::read_file(path, import_limits.file_bytes), path);
+    check_gltf(gltf, path);
+    const GltfFacts facts = facts_of(gltf.root);
+    reduce_gltf(gltf.root, left_out);
     Assimp::Importer importer;
+    importer.SetIOHandler(new ReducedFile(path, gltf.to_bytes())); // which owns it
     const aiScene* const file = importer.ReadFile(path, 0);
     if (file == nullptr || file->mRootNode == nullptr)
         throw Error(fmt::format("it is no usable glTF: {}", importer.GetErrorString()),

@@ -1,11 +1,11 @@
-#include "preview/scene/import_parts.h"
+#include "preview/scene/gltf_file.h"
 
 #include "lutlib/error.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include <cstring>
+#include <algorithm>
+#include <string_view>
 
 namespace preview {
 
@@ -13,36 +13,6 @@ namespace {
 
 using lutlib::Error;
 using nlohmann::json;
-
-/// The JSON of a .glb: a header of 12 bytes, then chunks of length, type and contents.
-std::string_view json_of_binary(std::string_view bytes, const std::string& path) {
-    const auto word = [&](std::size_t at) {
-        std::uint32_t value = 0;
-        std::memcpy(&value, bytes.data() + at, sizeof value);
-        return value;
-    };
-    constexpr std::uint32_t json_chunk = 0x4E4F534A;
-    if (bytes.size() < 20 || word(8) > bytes.size() || word(16) != json_chunk ||
-        word(12) > bytes.size() - 20)
-        throw Error("the file is cut short, or no binary glTF", {path, 0, {}});
-    return bytes.substr(20, word(12));
-}
-
-json parsed(const std::string& bytes, const std::string& path) {
-    const bool binary = bytes.compare(0, 4, "glTF") == 0;
-    const std::string_view text = binary ? json_of_binary(bytes, path) : std::string_view(bytes);
-    const auto limit_depth = [&](int depth, json::parse_event_t, json&) {
-        if (depth > import_limits.depth)
-            throw Error("its JSON is nested too deeply", {path, 0, {}});
-        return true;
-    };
-    try {
-        return json::parse(text, limit_depth);
-    } catch (const json::exception& error) {
-        throw Error(fmt::format("it is no glTF, whose parts are JSON: {}", error.what()),
-                    {path, 0, {}});
-    }
-}
 
 /// A number that counts or points to something; `usual` where there is none.
 std::size_t number(const json& object, const char* key, std::size_t usual,
@@ -56,47 +26,62 @@ std::size_t number(const json& object, const char* key, std::size_t usual,
     return found->get<std::size_t>();
 }
 
-/// An array of objects, or nothing.
-const json& list(const json& object, const char* key, const std::string& path) {
-    static const json none = json::array();
-    const auto found = object.find(key);
-    if (found == object.end())
-        return none;
-    if (!found->is_array())
-        throw Error(fmt::format("'{}' is no list", key), {path, 0, {}});
-    for (const json& row : *found)
-        if (!row.is_object())
-            throw Error(fmt::format("'{}' holds something that is no object", key), {path, 0, {}});
-    return *found;
+/// The row that the object's member names, or null where it names none.
+const json* named_row(const json& object, const char* key, const json& rows,
+                      const std::string& path) {
+    if (!object.contains(key))
+        return nullptr;
+    const std::size_t index = number(object, key, 0, path);
+    if (index >= rows.size())
+        throw Error(fmt::format("'{}' names something that is not there", key),
+                    {path, 0, std::to_string(index)});
+    return &rows[index];
 }
 
-std::size_t component_bytes(std::size_t type) {
-    return type == 5120 || type == 5121 ? 1 : type == 5122 || type == 5123 ? 2 : 4;
+struct ElementType {
+    std::string_view name;
+    std::size_t components;
+};
+constexpr ElementType element_types[] = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4},
+                                         {"MAT2", 4},   {"MAT3", 9}, {"MAT4", 16}};
+
+std::size_t component_bytes(std::size_t type, const std::string& path) {
+    constexpr std::size_t bytes[] = {1, 1, 2, 2, 0, 4, 4}; // from 5120, signed bytes, on
+    if (type < 5120 || type > 5126 || bytes[type - 5120] == 0)
+        throw Error("an accessor has no known componentType", {path, 0, std::to_string(type)});
+    return bytes[type - 5120];
 }
 
-std::size_t component_count(const std::string& type) {
-    constexpr std::pair<std::string_view, std::size_t> counts[] = {
-        {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}};
-    for (const auto& [name, count] : counts)
-        if (type == name)
-            return count;
-    return 1;
+std::size_t element_bytes(const json& accessor, const std::string& path) {
+    const json type = accessor.value("type", json());
+    for (const ElementType& row : element_types)
+        if (type == row.name)
+            return row.components *
+                   component_bytes(number(accessor, "componentType", 0, path), path);
+    throw Error("an accessor has no known type", {path, 0, type.dump().substr(0, 80)});
 }
 
-/// Every range lies within what holds it.
-void check_ranges(const json& root, const std::string& path) {
-    const json& buffers = list(root, "buffers", path);
-    const json& views = list(root, "bufferViews", path);
-    for (const json& view : views) {
-        const std::size_t buffer = number(view, "buffer", 0, path);
-        const std::size_t whole =
-            buffer < buffers.size() ? number(buffers[buffer], "byteLength", 0, path) : 0;
+void check_views(const GltfFile& file, const std::string& path) {
+    const json& buffers = gltf_list(file.root, "buffers", path);
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+        const std::size_t bytes = number(buffers[i], "byteLength", 0, path);
+        const bool in_body = file.is_binary && i == 0 && !buffers[i].contains("uri");
+        if (bytes > import_limits.file_bytes || (in_body && bytes > file.body_bytes()))
+            throw Error("a buffer is larger than its file, or than the limit", {path, 0, {}});
+    }
+    for (const json& view : gltf_list(file.root, "bufferViews", path)) {
+        const json* const buffer = named_row(view, "buffer", buffers, path);
+        const std::size_t whole = buffer ? number(*buffer, "byteLength", 0, path) : 0;
         const std::size_t length = number(view, "byteLength", 0, path);
         if (length > whole || number(view, "byteOffset", 0, path) > whole - length)
             throw Error("a bufferView reaches beyond its buffer", {path, 0, {}});
     }
+}
+
+void check_accessors(const json& root, const std::string& path) {
+    const json& views = gltf_list(root, "bufferViews", path);
     std::size_t elements = 0;
-    for (const json& accessor : list(root, "accessors", path)) {
+    for (const json& accessor : gltf_list(root, "accessors", path)) {
         const std::size_t count = number(accessor, "count", 0, path);
         elements += std::min(count, import_limits.elements + 1);
         if (elements > import_limits.elements)
@@ -105,26 +90,54 @@ void check_ranges(const json& root, const std::string& path) {
                         {path, 0, {}});
         if (accessor.contains("sparse"))
             throw Error("it has sparse accessors; convert it to plain ones", {path, 0, {}});
-        if (accessor.find("bufferView") == accessor.end() || count == 0)
+        const std::size_t size = element_bytes(accessor, path);
+        const json* const view = named_row(accessor, "bufferView", views, path);
+        if (view == nullptr || count == 0)
             continue;
-        const std::size_t index = number(accessor, "bufferView", 0, path);
-        if (index >= views.size())
-            throw Error("an accessor names a bufferView that is not there", {path, 0, {}});
-        const std::size_t size = component_bytes(number(accessor, "componentType", 0, path)) *
-                                 component_count(accessor.value("type", json()).is_string()
-                                                     ? accessor["type"].get<std::string>()
-                                                     : std::string());
-        const std::size_t stride = number(views[index], "byteStride", size, path);
-        const std::size_t length = number(views[index], "byteLength", 0, path);
+        const std::size_t stride = number(*view, "byteStride", size, path);
+        const std::size_t length = number(*view, "byteLength", 0, path);
         const std::size_t offset = number(accessor, "byteOffset", 0, path);
-        if (stride > 65'536 || offset > length || (count - 1) * stride + size > length - offset)
+        if (stride < size || stride > 65'536 || offset > length ||
+            (count - 1) * stride + size > length - offset)
             throw Error("an accessor reaches beyond its bufferView", {path, 0, {}});
     }
 }
 
+bool has_type(const json* accessor, std::string_view type,
+              std::initializer_list<std::size_t> components) {
+    return accessor == nullptr ||
+           (accessor->value("type", json()) == type &&
+            std::any_of(components.begin(), components.end(), [&](std::size_t component) {
+                return accessor->value("componentType", json()) == component;
+            }));
+}
+
+void check_meshes(const json& root, const std::string& path) {
+    constexpr std::size_t u8 = 5121, u16 = 5123, u32 = 5125, f32 = 5126;
+    const json& accessors = gltf_list(root, "accessors", path);
+    const json& materials = gltf_list(root, "materials", path);
+    for (const json& mesh : gltf_list(root, "meshes", path))
+        for (const json& primitive : gltf_list(mesh, "primitives", path)) {
+            const auto attributes = primitive.find("attributes");
+            if (attributes == primitive.end() || !attributes->is_object())
+                throw Error("a mesh has no attributes", {path, 0, {}});
+            const json* const positions = named_row(*attributes, "POSITION", accessors, path);
+            const json* const normals = named_row(*attributes, "NORMAL", accessors, path);
+            if (!has_type(positions, "VEC3", {f32}) || !has_type(normals, "VEC3", {f32}) ||
+                !has_type(named_row(primitive, "indices", accessors, path), "SCALAR",
+                          {u8, u16, u32}))
+                throw Error("a mesh has positions, normals or indices of a wrong type",
+                            {path, 0, {}});
+            if (normals != nullptr &&
+                (positions == nullptr || (*normals)["count"] != (*positions)["count"]))
+                throw Error("a mesh has not as many normals as positions", {path, 0, {}});
+            named_row(primitive, "material", materials, path);
+        }
+}
+
 /// Each node has one parent at most, none is above itself, and none is too deep.
 void check_nodes(const json& root, const std::string& path) {
-    const json& nodes = list(root, "nodes", path);
+    const json& nodes = gltf_list(root, "nodes", path);
     if (nodes.size() > import_limits.nodes)
         throw Error(
             fmt::format("it has {} nodes; the limit is {}", nodes.size(), import_limits.nodes),
@@ -155,15 +168,18 @@ void check_nodes(const json& root, const std::string& path) {
     }
 }
 
-void check_version(const json& root, const std::string& path) {
-    const auto asset = root.find("asset");
-    const bool has_version = root.is_object() && asset != root.end() && asset->is_object() &&
-                             asset->contains("version") && (*asset)["version"].is_string();
-    if (!has_version)
-        throw Error("it is no glTF: it has no asset.version", {path, 0, {}});
-    const std::string version = (*asset)["version"].get<std::string>();
-    if (version.compare(0, 2, "2.") != 0)
-        throw Error("it is glTF " + version + "; convert it to glTF 2.0", {path, 0, {}});
+void check_names(const json& root, const std::string& path) {
+    for (const json& node : gltf_list(root, "nodes", path)) {
+        named_row(node, "mesh", gltf_list(root, "meshes", path), path);
+        named_row(node, "camera", gltf_list(root, "cameras", path), path);
+    }
+    for (const json& image : gltf_list(root, "images", path))
+        named_row(image, "bufferView", gltf_list(root, "bufferViews", path), path);
+    for (const json& texture : gltf_list(root, "textures", path))
+        named_row(texture, "source", gltf_list(root, "images", path), path);
+}
+
+void check_extensions(const json& root, const std::string& path) {
     const auto required = root.find("extensionsRequired");
     if (required == root.end() || !required->is_array())
         return;
@@ -174,55 +190,15 @@ void check_version(const json& root, const std::string& path) {
                         {path, 0, {}});
 }
 
-void count_left_out(const json& root, const std::string& path, LeftOut& left_out) {
-    left_out.add("animations (the rest pose is shown)", list(root, "animations", path).size());
-    left_out.add("skins (the rest pose is shown)", list(root, "skins", path).size());
-    for (const json& mesh : list(root, "meshes", path))
-        for (const json& primitive : list(mesh, "primitives", path))
-            left_out.add("morph targets (the rest pose is shown)",
-                         list(primitive, "targets", path).size());
-    for (const json& material : list(root, "materials", path)) {
-        for (const char* map : {"normalTexture", "occlusionTexture"})
-            left_out.add("normal and occlusion textures", material.contains(map) ? 1 : 0);
-        const auto mode = material.find("alphaMode");
-        left_out.add("transparency of materials",
-                     mode != material.end() && *mode != "OPAQUE" ? 1 : 0);
-        const auto extensions = material.find("extensions");
-        if (extensions != material.end() && extensions->is_object())
-            for (const auto& [name, unused] : extensions->items())
-                if (name != "KHR_materials_emissive_strength")
-                    left_out.add("materials' " + name);
-    }
-}
-
-/// A number of the object, or `usual`.
-float fraction(const json& object, const char* pointer, float usual) {
-    const json::json_pointer at(pointer);
-    return object.contains(at) && object[at].is_number() ? object[at].get<float>() : usual;
-}
-
-GltfFacts facts_of(const json& root, const std::string& path) {
-    constexpr float most_emission = 65504;
-    GltfFacts facts;
-    for (const json& material : list(root, "materials", path)) {
-        const float strength =
-            fraction(material, "/extensions/KHR_materials_emissive_strength/emissiveStrength", 1);
-        facts.emissive_strengths.push_back(strength >= 0 ? std::min(strength, most_emission) : 1);
-    }
-    for (const json& camera : list(root, "cameras", path))
-        facts.vertical_fields.push_back(fraction(camera, "/perspective/yfov", 0));
-    return facts;
-}
-
 } // namespace
 
-GltfFacts check_gltf(const std::string& bytes, const std::string& path, LeftOut& left_out) {
-    const json root = parsed(bytes, path);
-    check_version(root, path);
-    check_ranges(root, path);
-    check_nodes(root, path);
-    count_left_out(root, path, left_out);
-    return facts_of(root, path);
+void check_gltf(const GltfFile& file, const std::string& path) {
+    check_extensions(file.root, path);
+    check_views(file, path);
+    check_accessors(file.root, path);
+    check_meshes(file.root, path);
+    check_nodes(file.root, path);
+    check_names(file.root, path);
 }
 
 } // namespace preview

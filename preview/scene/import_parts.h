@@ -32,10 +32,6 @@ struct GltfFacts {
     std::vector<float> vertical_fields;    ///< of view of cameras, radians; 0: not perspective
 };
 
-/// Refuses what a parser should not be trusted with: wrong versions, cycles and depth of nodes,
-/// ranges beyond their buffers, counts beyond import_limits. Counts what this import leaves out.
-GltfFacts check_gltf(const std::string& bytes, const std::string& path, LeftOut& left_out);
-
 /// Its factors, and the means of its textures. Emission is of strength 1.
 Material import_material(const aiScene& scene, const aiMaterial& material,
                          const std::string& folder, LeftOut& left_out);

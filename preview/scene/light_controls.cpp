@@ -24,7 +24,7 @@ void set_color(PointLight& light, glm::vec3 color) {
 
 using Kind = LightControl::Kind;
 
-constexpr float least_intensity = 1e-4F, most_intensity = 1e6F;
+constexpr float least_intensity = 1e-4F, most_intensity = 1e10F;
 constexpr float farthest = 1000;
 
 const LightControl rows[] = {

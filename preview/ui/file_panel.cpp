@@ -39,7 +39,7 @@ std::string path_or(const std::string& typed, const std::string& usual) {
 
 void file_panel(Ui& ui) {
     State& state = ui.history.draft();
-    ImGui::TextWrapped("Open a recipe, LUT or picture, or drop it on the window.");
+    ImGui::TextWrapped("Open a recipe, LUT, picture or glTF model, or drop it on the window.");
     if (path_line(ui, "Open", ui.open_file, "file", "open") && !ui.open_file.empty())
         ui.to_open.push_back(ui.open_file);
     for (std::size_t i = 0; i < 2; ++i) {

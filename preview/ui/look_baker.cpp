@@ -1,9 +1,10 @@
 #include "preview/ui/look_baker.h"
 
 #include "lutlib/bake.h"
-#include "lutlib/bake_recipe.h"
 #include "lutlib/edit.h"
+#include "preview/recipe_table.h"
 
+#include <algorithm>
 #include <chrono>
 #include <tuple>
 
@@ -13,6 +14,13 @@ namespace {
 
 auto values_of(const lutlib::Recipe& r) {
     return std::tie(r.input, r.output, r.base_lut, r.bake, r.operations);
+}
+
+// A gesture's changes follow each other faster.
+constexpr auto pause_between_gestures = std::chrono::milliseconds(200);
+
+bool shows_recipe(const Side& side) {
+    return side.source == SideSource::recipe;
 }
 
 const Lookup& float_table() {
@@ -39,17 +47,17 @@ LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side) {
             return look_for(*side.lut, float_table());
         break;
     case SideSource::recipe:
-        return look_for(lutlib::bake_recipe(recipe), float_table());
+        return look_for(quick_table(recipe), float_table());
     case SideSource::baked: {
         const lutlib::Engine& engine = *side.engine->engine;
         const lutlib::Edit edit(recipe);
         const lutlib::Bake baked = lutlib::bake([&](lutlib::RgbD in) { return edit(in); }, engine,
                                                 side.size > 0 ? side.size : engine.default_size,
                                                 side.bits > 0 ? side.bits : engine.default_bits);
-        return {look_data(baked.picture, baked.size, *side.engine), {}, table_of(baked)};
+        return {look_data(baked.picture, baked.size, *side.engine), {}, {}, table_of(baked)};
     }
     }
-    return {no_look(), "there is none", nullptr};
+    return {no_look(), "there is none", {}, {}};
 }
 
 LookBaker::LookBaker(std::function<void()> on_ready)
@@ -84,9 +92,34 @@ bool LookBaker::is_busy() {
     return waiting_ || bakes_ || finished_;
 }
 
+bool LookBaker::is_outdated() {
+    const std::lock_guard lock(mutex_);
+    return ends_ || waiting_;
+}
+
+void LookBaker::publish(BakedLooks baked, bool is_last) {
+    {
+        const std::lock_guard lock(mutex_);
+        finished_ = std::move(baked);
+        bakes_ = !is_last;
+    }
+    on_ready_();
+}
+
+void LookBaker::refine(const LookRequest& request, BakedLooks baked) {
+    const std::optional<RecipeTable> table =
+        measured_table(request.recipe, [this] { return is_outdated(); });
+    if (!table)
+        return;
+    for (std::size_t i = 0; i < baked.sides.size(); ++i)
+        if (shows_recipe(request.sides[i]))
+            baked.sides[i] = measured_look(*table, float_table());
+    publish(std::move(baked), true);
+}
+
 void LookBaker::run() {
-    std::unique_lock lock(mutex_);
     for (;;) {
+        std::unique_lock lock(mutex_);
         changed_.wait(lock, [this] { return ends_ || waiting_; });
         if (ends_)
             return;
@@ -105,12 +138,18 @@ void LookBaker::run() {
         baked.milliseconds =
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
                 .count();
+        const bool refines =
+            baked.error.empty() && std::any_of(request.sides.begin(), request.sides.end(),
+                                               [](const Side& side) { return shows_recipe(side); });
+        publish(baked, !refines);
+        if (!refines)
+            continue;
         lock.lock();
-        finished_ = std::move(baked);
-        bakes_ = false;
+        const bool is_followed =
+            changed_.wait_for(lock, pause_between_gestures, [this] { return ends_ || waiting_; });
         lock.unlock();
-        on_ready_();
-        lock.lock();
+        if (!is_followed)
+            refine(request, std::move(baked));
     }
 }
 

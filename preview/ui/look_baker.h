@@ -25,9 +25,12 @@ struct BakedLooks {
     double milliseconds = 0;
 };
 
-/// The look of one side. Throws lutlib::Error for what its lookup cannot hold.
+/// The look of one side; a recipe's is a quick table. Throws lutlib::Error for what its lookup
+/// cannot hold.
 LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side);
 
+/// Bakes a request's looks at once. When no other follows for a moment, tables that stand for the
+/// recipe are measured against it, and finer ones are made where the difference could be seen.
 class LookBaker {
   public:
     /// `on_ready` is called on the baking thread after each bake.
@@ -45,6 +48,9 @@ class LookBaker {
 
   private:
     void run();
+    void publish(BakedLooks baked, bool is_last);
+    void refine(const LookRequest& request, BakedLooks baked);
+    bool is_outdated();
 
     std::function<void()> on_ready_;
     std::mutex mutex_;

@@ -22,10 +22,13 @@ void control_row(Ui& ui, const LightControl& control, PointLight& light, const s
         break;
     }
     case LightControl::Kind::number:
-        changed = ImGui::SliderFloat(
-            label.c_str(), &value.x, control.min, control.max, "%.4g",
-            ImGuiSliderFlags_AlwaysClamp |
-                (control.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None));
+        // Over many decades a drag changes by shares of the value.
+        changed =
+            control.logarithmic
+                ? ImGui::DragFloat(label.c_str(), &value.x, std::max(value.x, control.min) / 100,
+                                   control.min, control.max, "%.4g", ImGuiSliderFlags_AlwaysClamp)
+                : ImGui::SliderFloat(label.c_str(), &value.x, control.min, control.max, "%.4g",
+                                     ImGuiSliderFlags_AlwaysClamp);
         break;
     case LightControl::Kind::color:
         changed = ImGui::ColorEdit3(label.c_str(), &value.x, ImGuiColorEditFlags_Float);

@@ -39,7 +39,12 @@ void compare_by(Ui& ui) {
 
 constexpr Shortcut shortcuts[] = {
     {"F1", "this list", GLFW_KEY_F1, false, false, [](Ui& ui) { ui.shows_help = !ui.shows_help; }},
-    {"Esc", "close it", GLFW_KEY_ESCAPE, false, false, [](Ui& ui) { ui.shows_help = false; }},
+    {"Esc", "close it, errors and questions", GLFW_KEY_ESCAPE, false, false,
+     [](Ui& ui) {
+         ui.shows_help = false;
+         ui.errors.clear();
+         ui.to_replace.clear();
+     }},
     {"Ctrl+Z", "undo", GLFW_KEY_Z, true, false, [](Ui& ui) { ui.history.undo(); }},
     {"Ctrl+Shift+Z", "redo", GLFW_KEY_Z, true, true, [](Ui& ui) { ui.history.redo(); }},
     {"Ctrl+Y", "redo", GLFW_KEY_Y, true, false, [](Ui& ui) { ui.history.redo(); }},
@@ -127,7 +132,7 @@ void replace_dialog(Ui& ui) {
     if (!ImGui::BeginPopupModal("Replace?", nullptr, ImGuiWindowFlags_AlwaysAutoResize))
         return;
     ImGui::Text("%s exists already.", ui.to_replace.c_str());
-    bool done = false;
+    bool done = ui.to_replace.empty();
     if (ImGui::Button("Replace it")) {
         attempt(ui, ui.replace);
         done = true;

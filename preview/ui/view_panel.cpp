@@ -25,7 +25,7 @@ void row_choice(Ui& ui, const char* title, const Rows& rows, const Row*& chosen)
     ImGui::EndCombo();
 }
 
-void side_controls(Ui& ui, Side& side, const std::string& name) {
+void side_controls(Ui& ui, Side& side, const std::string& name, const std::string& note) {
     ImGui::PushID(name.c_str());
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(("Side " + name).c_str());
@@ -39,6 +39,9 @@ void side_controls(Ui& ui, Side& side, const std::string& name) {
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip("%.*s", static_cast<int>(info.help.size()), info.help.data());
     }
+    if (side.source == SideSource::recipe)
+        ImGui::TextDisabled("%s",
+                            note.empty() ? "being measured against the recipe ..." : note.c_str());
     if (side.source == SideSource::file)
         ImGui::TextDisabled("%s", side.path.c_str());
     if (side.source == SideSource::baked) {
@@ -63,8 +66,8 @@ void side_controls(Ui& ui, Side& side, const std::string& name) {
 void view_panel(Ui& ui) {
     State& state = ui.history.draft();
     row_choice(ui, "Compare", compares, state.compare);
-    side_controls(ui, state.sides[0], "A");
-    side_controls(ui, state.sides[1], "B");
+    side_controls(ui, state.sides[0], "A", ui.facts.look_notes[0]);
+    side_controls(ui, state.sides[1], "B", ui.facts.look_notes[1]);
     if (state.compare == &compare_difference) {
         ImGui::SliderFloat("Heat map to dE2000", &state.heat_scale, 4, 96, "%.0f",
                            ImGuiSliderFlags_AlwaysClamp);

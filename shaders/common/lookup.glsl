@@ -237,11 +237,14 @@ vec3 picture_lookup(int row, sampler2D picture, int n, vec3 c) {
     switch (row) {
     case lookup_strip_texels:
     case lookup_piccolo:
+    case lookup_shared_trilinear:
         return trilinear_picture(picture, layout_strip, n, c * last);
     case lookup_obs:
         return trilinear_picture(picture, layout_tiles, n, c * last);
     case lookup_godot:
         return trilinear_picture(picture, layout_tiles, n, c * float(n) - 0.5);
+    case lookup_shared_tetrahedral:
+        return tetrahedral_picture(picture, layout_strip, n, c * last);
     case lookup_hald:
         return tetrahedral_picture(picture, layout_hald, n, c * last);
     case lookup_ocio:

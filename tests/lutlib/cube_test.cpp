@@ -59,11 +59,14 @@ TEST_P(CubeDialectTable, gives_the_right_answer) {
     EXPECT_FLOAT_EQ(out.b, GetParam().right);
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
-        text.replace(at, from.size(), to);
+std::string replaced(const std::string& text, const std::string& from, const std::string& to) {
+    std::string out;
+    std::size_t at = 0;
+    for (std::size_t next; (next = text.find(from, at)) != std::string::npos;
+         at = next + from.size()) {
+        out.append(text, at, next - at).append(to);
     }
-    return text;
+    return out.append(text, at);
 }
 
 const std::string plain =

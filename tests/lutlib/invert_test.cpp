@@ -83,10 +83,10 @@ TEST(Invert, undoes_an_invertible_look_within_a_bound_that_falls_with_the_square
         options.size = size;
         return round_trip(look, invert(look, options).lut, inputs);
     };
-    const double coarse = error(17), fine = error(65);
+    const double coarse = error(9), fine = error(33);
     EXPECT_LT(coarse, 4e-3);
     EXPECT_LT(fine, 5e-4);
-    EXPECT_LT(fine, coarse / 4);
+    EXPECT_LT(fine, coarse / 8);
 }
 
 TEST(Invert, says_where_a_colour_cannot_be_given) {

@@ -48,9 +48,9 @@ INSTANTIATE_TEST_SUITE_P(Storages, EveryStorage,
 TEST_P(EveryStorage, reads_what_the_double_oracle_reads_within_its_rounding) {
     const Storage& storage = GetParam();
     // Half a code; of halves below 1, 2^-12; and float arithmetic.
-    const double rounding = storage.maximum > 0 ? 0.5 / storage.maximum
-                            : storage.half      ? 0x1p-12
-                                                : 0;
+    const double rounding = storage.maximum > 0                    ? 0.5 / storage.maximum
+                            : storage.format == NodeFormat::halves ? 0x1p-12
+                                                                   : 0;
     for (const Domain& domain : {Domain{}, Domain{{-1, 0, 0.25F}, {3, 0.5F, 2}}}) {
         const Lut lut = saturated_lut(9, domain);
         const StoredLut stored(lut, nodes_of(lut), storage);
@@ -109,7 +109,7 @@ TEST_P(EveryStorage, answers_every_input_and_every_node_with_a_number) {
     std::vector<Rgb> out(in.size());
     for (const Lookup& lookup : lookups()) {
         stored.apply(in, out, lookup);
-        if (GetParam().maximum > 0 || GetParam().half) {
+        if (GetParam().format != NodeFormat::floats) {
             for (const Rgb& c : out) {
                 EXPECT_TRUE(std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b));
             }
@@ -119,7 +119,7 @@ TEST_P(EveryStorage, answers_every_input_and_every_node_with_a_number) {
 
 TEST(StoredLut, rounds_halves_to_nearest_over_their_whole_range) {
     const Storage& half = storages()[3];
-    ASSERT_TRUE(half.half);
+    ASSERT_EQ(half.format, NodeFormat::halves);
     Lut lut;
     lut.cube = identity_cube(2);
     for (const double value : {1.0, 0.1, 6e-8, 5.9e-5, 6.1e-5, 0.99999, 2047.9, 65503.0, -0.3}) {

@@ -82,6 +82,36 @@ TEST_F(ExecuteTest, a_filled_buffer_comes_back_and_is_known_by_name_once_finishe
     EXPECT_EQ(executor.finished_buffer("counters").size(), 16U);
 }
 
+TEST_F(ExecuteTest, a_repeated_frame_presents_again_and_computes_nothing) {
+    const ImageDesc desc{Format::rgba32f, 64, 32};
+    const auto texels = ramp(desc.width, desc.height);
+    const gpu::Image image = upload(desc, texels);
+    Graph graph;
+    const Handle copy = add_copy(graph, graph.import("source", image, desc), Format::rgba32f);
+    graph.present(copy);
+    Executor executor(device());
+    EXPECT_THROW(executor.repeat({}), std::logic_error);
+    executor.render(graph);
+    const auto times = executor.timings();
+    const gpu::Buffer seen(device(), desc.bytes(), vk::BufferUsageFlagBits::eTransferDst,
+                           gpu::BufferMemory::readback);
+    FrameEnd end;
+    end.record = [&](const vk::raii::CommandBuffer& commands) {
+        commands.copyImageToBuffer(
+            executor.image(copy).vk(), vk::ImageLayout::eTransferSrcOptimal, seen.vk(),
+            vk::BufferImageCopy(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {},
+                                {desc.width, desc.height, 1}));
+    };
+    for (int frame = 0; frame < 3; ++frame)
+        executor.repeat(end);
+    ASSERT_EQ(executor.timings().size(), times.size());
+    EXPECT_EQ(executor.timings()[0].milliseconds, times[0].milliseconds);
+    EXPECT_EQ(as<float>({seen.mapped().begin(), seen.mapped().end()}), texels);
+    EXPECT_EQ(as<float>(executor.read_image(copy)), texels);
+    executor.render(graph);
+    EXPECT_EQ(as<float>(executor.read_image(copy)), texels);
+}
+
 TEST_F(ExecuteTest, every_step_is_timed_by_name) {
     const ImageDesc desc{Format::rgba32f, 64, 32};
     const gpu::Image image = upload(desc, ramp(desc.width, desc.height));

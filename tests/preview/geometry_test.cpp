@@ -235,7 +235,7 @@ TEST_F(ResolveTest, another_size_keeps_the_mean_and_ignores_what_is_not_finite) 
         mean += static_cast<double>(value) / (desc.width * desc.height);
         texels.insert(texels.end(), {value, value, value, 1});
     }
-    for (const Size target : {Size{4, 3}, Size{24, 18}, Size{6, 9}}) {
+    for (const Size target : {Size{4, 3}, Size{24, 18}, Size{6, 5}}) {
         const Result result = resolve(desc, texels, target, 1);
         double found = 0;
         for (std::size_t at = 0; at < result.texels.size(); at += 4)
@@ -246,6 +246,26 @@ TEST_F(ResolveTest, another_size_keeps_the_mean_and_ignores_what_is_not_finite) 
     texels[0] = std::numeric_limits<float>::quiet_NaN();
     for (const float value : resolve(desc, texels, {4, 3}, 1).texels)
         EXPECT_TRUE(std::isfinite(value));
+}
+
+TEST_F(ResolveTest, a_picture_keeps_its_proportions_between_black_bars) {
+    const ImageDesc desc{Format::rgba32f, 4, 2};
+    const std::vector<float> texels(std::size_t{4} * 4 * 2, 3);
+    struct Case {
+        Size target, low, high; ///< the picture from low to before high
+    };
+    for (const auto& [target, low, high] :
+         {Case{{4, 6}, {0, 2}, {4, 4}}, Case{{9, 2}, {2, 0}, {6, 2}}, Case{{2, 7}, {0, 3}, {2, 4}},
+          Case{{1, 1}, {0, 0}, {1, 1}}}) {
+        const Result result = resolve(desc, texels, target, 1);
+        for (std::uint32_t y = 0; y < target.height; ++y)
+            for (std::uint32_t x = 0; x < target.width; ++x) {
+                const bool inside =
+                    x >= low.width && x < high.width && y >= low.height && y < high.height;
+                EXPECT_EQ(result.texels[std::size_t{4} * (y * target.width + x)], inside ? 3 : 0)
+                    << target.width << "x" << target.height << ": " << x << "," << y;
+            }
+    }
 }
 
 } // namespace

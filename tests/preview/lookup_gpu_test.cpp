@@ -116,11 +116,15 @@ class EveryLookup : public FinishTest, public testing::WithParamInterface<const 
         std::vector<Rgb> wanted;
         for (const Rgb& in : inputs)
             wanted.push_back(oracle(in));
-        const GpuLook look(device(), data);
+        GpuLook look(device(), data);
         if (!GetParam()->filtered)
             expect_near(finished(inputs, &look, display_encoded()), wanted, inputs, float_bound);
         expect_codes_near(finished_codes(inputs, &look, display_encoded()), wanted,
                           GetParam()->filtered ? std::max(1, filter_codes(size)) : 1);
+        if (!GetParam()->shared || !device().has_half())
+            return;
+        look.half_arithmetic = !look.half_arithmetic;
+        expect_codes_near(finished_codes(inputs, &look, display_encoded()), wanted, 1);
     }
 
     void compare_table(const Lut& look, const std::string& what) {
@@ -216,6 +220,45 @@ TEST_F(SharedLookupTest, every_texel_of_any_size_is_finished_as_by_the_plain_pas
         };
         const std::vector<Rgb> wanted = run(plain);
         expect_near(run(fast), wanted, wanted, float_bound);
+    }
+}
+
+TEST_F(SharedLookupTest, of_two_looks_the_one_beyond_shared_memory_is_read_alike) {
+    const auto codes_of_look = [](double power) {
+        return lutlib::bake(
+                   [=](RgbD c) {
+                       return strong_look({std::pow(c.r, power), c.g, c.b});
+                   },
+                   *lutlib::engine_named("piccolo"), 16, 8)
+            .picture;
+    };
+    const std::vector<Rgb> inputs = test_colors(16);
+    const gpu::Image image = image_of(inputs);
+    for (const char* name : {"shared-trilinear", "shared-tetrahedral"}) {
+        SCOPED_TRACE(name);
+        const Lookup& row = *lookup_named(name);
+        const GpuLook first(device(), look_data(codes_of_look(1), 16, row));
+        const GpuLook second(device(), look_data(codes_of_look(2), 16, row));
+        const auto run = [&](const GpuLook* a, const GpuLook* b, const char* compare) {
+            FinishSettings settings;
+            settings.compare = compare_named(compare);
+            settings.format = Format::rgba32f;
+            Graph graph;
+            const Handle out =
+                add_finish(graph, graph.import("colours", image, image.desc()), {}, a, b, settings)
+                    .picture;
+            graph.present(out);
+            return colors_of(run_and_read<float>(graph, out));
+        };
+        const std::vector<Rgb> both = run(&first, &second, "side");
+        const std::vector<Rgb> alone[] = {run(&first, nullptr, "a"), run(nullptr, &second, "b")};
+        std::vector<Rgb> got, wanted;
+        for (std::size_t i = 0; i < both.size(); ++i) {
+            const std::size_t x = i % (2 * colors_a_row), y = i / (2 * colors_a_row);
+            got.push_back(both[i]);
+            wanted.push_back(alone[x / colors_a_row][y * colors_a_row + x % colors_a_row]);
+        }
+        expect_near(got, wanted, wanted, float_bound);
     }
 }
 

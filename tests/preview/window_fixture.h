@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -129,7 +130,7 @@ class Window : public ::testing::Test {
 
     /// xdotool's commands, then the pointer away; returns when all that they led to is drawn.
     void act(const Words& words) {
-        rest_ = rest_.x == 4 ? Point{8, 4} : Point{4, 4};
+        rest_ = rest_ == rests_[0] ? rests_[1] : rests_[0];
         desktop_->xdotool(words); // apart: `type` takes all words that follow
         desktop_->xdotool(mouse_to(rest_));
         wait_until(
@@ -212,8 +213,9 @@ class Window : public ::testing::Test {
     }
 
     std::optional<Desktop> desktop_;
-    std::unique_ptr<Process> program_; // ends before its server
-    Point rest_;
+    std::unique_ptr<Process> program_;                // ends before its server
+    Point rest_;                                      // where the pointer is left
+    std::array<Point, 2> rests_{Point{4, 4}, {8, 4}}; // in turn, for a move to be seen
 };
 
 } // namespace desktop

@@ -1,0 +1,72 @@
+// The body of finish_shared.comp and finish_shared_half.comp: as finish.comp, with one look of 16
+// nodes in shared memory. There are as many groups as the GPU holds at once; each copies the lattice
+// and then finishes tiles of the picture, a stride apart, until it ends.
+layout(local_size_x = 8, local_size_y = 128) in;
+
+vec3 graded_a(vec3 c);
+vec3 graded_b(vec3 c);
+#include "common/bloom.glsl"
+#include "common/finish.glsl"
+#include "common/lattice16.glsl"
+
+// A tone map's result, and what an integer format holds, lies within 0..1.
+vec3 unit(vec3 c) {
+    return tonemap_row >= 0 || unit_picture ? c : saturate(c);
+}
+
+bool is_shared(int lookup) {
+    return lookup == lookup_shared_trilinear || lookup == lookup_shared_tetrahedral;
+}
+
+vec3 shared_lookup(int lookup, vec3 c) {
+    return lookup == lookup_shared_trilinear ? trilinear16(unit(c)) : tetrahedral16(unit(c));
+}
+
+vec3 graded_a(vec3 c) {
+    if (is_shared(lookup_a))
+        return shared_lookup(lookup_a, c);
+    return apply_lookup(lookup_a, picture_a, volume_a, shaper_a, look_a, c);
+}
+
+// There is shared memory for one lattice only; the second is read from its picture.
+vec3 graded_b(vec3 c) {
+    if (is_shared(lookup_b) && !is_shared(lookup_a))
+        return shared_lookup(lookup_b, c);
+    return apply_lookup(lookup_b, picture_b, volume_b, shaper_b, look_b, c);
+}
+
+const int texels_each = 4;
+const ivec2 tile = ivec2(32, 128);
+
+// `whole`: the tile lies inside the picture, so that nothing need be clamped or tested.
+void finish_tile(ivec2 corner, ivec2 size, bool whole) {
+    ivec2 first = corner + ivec2(gl_LocalInvocationID.xy);
+    vec3 texels[texels_each];
+    for (int k = 0; k < texels_each; ++k) {
+        ivec2 at = first + ivec2(8 * k, 0);
+        texels[k] = picture_at(whole ? at : min(at, size - 1));
+    }
+    for (int k = 0; k < texels_each; ++k) {
+        ivec2 at = first + ivec2(8 * k, 0);
+        if (whole || all(lessThan(at, size)))
+            store_texel(at, size, display_encoded(at, texels[k]));
+    }
+}
+
+void main() {
+    load_nodes();
+    ivec2 size = textureSize(picture, 0);
+    ivec2 tiles = (size + tile - 1) / tile;
+    int groups = int(gl_NumWorkGroups.x), group = int(gl_WorkGroupID.x);
+    ivec2 place = ivec2(group % tiles.x, group / tiles.x);
+    ivec2 stride = ivec2(groups % tiles.x, groups / tiles.x);
+    while (place.y < tiles.y) {
+        if (all(lessThanEqual((place + 1) * tile, size)))
+            finish_tile(place * tile, size, true);
+        else
+            finish_tile(place * tile, size, false);
+        place += stride;
+        if (place.x >= tiles.x)
+            place += ivec2(-tiles.x, 1);
+    }
+}

@@ -267,7 +267,7 @@ class Bench {
         for (const Scope& scope : scopes) {
             const std::string name(scope.name);
             const auto declare = [&](Graph& graph) {
-                return add_scope(graph, display(graph), scope, all, {scope.width, scope.height},
+                return add_scope(graph, graph.import("display", *display_, display_->desc()), scope, all, {scope.width, scope.height},
                                  scope.logarithmic)
                     .picture;
             };

@@ -75,8 +75,7 @@ struct FrameHandles {
     GBuffer surfaces;
     Handle materials; ///< the scene's buffer
     Handle shadow_maps, lit, hdr, hdr_maximum, bloom, graded, figures;
-    std::array<Handle, scopes.size()>
-        scope_pictures; ///< their pictures; those looked at are presented
+    std::array<Handle, scopes.size()> scope_pictures; ///< of those looked at, presented
     Handle probe, axis_counts;
     Handle output; ///< rgba8, presented
 };

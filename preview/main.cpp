@@ -104,7 +104,9 @@ int run(const Options& options) {
         print_list();
         return ok;
     }
-    if (!options.cube_view.empty() && !options.output.empty()) {
+    if (!options.cube_view.empty()) {
+        if (options.output.empty())
+            throw lutlib::UsageError("--cube-view needs -o FILE");
         write_picture(options.output, cube_picture(options));
         return ok;
     }

@@ -149,9 +149,9 @@ void declare(CLI::App& app, Options& options) {
         ->check(CLI::Range(2, 65));
     app.add_option("--cube-turn", options.cube.turn, "Turns it about the neutral axis, degrees");
     app.add_option("--cube-tilt", options.cube.tilt, "Degrees; 90 looks down on white")
-        ->check(CLI::Range(-90.0, 90.0));
+        ->check(within(-90, 90));
     app.add_option("--cube-zoom", options.cube.zoom, "Brings it nearer")
-        ->check(CLI::Range(0.3, 8.0));
+        ->check(within(0.3, 8));
     app.add_flag("--cube-clamped", options.cube.clamped,
                  "Nodes where a display shows them, within 0 to 1");
     app.add_flag("--cube-by-input", options.cube.by_input,
@@ -228,6 +228,9 @@ FrameSettings settings_of(const Options& options, Size input_size) {
     }
     if (!options.probe.empty())
         settings.probe = parse_place(options.probe, settings.output);
+    if (settings.probe && settings.view != nullptr)
+        throw lutlib::UsageError(
+            "--probe tells the finished picture, which --debug-view leaves out");
     return settings;
 }
 

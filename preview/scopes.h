@@ -1,12 +1,12 @@
 // The instruments on which colourists read levels and gamut, as a table: what each counts over the
 // finished picture, in 8-bit codes.
 //
-// Luma, Cb and Cr are those of Rec. ITU-R BT.709-6, items 3.2 and 3.3, on full-range codes, in
+// Luma, Cb and Cr are those of Rec. ITU-R BT.709-6, section 3, on full-range codes, in
 // fixed point so that the GPU and its twin agree on every count:
 //     Y' = .2126 R' + .7152 G' + .0722 B'   Cb = (B' - Y') / 1.8556   Cr = (R' - Y') / 1.5748
 // On the vectorscope Cb runs to the right and Cr upwards. Its skin line is NTSC's +I axis, at 123
-// degrees from +Cb (SMPTE 170M-2004, 7.4: I and Q are Cr and Cb turned by 33 degrees), near which
-// skin of every shade lies. Its targets are the bars of 75 %.
+// degrees from +Cb (SMPTE 170M: I and Q are the colour differences turned by 33 degrees), near
+// which skin of every shade lies. Its targets are the bars of 75 %.
 #pragma once
 
 #include "preview/compare.h"

@@ -37,6 +37,15 @@ inline Size size_of(const Graph& graph, Handle image) {
     return {desc.width, desc.height};
 }
 
+/// Groups of a pass whose groups count in shared memory and add their sums to a buffer: a group's
+/// clearing and adding is little beside its share of the picture, and there are no more groups than
+/// the largest GPUs hold.
+constexpr std::uint32_t counting_groups(std::uint64_t texels) {
+    constexpr std::uint64_t share = 8192, most = 528;
+    const std::uint64_t groups = (texels + share - 1) / share;
+    return static_cast<std::uint32_t>(groups < 1 ? 1 : groups > most ? most : groups);
+}
+
 /// Half of a size, rounded up: the next level of a pyramid.
 constexpr Size half(Size size) {
     return {(size.width + 1) / 2, (size.height + 1) / 2};

@@ -12,13 +12,6 @@ struct DrawPush {
     std::uint32_t columns, width, height, logarithmic;
 };
 
-/// Groups for passes whose groups add private counts to the buffer: a group's clearing and adding
-/// must be little beside its share of the picture, and more groups than a GPU holds gain nothing.
-std::uint32_t private_groups(std::uint32_t texels) {
-    constexpr std::uint32_t share = 8192, most = 528;
-    return std::clamp((texels + share - 1) / share, 1U, most);
-}
-
 Handle count_columns(Graph& graph, Handle picture, const Scope& scope, ColumnRange range,
                      std::uint32_t columns, Handle counts) {
     Pass pass =
@@ -41,7 +34,7 @@ Handle count_privately(Graph& graph, Handle picture, const Scope& scope, ColumnR
     pass.read(picture);
     counts = pass.modify(counts);
     pass.push(std::array{range.first, range.count});
-    pass.dispatch(private_groups(range.count * graph.image_desc(picture).height));
+    pass.dispatch(counting_groups(std::uint64_t{range.count} * graph.image_desc(picture).height));
     return counts;
 }
 

@@ -99,6 +99,10 @@ void scope_strip(Ui& ui, const Rect& area) {
                               text_of(scopes[i].help).c_str());
         x += widths[i];
     }
+    if (ui.history.draft().compare == &compare_difference) {
+        ImGui::SetCursorScreenPos({area.x + 12, area.y + 8});
+        ImGui::TextDisabled("a heat map has no levels");
+    }
     ImGui::End();
 }
 

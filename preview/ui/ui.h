@@ -39,8 +39,8 @@ struct Facts {
     float aspect = 0;             ///< a picture's width over its height; 0: a scene fills any area
     bool display_encoded = false; ///< there is nothing to tone map
     double bake_milliseconds = 0;
-    std::array<std::string, 2> look_notes; ///< how exactly each side stands for the recipe
     Measured measured;
+    std::array<std::string, 2> look_notes; ///< how exactly each side stands for the recipe
     std::array<std::shared_ptr<const lutlib::Lut>, 2> tables; ///< of the sides; null: no look
     std::vector<PassTime> passes;
     std::string explanation; ///< a line for each pass, kept or left out, and why

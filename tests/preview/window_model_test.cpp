@@ -88,6 +88,23 @@ TEST(History, undoes_and_redoes_a_change_of_every_operator_and_of_the_view) {
     EXPECT_FALSE(history.redo());
 }
 
+TEST(History, brings_back_which_scopes_are_seen_and_how_the_cube_is_turned) {
+    History history(initial_state());
+    history.draft().scopes_seen.seen[2] = true;
+    EXPECT_TRUE(history.settle());
+    history.draft().scopes_seen.logarithmic = false;
+    EXPECT_TRUE(history.settle());
+    history.draft().cube.view.turn += 30;
+    EXPECT_TRUE(history.settle());
+    const State last = history.draft();
+    for (int step = 0; step < 3; ++step)
+        EXPECT_TRUE(history.undo());
+    EXPECT_TRUE(history.draft() == initial_state());
+    while (history.redo()) {
+    }
+    EXPECT_TRUE(history.draft() == last);
+}
+
 TEST(History, makes_one_step_of_a_whole_gesture) {
     History history(initial_state());
     for (int i = 1; i <= 100; ++i)

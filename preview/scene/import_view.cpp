@@ -115,6 +115,13 @@ PointLight import_light(const aiLight& given, const glm::mat4& place, const Ball
     return light;
 }
 
+void dim(Environment& environment, float factor) {
+    for (glm::vec3* radiance : {&environment.zenith, &environment.horizon, &environment.ground})
+        *radiance *= factor;
+    for (SoftBox& box : environment.soft_boxes)
+        box.radiance *= factor;
+}
+
 void import_lights(const aiScene& file, const Places& nodes, const glm::mat4& fit, const Ball& ball,
                    Scene& scene, LeftOut& left_out) {
     const float scale = glm::length(glm::vec3(fit[0]));
@@ -148,6 +155,7 @@ void import_lights(const aiScene& file, const Places& nodes, const glm::mat4& fi
     if (irradiance > 0)
         scene.exposure =
             std::clamp(std::log2(std::numbers::pi_v<float> / irradiance), -20.0F, 20.0F);
+    dim(scene.environment, std::exp2(-scene.exposure)); // exposed, they look as the sample's do
 }
 
 } // namespace

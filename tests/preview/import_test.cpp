@@ -4,6 +4,7 @@
 #include "lutlib/io/png.h"
 #include "preview/headless.h"
 #include "preview/light_edit.h"
+#include "preview/scene/builtin.h"
 #include "preview/scene/import.h"
 #include "preview/shown.h"
 #include "tests/preview/gltf_writer.h"
@@ -212,6 +213,8 @@ TEST_F(ImportTest, shines_with_the_file_s_lights_as_bright_as_they_were) {
     expect_near(glm::normalize(scene.lights[1].position - middle), {0, 0, 1}, rounding);
     EXPECT_TRUE(tells(imported, "1 cones of spot lights"));
     EXPECT_NEAR(std::exp2(scene.exposure) * (0.5F + 3 + 0.125F), std::numbers::pi_v<float>, 1e-2F);
+    expect_near(scene.environment.zenith * std::exp2(scene.exposure),
+                sample_scene().environment.zenith, rounding);
     for (const PointLight& light : scene.lights)
         EXPECT_TRUE(light.casts_shadow);
 }

@@ -267,8 +267,8 @@ class Bench {
         for (const Scope& scope : scopes) {
             const std::string name(scope.name);
             const auto declare = [&](Graph& graph) {
-                return add_scope(graph, graph.import("display", *display_, display_->desc()), scope, all, {scope.width, scope.height},
-                                 scope.logarithmic)
+                return add_scope(graph, graph.import("display", *display_, display_->desc()), scope,
+                                 all, {scope.width, scope.height}, scope.logarithmic)
                     .picture;
             };
             Row counted = measure("scope", name + ", counted", "count " + name, declare);

@@ -3,12 +3,14 @@
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/report.h"
+#include "lutlib/edit.h"
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/lut_picture.h"
 #include "lutlib/io/ocio.h"
+#include "lutlib/io/recipe_file.h"
 #include "lutlib/limits.h"
 #include "lutlib/recognise.h"
 #include "lutlib/samples.h"
@@ -125,24 +127,41 @@ lutlib::Interpolation baked_interpolation(const Options& o, const Subject& s) {
 }
 
 // The look as OpenColorIO evaluates it: by its own parser wherever it can read the file, else from
-// our reading of it, with the reason.
+// our reading of it, with the reason. OpenColorIO knows no recipes; those are evaluated exactly, in
+// double, by lutlib.
 class Reference {
   public:
     explicit Reference(const std::string& path)
         : name_(io::input_name(path)), bytes_(io::read_file(path)),
           extension_(path == io::standard_stream ? "cube" : io::extension_of(path)) {
-        if (io::is_png(bytes_)) {
+        if (io::is_recipe(bytes_)) {
+            recipe_.emplace(io::recipe_from(bytes_, path, read_lut));
+        } else if (io::is_png(bytes_)) {
             ours_ = io::decode_lut(bytes_, name_).lut;
         }
     }
 
     Oracle oracle(lutlib::Interpolation how) {
+        if (recipe_) {
+            return [edit = *recipe_](std::vector<lutlib::Rgb>& colors) {
+                for (lutlib::Rgb& color : colors) {
+                    color = to_float(edit(to_double(color)));
+                }
+            };
+        }
         std::shared_ptr<io::OcioTransform>& transform = transforms_[how];
         if (!transform) {
             transform = evaluator(how);
         }
         return [transform](std::vector<lutlib::Rgb>& colors) { transform->apply(colors); };
     }
+
+    std::string name() const {
+        return recipe_ ? "the recipe, evaluated exactly" : "OpenColorIO " + io::ocio().version();
+    }
+
+    /// Whether an interpolation has a part in it.
+    bool is_table() const { return !recipe_; }
 
     /// Why OpenColorIO could not read the file itself; empty when it could.
     const std::string& refusal() const { return refusal_; }
@@ -163,6 +182,7 @@ class Reference {
 
     std::string name_, bytes_, extension_, refusal_;
     std::optional<lutlib::Lut> ours_;
+    std::optional<lutlib::Edit> recipe_; ///< evaluated instead
     std::map<lutlib::Interpolation, std::shared_ptr<io::OcioTransform>> transforms_;
 };
 
@@ -170,7 +190,8 @@ std::vector<lutlib::Alternative> other_interpolations(Reference& reference,
                                                       lutlib::Interpolation used) {
     std::vector<lutlib::Alternative> out;
     for (const lutlib::InterpolationInfo& row : lutlib::interpolations()) {
-        if (row.kind != used && row.kind != lutlib::Interpolation::nearest) {
+        if (reference.is_table() && row.kind != used &&
+            row.kind != lutlib::Interpolation::nearest) {
             out.push_back({fmt::format("the look was read with {} interpolation", row.name),
                            reference.oracle(row.kind)});
         }
@@ -180,8 +201,8 @@ std::vector<lutlib::Alternative> other_interpolations(Reference& reference,
 
 std::string as_text(const Options& o, const Subject& s, const Reference& reference,
                     const lutlib::Verification* result) {
-    std::string out = fmt::format("{} against {} by OpenColorIO {}\n", o.picture, o.against,
-                                  io::ocio().version());
+    std::string out =
+        fmt::format("{} against {} by {}\n", o.picture, o.against, reference.name());
     out += fmt::format("  layout {}, {}x{}, {} nodes a side, {} bits: {}\n", s.engine->layout,
                        s.codes.width, s.codes.height, s.size, s.codes.bits, s.engine->label);
     if (!reference.refusal().empty()) {
@@ -217,7 +238,7 @@ nlohmann::ordered_json as_json(const Options& o, const Subject& s, const Referen
                                const lutlib::Verification* result) {
     nlohmann::ordered_json out{{"picture", o.picture},
                                {"against", o.against},
-                               {"oracle", "OpenColorIO " + io::ocio().version()},
+                               {"oracle", reference.name()},
                                {"engine", s.engine->name},
                                {"layout", s.engine->layout},
                                {"size", s.size},
@@ -322,7 +343,8 @@ Run declare_verify(CLI::App& app) {
     const auto o = std::make_shared<Options>();
     app.add_option("PICTURE", o->picture, "the LUT picture (PNG), or - for standard input")
         ->required();
-    app.add_option("--against", o->against, "the look it should be a bake of")->required();
+    app.add_option("--against", o->against, "the look or recipe it should be a bake of")
+        ->required();
     o->engine.declare(app, "");
     o->interpolation.declare(app, "how the look was read between its nodes (default: as recorded "
                                   "in the picture)");

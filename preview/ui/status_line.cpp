@@ -1,5 +1,5 @@
 // The line under the picture: the colour under the mouse before the looks and after each side's, as
-// codes, as values, and how far apart they are.
+// codes, how far apart they are and, in a wide window, as values.
 #include "preview/ui/ui.h"
 
 #include <imgui.h>
@@ -8,7 +8,9 @@ namespace preview::ui {
 
 namespace {
 
-void swatch(const char* name, lutlib::RgbD color) {
+constexpr float wide = 1050; // pixels that hold the values too
+
+void swatch(const char* name, lutlib::RgbD color, bool with_values) {
     const Codes codes = codes_of(color);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float side = ImGui::GetTextLineHeight();
@@ -17,8 +19,10 @@ void swatch(const char* name, lutlib::RgbD color) {
     ImGui::Dummy({side, side});
     ImGui::SameLine(0, 6);
     ImGui::Text("%s %3d %3d %3d", name, codes.r, codes.g, codes.b);
-    ImGui::SameLine(0, 6);
-    ImGui::TextDisabled("%.4f %.4f %.4f", color.r, color.g, color.b);
+    if (with_values) {
+        ImGui::SameLine(0, 6);
+        ImGui::TextDisabled("%.4f %.4f %.4f", color.r, color.g, color.b);
+    }
     ImGui::SameLine(0, 16);
 }
 
@@ -38,9 +42,9 @@ void status_line(Ui& ui, const Rect& area) {
         const ProbeDifferences differences = differences_of(probe);
         ImGui::TextDisabled("%4d, %4d", ui.pointer->x, ui.pointer->y);
         ImGui::SameLine(0, 16);
-        swatch("before", probe.before);
-        swatch("A", probe.a);
-        swatch("B", probe.b);
+        swatch("before", probe.before, area.width > wide);
+        swatch("A", probe.a, area.width > wide);
+        swatch("B", probe.b, area.width > wide);
         ImGui::Text("dE2000 A %.2f  B %.2f  A-B %.2f", differences.before_a, differences.before_b,
                     differences.a_b);
     } else {

@@ -177,6 +177,19 @@ std::vector<std::filesystem::path> cubes_in(const std::filesystem::path& folder)
     return out;
 }
 
+TEST(Verify, holds_a_bake_of_a_recipe_against_the_recipe_itself) {
+    const Folder folder;
+    const std::string picture = folder.path("strip.png"), looks = SAMPLE_LOOKS;
+    ASSERT_EQ(lutconv({"bake", looks + "/warm_teal.json", "-o", picture}).exit_code, 0);
+    const auto against = [&](const std::string& recipe) {
+        return lutconv({"verify", picture, "--against", looks + recipe, "--samples", "1000"});
+    };
+    const Result right = against("/warm_teal.json");
+    EXPECT_EQ(right.exit_code, 0) << right.out;
+    EXPECT_NE(right.out.find("the recipe, evaluated exactly"), std::string::npos) << right.out;
+    EXPECT_EQ(against("/bleach_bypass.json").exit_code, 1);
+}
+
 TEST(SampleLooks, lie_beside_strips_that_verify) {
     const std::vector<std::filesystem::path> looks = cubes_in(SAMPLE_LOOKS);
     EXPECT_GE(looks.size(), 4U);

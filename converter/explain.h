@@ -1,7 +1,7 @@
 // What a look does not need, in words and as JSON, for every verb that can say so.
 #pragma once
 
-#include "lutlib/simplify.h"
+#include "lutlib/resample/simplify.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,14 +1,14 @@
 #include "converter/options.h"
 
 #include "converter/report.h"
-#include "lutlib/bake_recipe.h"
-#include "lutlib/edit.h"
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
 #include "lutlib/io/bake_report.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/recipe_file.h"
+#include "lutlib/recipe/bake_recipe.h"
+#include "lutlib/recipe/edit.h"
 
 #include <fmt/core.h>
 

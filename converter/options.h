@@ -1,9 +1,9 @@
 // Options and inputs that several verbs share.
 #pragma once
 
-#include "lutlib/bake.h"
-#include "lutlib/engine.h"
-#include "lutlib/interpolation.h"
+#include "lutlib/engine/bake.h"
+#include "lutlib/engine/engine.h"
+#include "lutlib/interpolation/interpolation.h"
 #include "lutlib/io/ocio.h"
 
 #include <CLI/App.hpp>

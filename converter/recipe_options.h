@@ -1,8 +1,8 @@
 // Recipes on the command line: operators as flags, in the order in which they are given.
 #pragma once
 
-#include "lutlib/recipe.h"
-#include "lutlib/resample.h"
+#include "lutlib/recipe/recipe.h"
+#include "lutlib/resample/resample.h"
 
 #include <CLI/App.hpp>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lutlib/format.h"
-#include "lutlib/stats.h"
+#include "lutlib/metrics/stats.h"
 
 #include <nlohmann/json_fwd.hpp>
 

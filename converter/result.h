@@ -1,8 +1,8 @@
 // What a verb that makes a LUT says of it: its tables, and its error against what it stands for.
 #pragma once
 
-#include "lutlib/compare.h"
 #include "lutlib/lut.h"
+#include "lutlib/metrics/compare.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,7 +1,7 @@
 #include "converter/survey_page.h"
 
 #include "converter/report.h"
-#include "lutlib/pareto.h"
+#include "lutlib/survey/pareto.h"
 #include "plot/page.h"
 #include "plot/scatter.h"
 

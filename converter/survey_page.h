@@ -1,8 +1,8 @@
 // A survey as a page, as JSON and as CSV.
 #pragma once
 
-#include "lutlib/stiff_survey.h"
-#include "lutlib/survey.h"
+#include "lutlib/survey/stiff_survey.h"
+#include "lutlib/survey/survey.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "lutlib/color/encoding.h"
-#include "lutlib/op.h"
+#include "lutlib/ops/op.h"
 
 #include <array>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "preview/cube_view.h"
 
-#include "lutlib/interpolation.h"
+#include "lutlib/interpolation/interpolation.h"
 
 #include <algorithm>
 #include <cmath>

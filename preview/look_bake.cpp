@@ -1,7 +1,7 @@
 #include "preview/look_bake.h"
 
-#include "lutlib/bake.h"
-#include "lutlib/layout.h"
+#include "lutlib/engine/bake.h"
+#include "lutlib/engine/layout.h"
 
 #include <algorithm>
 #include <cmath>

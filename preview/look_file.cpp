@@ -1,13 +1,13 @@
 #include "preview/look_file.h"
 
-#include "lutlib/bake_recipe.h"
+#include "lutlib/engine/recognise.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/lut_picture.h"
 #include "lutlib/io/png.h"
 #include "lutlib/io/recipe_file.h"
-#include "lutlib/recognise.h"
+#include "lutlib/recipe/bake_recipe.h"
 #include "preview/recipe_table.h"
 
 namespace preview {

@@ -2,9 +2,9 @@
 // lutlib. Rows and shader numbers meet in shaders/common/lookup.glsl.
 #pragma once
 
-#include "lutlib/bake.h"
-#include "lutlib/engine.h"
-#include "lutlib/interpolation.h"
+#include "lutlib/engine/bake.h"
+#include "lutlib/engine/engine.h"
+#include "lutlib/interpolation/interpolation.h"
 #include "preview/gpu/types.h"
 
 #include <array>

@@ -150,8 +150,7 @@ void declare(CLI::App& app, Options& options) {
     app.add_option("--cube-turn", options.cube.turn, "Turns it about the neutral axis, degrees");
     app.add_option("--cube-tilt", options.cube.tilt, "Degrees; 90 looks down on white")
         ->check(within(-90, 90));
-    app.add_option("--cube-zoom", options.cube.zoom, "Brings it nearer")
-        ->check(within(0.3, 8));
+    app.add_option("--cube-zoom", options.cube.zoom, "Brings it nearer")->check(within(0.3, 8));
     app.add_flag("--cube-clamped", options.cube.clamped,
                  "Nodes where a display shows them, within 0 to 1");
     app.add_flag("--cube-by-input", options.cube.by_input,

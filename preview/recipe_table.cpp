@@ -1,8 +1,8 @@
 #include "preview/recipe_table.h"
 
-#include "lutlib/bake_recipe.h"
-#include "lutlib/compare.h"
-#include "lutlib/edit.h"
+#include "lutlib/metrics/compare.h"
+#include "lutlib/recipe/bake_recipe.h"
+#include "lutlib/recipe/edit.h"
 
 #include <fmt/format.h>
 

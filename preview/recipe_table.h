@@ -1,7 +1,7 @@
 // The float table that stands for a recipe on the screen, and how far it is from the recipe itself.
 #pragma once
 
-#include "lutlib/recipe.h"
+#include "lutlib/recipe/recipe.h"
 #include "preview/look_bake.h"
 
 #include <functional>

@@ -1,5 +1,5 @@
 // lutconv apply: a picture through a LUT, on the codes or floats as the file stores them.
-#include "lutlib/apply.h"
+#include "lutlib/interpolation/apply.h"
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/report.h"

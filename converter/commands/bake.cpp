@@ -1,10 +1,10 @@
 // lutconv bake: a look becomes an engine's LUT picture.
-#include "lutlib/bake.h"
+#include "lutlib/engine/bake.h"
 #include "converter/command.h"
 #include "converter/explain.h"
 #include "converter/options.h"
 #include "converter/report.h"
-#include "lutlib/budget.h"
+#include "lutlib/engine/budget.h"
 #include "lutlib/error.h"
 #include "lutlib/io/bake_report.h"
 #include "lutlib/io/file.h"

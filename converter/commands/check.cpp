@@ -5,12 +5,12 @@
 #include "converter/report.h"
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
-#include "lutlib/health.h"
+#include "lutlib/health/health.h"
+#include "lutlib/health/repair.h"
 #include "lutlib/io/describe.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/recipe_file.h"
-#include "lutlib/repair.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // lutconv compare: how far apart two looks are, and where most.
-#include "lutlib/compare.h"
+#include "lutlib/metrics/compare.h"
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/recipe_options.h"

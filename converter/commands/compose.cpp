@@ -3,9 +3,9 @@
 #include "converter/options.h"
 #include "converter/recipe_options.h"
 #include "converter/result.h"
-#include "lutlib/combine.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
+#include "lutlib/resample/combine.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

@@ -1,13 +1,13 @@
 // lutconv edit: operators on top of a LUT or of nothing, baked to a LUT and kept as a recipe.
-#include "lutlib/edit.h"
+#include "lutlib/recipe/edit.h"
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/recipe_options.h"
 #include "converter/result.h"
-#include "lutlib/bake_recipe.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/recipe_file.h"
+#include "lutlib/recipe/bake_recipe.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

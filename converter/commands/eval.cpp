@@ -3,7 +3,7 @@
 #include "converter/options.h"
 #include "converter/report.h"
 #include "lutlib/error.h"
-#include "lutlib/interpolation.h"
+#include "lutlib/interpolation/interpolation.h"
 #include "lutlib/text.h"
 
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
 // lutconv identity: a LUT that changes nothing, as a file of any kind or an engine's picture.
 #include "converter/command.h"
 #include "converter/options.h"
-#include "lutlib/bake.h"
+#include "lutlib/engine/bake.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/lut_picture.h"

@@ -2,7 +2,7 @@
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/report.h"
-#include "lutlib/interpolation.h"
+#include "lutlib/interpolation/interpolation.h"
 #include "lutlib/io/file.h"
 
 #include <fmt/core.h>

@@ -1,12 +1,12 @@
 // lutconv invert: a LUT that undoes a look, and what of the look cannot be undone.
-#include "lutlib/invert.h"
+#include "lutlib/resample/invert.h"
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
-#include "lutlib/compare.h"
 #include "lutlib/io/file.h"
+#include "lutlib/metrics/compare.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

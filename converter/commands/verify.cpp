@@ -1,9 +1,9 @@
 // lutconv verify: proves a LUT picture right against OpenColorIO, or says what is wrong with it.
-#include "lutlib/verify.h"
+#include "lutlib/engine/verify.h"
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/report.h"
-#include "lutlib/edit.h"
+#include "lutlib/engine/recognise.h"
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
 #include "lutlib/io/file.h"
@@ -12,8 +12,8 @@
 #include "lutlib/io/ocio.h"
 #include "lutlib/io/recipe_file.h"
 #include "lutlib/limits.h"
-#include "lutlib/recognise.h"
-#include "lutlib/samples.h"
+#include "lutlib/metrics/samples.h"
+#include "lutlib/recipe/edit.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -201,8 +201,7 @@ std::vector<lutlib::Alternative> other_interpolations(Reference& reference,
 
 std::string as_text(const Options& o, const Subject& s, const Reference& reference,
                     const lutlib::Verification* result) {
-    std::string out =
-        fmt::format("{} against {} by {}\n", o.picture, o.against, reference.name());
+    std::string out = fmt::format("{} against {} by {}\n", o.picture, o.against, reference.name());
     out += fmt::format("  layout {}, {}x{}, {} nodes a side, {} bits: {}\n", s.engine->layout,
                        s.codes.width, s.codes.height, s.size, s.codes.bits, s.engine->label);
     if (!reference.refusal().empty()) {
@@ -236,14 +235,10 @@ std::string as_text(const Options& o, const Subject& s, const Reference& referen
 
 nlohmann::ordered_json as_json(const Options& o, const Subject& s, const Reference& reference,
                                const lutlib::Verification* result) {
-    nlohmann::ordered_json out{{"picture", o.picture},
-                               {"against", o.against},
-                               {"oracle", reference.name()},
-                               {"engine", s.engine->name},
-                               {"layout", s.engine->layout},
-                               {"size", s.size},
-                               {"bits", s.codes.bits},
-                               {"contract_violations", s.contract}};
+    nlohmann::ordered_json out{{"picture", o.picture},       {"against", o.against},
+                               {"oracle", reference.name()}, {"engine", s.engine->name},
+                               {"layout", s.engine->layout}, {"size", s.size},
+                               {"bits", s.codes.bits},       {"contract_violations", s.contract}};
     if (!reference.refusal().empty()) {
         out["oracle_refusal"] = reference.refusal();
     }

@@ -1,5 +1,5 @@
 // The checks as a table: what a look's figures mean, in words.
-#include "lutlib/health.h"
+#include "lutlib/health/health.h"
 
 #include <algorithm>
 #include <array>

@@ -13,7 +13,7 @@
 // first power of the stride, or not at all. There the figure is the worst that the lattice's
 // alignment can make of it, and is said to be unreliable.
 #include "lutlib/health/parts.h"
-#include "lutlib/interpolation.h"
+#include "lutlib/interpolation/interpolation.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>

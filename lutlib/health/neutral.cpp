@@ -1,6 +1,6 @@
 // The neutral axis: whether it rises, how its codes band, and what noise near black becomes.
 #include "lutlib/health/parts.h"
-#include "lutlib/interpolation.h"
+#include "lutlib/interpolation/interpolation.h"
 
 #include <algorithm>
 #include <array>

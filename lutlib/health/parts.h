@@ -1,7 +1,7 @@
 // What examine() is made of. Each part fills its own members of Health.
 #pragma once
 
-#include "lutlib/health.h"
+#include "lutlib/health/health.h"
 
 namespace lutlib::health {
 

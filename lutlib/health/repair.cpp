@@ -1,4 +1,4 @@
-#include "lutlib/repair.h"
+#include "lutlib/health/repair.h"
 
 #include "lutlib/error.h"
 #include "lutlib/health/parts.h"

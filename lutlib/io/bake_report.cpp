@@ -1,6 +1,6 @@
 #include "lutlib/io/bake_report.h"
 
-#include "lutlib/samples.h"
+#include "lutlib/metrics/samples.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "lutlib/io/fit_format.h"
 
 #include "lutlib/error.h"
-#include "lutlib/interpolation.h"
+#include "lutlib/interpolation/interpolation.h"
 #include "lutlib/io/describe.h"
 #include "lutlib/limits.h"
 

@@ -2,9 +2,9 @@
 // formats, OpenColorIO's, and pictures in every layout. The one place that programs ask.
 #pragma once
 
+#include "lutlib/engine/layout.h"
 #include "lutlib/format.h"
 #include "lutlib/io/ocio.h"
-#include "lutlib/layout.h"
 
 #include <functional>
 #include <string>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "lutlib/format.h"
-#include "lutlib/interpolation.h"
+#include "lutlib/interpolation/interpolation.h"
 
 #include <memory>
 #include <span>

@@ -1,9 +1,9 @@
 #include "lutlib/io/picture_format.h"
 
+#include "lutlib/engine/recognise.h"
 #include "lutlib/error.h"
 #include "lutlib/io/lut_picture.h"
 #include "lutlib/limits.h"
-#include "lutlib/recognise.h"
 
 #include <algorithm>
 #include <cmath>

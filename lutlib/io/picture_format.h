@@ -1,8 +1,8 @@
 // LUT pictures in every layout as file formats: node (r,g,b) stands for the input i/(N-1).
 #pragma once
 
+#include "lutlib/engine/layout.h"
 #include "lutlib/io/formats.h"
-#include "lutlib/layout.h"
 
 namespace lutlib::io {
 

@@ -1,7 +1,7 @@
 // Recipes as files: reading one with its base LUT, and saving one beside it.
 #pragma once
 
-#include "lutlib/recipe.h"
+#include "lutlib/recipe/recipe.h"
 
 #include <functional>
 #include <string>

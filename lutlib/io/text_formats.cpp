@@ -1,7 +1,7 @@
 #include "lutlib/io/text_formats.h"
 
 #include "lutlib/error.h"
-#include "lutlib/interpolation.h"
+#include "lutlib/interpolation/interpolation.h"
 
 #include <array>
 #include <charconv>

@@ -2,7 +2,7 @@
 // line in op.cpp's table.
 #pragma once
 
-#include "lutlib/op.h"
+#include "lutlib/ops/op.h"
 
 namespace lutlib::op {
 

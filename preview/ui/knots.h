@@ -2,7 +2,7 @@
 // knots so that the rest of the curve stays where it is.
 #pragma once
 
-#include "lutlib/op.h"
+#include "lutlib/ops/op.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #include "preview/ui/look_baker.h"
 
-#include "lutlib/bake.h"
-#include "lutlib/edit.h"
+#include "lutlib/engine/bake.h"
+#include "lutlib/recipe/edit.h"
 #include "preview/recipe_table.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // What a person changes in the window, as a value, and its history. No drawing, no GPU.
 #pragma once
 
-#include "lutlib/recipe.h"
+#include "lutlib/recipe/recipe.h"
 #include "preview/blooms.h"
 #include "preview/compare.h"
 #include "preview/cube_view.h"

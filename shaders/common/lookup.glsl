@@ -1,5 +1,5 @@
 // Every way of reading a look, by the number of its row in preview/lookups.cpp. The engines' own are
-// those of lutlib/engine.cpp and the float .cube that of lutlib/interpolation.cpp, operation for
+// those of lutlib/engine/engine.cpp and the float .cube that of lutlib/interpolation, operation for
 // operation and without contraction where a rounding of a coordinate would show, so that they agree
 // to float rounding; only the rows that say so leave the filtering to the texture unit and its few
 // bits of fraction.

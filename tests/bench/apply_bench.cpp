@@ -12,7 +12,7 @@
 // additions, four to an instruction. Some 60 / 8 + 20 instructions: at 4 a cycle and 3 GHz 2.3 ns a
 // pixel, 5 ms a picture, about what the memory takes. Trilinear does 8 loads and 7 mixtures of 3
 // operations: 5 ns.
-#include "lutlib/apply.h"
+#include "lutlib/interpolation/apply.h"
 
 #include <OpenColorIO/OpenColorIO.h>
 #include <benchmark/benchmark.h>

@@ -3,7 +3,7 @@
 // are ratios of one run.
 #include "lutlib/formats/cube.h"
 #include "lutlib/io/ocio.h"
-#include "tests/lutlib/plain_cube_reader.h"
+#include "tests/lutlib/formats/plain_cube_reader.h"
 
 #include <benchmark/benchmark.h>
 

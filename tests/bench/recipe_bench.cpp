@@ -1,6 +1,6 @@
 // Baking a recipe of eight operators: what a slider in a window, and a final export, wait for.
 // Reports wall time and the CPU time of all threads.
-#include "lutlib/bake_recipe.h"
+#include "lutlib/recipe/bake_recipe.h"
 
 #include <benchmark/benchmark.h>
 

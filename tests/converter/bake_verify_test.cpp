@@ -1,4 +1,4 @@
-#include "lutlib/engine.h"
+#include "lutlib/engine/engine.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/png.h"
 #include "tests/converter/run_program.h"

@@ -1,7 +1,7 @@
 #include "lutlib/formats/cube.h"
-#include "lutlib/health.h"
-#include "lutlib/repair.h"
-#include "lutlib/stiff_suite.h"
+#include "lutlib/health/health.h"
+#include "lutlib/health/repair.h"
+#include "lutlib/survey/stiff_suite.h"
 #include "tests/converter/run_program.h"
 
 #include <gtest/gtest.h>

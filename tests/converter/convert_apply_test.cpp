@@ -1,6 +1,6 @@
 #include "tests/converter/run_program.h"
 
-#include "lutlib/interpolation.h"
+#include "lutlib/interpolation/interpolation.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/image.h"
 

@@ -1,10 +1,10 @@
 // Every verb and every interpolation over the suite of stiff and extreme looks: a defined answer or
 // a clear error, never a crash, never a silent NaN.
 #include "lutlib/formats/cube.h"
-#include "lutlib/interpolation.h"
+#include "lutlib/interpolation/interpolation.h"
 #include "lutlib/io/formats.h"
-#include "lutlib/resample.h"
-#include "lutlib/stiff_suite.h"
+#include "lutlib/resample/resample.h"
+#include "lutlib/survey/stiff_suite.h"
 #include "tests/converter/run_program.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Any bytes as a recipe: read or refused with an Error; what was read is written and read back the
 // same, and answers colours of every kind.
-#include "lutlib/edit.h"
 #include "lutlib/error.h"
-#include "lutlib/recipe.h"
+#include "lutlib/recipe/edit.h"
+#include "lutlib/recipe/recipe.h"
 
 #include <cstdint>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // The CDL operator against OpenColorIO's CDLTransform, in both of its styles.
-#include "lutlib/edit.h"
 #include "lutlib/io/ocio.h"
+#include "lutlib/recipe/edit.h"
 
 #include <gtest/gtest.h>
 

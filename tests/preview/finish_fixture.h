@@ -1,7 +1,7 @@
 // What the tests of the finishing passes share: colours as an image, images as colours.
 #pragma once
 
-#include "lutlib/samples.h"
+#include "lutlib/metrics/samples.h"
 #include "preview/passes/finish.h"
 #include "preview/reference/image.h"
 #include "tests/preview/gpu_test.h"

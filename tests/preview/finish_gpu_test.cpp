@@ -1,5 +1,6 @@
 // The finishing passes on a device against their oracles in double.
-#include "lutlib/color.h"
+#include "lutlib/color/difference.h"
+#include "lutlib/color/transfer.h"
 #include "preview/passes/fxaa.h"
 #include "preview/reference/bloom.h"
 #include "preview/reference/fxaa.h"

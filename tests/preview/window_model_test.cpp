@@ -1,8 +1,8 @@
 // What the window edits, without a window: history, operators' order, knots, sides and files.
-#include "lutlib/compare.h"
-#include "lutlib/edit.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
+#include "lutlib/metrics/compare.h"
+#include "lutlib/recipe/edit.h"
 #include "preview/recipe_table.h"
 #include "preview/scene/light_controls.h"
 #include "preview/ui/commands.h"

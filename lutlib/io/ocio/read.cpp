@@ -3,7 +3,7 @@
 #include "lutlib/io/describe.h"
 #include "lutlib/io/ocio/chain.h"
 #include "lutlib/limits.h"
-#include "lutlib/stats.h"
+#include "lutlib/metrics/stats.h"
 
 #include <algorithm>
 #include <cmath>

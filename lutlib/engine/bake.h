@@ -1,0 +1,75 @@
+// From a look to the codes of an engine's LUT picture, and what that costs.
+#pragma once
+
+#include "lutlib/engine/engine.h"
+#include "lutlib/metrics/stats.h"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace lutlib {
+
+/// A look as a function of a display-encoded colour, evaluated exactly.
+using ExactLook = std::function<RgbD(RgbD)>;
+
+/// Integer codes of a LUT picture, RGB, rows from the top.
+struct CodePicture {
+    int width = 0, height = 0;
+    int bits = 8;
+    std::vector<std::uint16_t> codes;
+
+    int maximum() const { return (1 << bits) - 1; }
+    std::uint16_t code(Pixel p, std::size_t channel) const { return codes[index(p) + channel]; }
+    std::uint16_t& code(Pixel p, std::size_t channel) { return codes[index(p) + channel]; }
+
+  private:
+    std::size_t index(Pixel p) const {
+        return 3 * (static_cast<std::size_t>(p.y) * static_cast<std::size_t>(width) +
+                    static_cast<std::size_t>(p.x));
+    }
+};
+
+/// What rounding and clamping took, over all nodes.
+struct BakeLoss {
+    std::size_t clamped_values = 0; ///< channel values outside 0..1
+    double most_clamped = 0;        ///< the furthest such value's distance from 0..1
+    double max_rounding = 0;        ///< largest distance from a value in 0..1 to its code
+    double mean_rounding = 0;
+};
+
+struct Bake {
+    const Engine* engine = nullptr;
+    int size = 0;
+    CodePicture picture;
+    BakeLoss loss;
+};
+
+/// Samples the look at the inputs where the engine reads its nodes, clamps to 0..1 (NaN to 0),
+/// rounds to nearest, and lays the codes out. Throws UsageError when the engine takes no such size
+/// or depth.
+Bake bake(const ExactLook& look, const Engine& engine, int size, int bits);
+
+/// Lays out nodes that are there already (red fastest), as bake() does with its samples.
+Bake lay_out(const std::vector<RgbD>& nodes, const Engine& engine, int size, int bits);
+
+/// The codes as the engine's sampler sees them: code / maximum.
+Picture decoded(const CodePicture& codes);
+
+/// Errors of an engine's lookup against a look, per colour: the largest channel difference, and
+/// the colour difference dE2000 of both as display-encoded sRGB.
+struct LookupError {
+    ErrorStats absolute;
+    ErrorStats delta_e;
+    Rgb worst; ///< the input with the largest channel difference
+};
+
+/// `expected[i]` is the right answer for `inputs[i]`, clamped to 0..1 here as a picture's codes
+/// are.
+LookupError lookup_error(const Engine& engine, const Picture& picture, int size,
+                         const std::vector<Rgb>& inputs, const std::vector<Rgb>& expected);
+
+/// Throws UsageError unless the engine takes a lattice of `size` with `bits` a sample.
+void check_contract(const Engine& engine, int size, int bits);
+
+} // namespace lutlib

@@ -1,0 +1,284 @@
+#include "lutlib/engine/engine.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lutlib {
+namespace {
+
+Rgb mix(Rgb a, Rgb b, float t) {
+    return a * (1 - t) + b * t;
+}
+
+float fract(float x) {
+    return x - std::floor(x);
+}
+
+const Rgb& texel_clamped(const Picture& picture, int x, int y) {
+    return picture.at(std::clamp(x, 0, picture.width - 1), std::clamp(y, 0, picture.height - 1));
+}
+
+// A linear sampler with clamped addressing; texture coordinates 0..1.
+Rgb bilinear(const Picture& picture, float u, float v) {
+    const float x = u * static_cast<float>(picture.width) - 0.5F;
+    const float y = v * static_cast<float>(picture.height) - 0.5F;
+    const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
+    const float fx = fract(x), fy = fract(y);
+    return mix(mix(texel_clamped(picture, x0, y0), texel_clamped(picture, x0 + 1, y0), fx),
+               mix(texel_clamped(picture, x0, y0 + 1), texel_clamped(picture, x0 + 1, y0 + 1), fx),
+               fy);
+}
+
+// The lattice of a picture, read node by node where an engine keeps it as a 3D texture or fetches
+// texels.
+struct Lattice {
+    const Picture& picture;
+    Pixel (*pixel)(int n, int r, int g, int b);
+    int n;
+
+    const Rgb& at(int r, int g, int b) const {
+        const Pixel p = pixel(n, r, g, b);
+        return picture.at(p.x, p.y);
+    }
+};
+
+struct Axis {
+    int low, high;
+    float f;
+};
+
+// `x` in units of nodes, which may lie half a node outside; clamped addressing.
+Axis axis_at(float x, int n) {
+    const float floor = std::floor(x);
+    const int i = static_cast<int>(floor);
+    return {std::clamp(i, 0, n - 1), std::clamp(i + 1, 0, n - 1), x - floor};
+}
+
+Rgb trilinear(const Lattice& l, Rgb x) {
+    const Axis r = axis_at(x.r, l.n), g = axis_at(x.g, l.n), b = axis_at(x.b, l.n);
+    const auto row = [&](int gi, int bi) {
+        return mix(l.at(r.low, gi, bi), l.at(r.high, gi, bi), r.f);
+    };
+    return mix(mix(row(g.low, b.low), row(g.high, b.low), g.f),
+               mix(row(g.low, b.high), row(g.high, b.high), g.f), b.f);
+}
+
+Rgb tetrahedral(const Lattice& l, Rgb x) {
+    std::array<Axis, 3> axes{axis_at(x.r, l.n), axis_at(x.g, l.n), axis_at(x.b, l.n)};
+    std::array<std::size_t, 3> order{0, 1, 2};
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return axes[a].f > axes[b].f; });
+    std::array<int, 3> node{axes[0].low, axes[1].low, axes[2].low};
+    Rgb sum = l.at(node[0], node[1], node[2]) * (1 - axes[order[0]].f);
+    for (std::size_t step = 0; step < 3; ++step) {
+        const Axis& axis = axes[order[step]];
+        node[order[step]] = axis.high;
+        const float next = step < 2 ? axes[order[step + 1]].f : 0.0F;
+        sum = sum + l.at(node[0], node[1], node[2]) * (axis.f - next);
+    }
+    return sum;
+}
+
+Lattice lattice_of(const Picture& picture, std::string_view layout, int n) {
+    return {picture, layout_named(layout)->pixel, n};
+}
+
+double at_lattice(int i, int n) {
+    return static_cast<double>(i) / (n - 1);
+}
+
+// Godot reads node i at (i + 1/2) / n. The end nodes hold black and white themselves, which the
+// clamped sampler reaches, rather than the colours half a node inside.
+double at_texel_centre(int i, int n) {
+    return i == 0 ? 0.0 : i == n - 1 ? 1.0 : (i + 0.5) / n;
+}
+
+double place_at_lattice(double in, int n) {
+    return in * (n - 1);
+}
+
+double place_at_texel_centre(double in, int n) {
+    return std::clamp(in * n - 0.5, 0.0, n - 1.0);
+}
+
+Rgb piccolo(const Picture& picture, int n, Rgb in) {
+    return trilinear(lattice_of(picture, "strip", n), saturate(in) * static_cast<float>(n - 1));
+}
+
+// Two bilinear fetches of neighbouring slices, blended on blue. The half texel keeps each fetch
+// inside its slice.
+Rgb unreal(const Picture& picture, int n, Rgb in) {
+    const float size = static_cast<float>(n);
+    const Rgb uvw = saturate(in) * ((size - 1) / size) + Rgb{0.5F, 0.5F, 0.5F} * (1 / size);
+    const float z = uvw.b * size - 0.5F;
+    const float slice = std::floor(z);
+    const float u = (uvw.r + slice) / size;
+    return mix(bilinear(picture, u, uvw.g), bilinear(picture, u + 1 / size, uvw.g), z - slice);
+}
+
+// As above with v counted from the bottom row, which is the first in Unity's texture memory.
+Rgb unity(const Picture& picture, int n, Rgb in) {
+    const float width = static_cast<float>(picture.width), height = static_cast<float>(n);
+    const Rgb scaled = saturate(in) * (height - 1);
+    const float slice = std::floor(scaled.b);
+    const float u = scaled.r / width + 0.5F / width + slice / height;
+    const float v = 1 - (scaled.g / height + 0.5F / height);
+    return mix(bilinear(picture, u, v), bilinear(picture, u + 1 / height, v), scaled.b - slice);
+}
+
+Rgb reshade(const Picture& picture, int n, Rgb in) {
+    const float size = static_cast<float>(n);
+    const Rgb c = saturate(in);
+    const float texel_x = 1 / size / size, texel_y = 1 / size;
+    const float z = c.b * size - c.b;
+    const float blend = fract(z);
+    const float u = (c.r * size - c.r + 0.5F) * texel_x + (z - blend) * texel_y;
+    const float v = (c.g * size - c.g + 0.5F) * texel_y;
+    return mix(bilinear(picture, u, v), bilinear(picture, u + texel_y, v), blend);
+}
+
+Rgb obs(const Picture& picture, int n, Rgb in) {
+    return trilinear(lattice_of(picture, "tiles", n), saturate(in) * static_cast<float>(n - 1));
+}
+
+Rgb godot(const Picture& picture, int n, Rgb in) {
+    const Rgb x = saturate(in) * static_cast<float>(n) - Rgb{0.5F, 0.5F, 0.5F};
+    return trilinear(lattice_of(picture, "tiles", n), x);
+}
+
+Rgb hald(const Picture& picture, int n, Rgb in) {
+    return tetrahedral(lattice_of(picture, "hald", n), saturate(in) * static_cast<float>(n - 1));
+}
+
+Rgb ocio(const Picture& picture, int n, Rgb in) {
+    return tetrahedral(lattice_of(picture, "ocio", n), saturate(in) * static_cast<float>(n - 1));
+}
+
+constexpr std::array<int, 1> only_16{16}, only_64{64};
+constexpr std::array<int, 1> only_8_bits{8};
+constexpr std::array<int, 2> any_bits{8, 16};
+
+constexpr std::string_view display_encoded = "display-encoded (sRGB curve), after tone mapping";
+
+constexpr std::array<Engine, 8> table{{
+    {"piccolo",
+     "Piccolo / Pilot",
+     "strip",
+     16,
+     {},
+     8,
+     only_8_bits,
+     SrgbTag::absent,
+     "display-encoded (gamma 2.2), after the Uncharted 2 tone map",
+     "loaded as UNORM; no colour chunk, or the codes are decoded twice",
+     "eight texel fetches, trilinear",
+     "Piccolo, color_grading.frag and its six LUT pictures",
+     at_lattice,
+     place_at_lattice,
+     Interpolation::trilinear,
+     piccolo},
+    {"unreal", "Unreal Engine", "strip", 16, only_16, 8, only_8_bits, SrgbTag::absent,
+     display_encoded, "group ColorLookupTable, sRGB off, no mipmaps",
+     "two bilinear fetches blended on blue, x*15/16 + 0.5/16",
+     "Unreal, PostProcessCombineLUTs.usf, low-dynamic-range path", at_lattice, place_at_lattice,
+     Interpolation::trilinear, unreal},
+    {"unity",
+     "Unity",
+     "strip-up",
+     32,
+     {},
+     8,
+     only_8_bits,
+     SrgbTag::absent,
+     display_encoded,
+     "sRGB off, no compression, clamp, no mipmaps",
+     "two bilinear fetches blended on blue",
+     "Unity, Color.hlsl ApplyLut2D",
+     at_lattice,
+     place_at_lattice,
+     Interpolation::trilinear,
+     unity},
+    {"godot",
+     "Godot 4",
+     "tiles",
+     64,
+     {},
+     8,
+     only_8_bits,
+     SrgbTag::absent,
+     display_encoded,
+     "as Texture3D with sqrt(N) slices each way; lossless, no mipmaps (the default is lossy)",
+     "one trilinear fetch at the raw colour, without half-texel remap",
+     "Godot, tonemap.glsl apply_color_correction",
+     at_texel_centre,
+     place_at_texel_centre,
+     Interpolation::trilinear,
+     godot},
+    {"reshade",
+     "ReShade LUT.fx",
+     "strip",
+     32,
+     {},
+     8,
+     only_8_bits,
+     SrgbTag::absent,
+     display_encoded,
+     "any PNG; the shader's tile size and amount must match",
+     "two bilinear fetches blended on blue",
+     "ReShade, LUT.fx",
+     at_lattice,
+     place_at_lattice,
+     Interpolation::trilinear,
+     reshade},
+    {"obs", "OBS Studio", "tiles", 64, only_64, 8, only_8_bits, SrgbTag::absent, display_encoded,
+     "512x512 PNG of the Apply LUT filter", "one trilinear fetch of a 3D texture",
+     "OBS Studio, color-grade-filter.c", at_lattice, place_at_lattice, Interpolation::trilinear,
+     obs},
+    {"hald",
+     "HALD (ffmpeg haldclut, RawTherapee)",
+     "hald",
+     64,
+     {},
+     8,
+     any_bits,
+     SrgbTag::absent,
+     display_encoded,
+     "level sqrt(N); 16 bits where the program reads them",
+     "four nodes, tetrahedral",
+     "ffmpeg, vf_lut3d.c",
+     at_lattice,
+     place_at_lattice,
+     Interpolation::tetrahedral,
+     hald},
+    {"ocio",
+     "OpenColorIO lut image",
+     "ocio",
+     32,
+     {},
+     16,
+     any_bits,
+     SrgbTag::absent,
+     "the LUT's own",
+     "ociolutimage --extract reads it back",
+     "four nodes, tetrahedral",
+     "OpenColorIO, ociolutimage and Lut3DOpCPU",
+     at_lattice,
+     place_at_lattice,
+     Interpolation::tetrahedral,
+     ocio},
+}};
+
+} // namespace
+
+std::span<const Engine> engines() {
+    return table;
+}
+
+const Engine* engine_named(std::string_view name) {
+    const auto row = std::find_if(table.begin(), table.end(),
+                                  [&](const Engine& engine) { return engine.name == name; });
+    return row == table.end() ? nullptr : &*row;
+}
+
+} // namespace lutlib

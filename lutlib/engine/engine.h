@@ -1,0 +1,44 @@
+// What each engine expects of a LUT picture (its contract) and how its shader reads one (its
+// lookup), as a table.
+#pragma once
+
+#include "lutlib/engine/layout.h"
+#include "lutlib/interpolation/interpolation.h"
+
+#include <span>
+#include <string_view>
+
+namespace lutlib {
+
+/// What the engine does with the file's sRGB tag: it wants none (the codes are data), or wants it
+/// (and undoes the decoding itself).
+enum class SrgbTag { absent, present };
+
+/// One engine. Every lookup takes a display-encoded colour; NaN and -Inf read as 0, +Inf as 1.
+struct Engine {
+    std::string_view name;
+    std::string_view label;
+    std::string_view layout; ///< name of a row of layouts()
+    int default_size;
+    std::span<const int> sizes; ///< lattice sizes the engine accepts; empty: any of its layout
+    int default_bits;
+    std::span<const int> bits; ///< sample depths the engine accepts
+    SrgbTag srgb_tag;
+    std::string_view input;  ///< how the colour must be encoded before the lookup
+    std::string_view import; ///< settings that the engine's importer needs
+    std::string_view lookup_help;
+    std::string_view source; ///< where the contract and the lookup are documented
+    /// The input at which the engine reads node i of n exactly, 0..1.
+    double (*node_input)(int i, int n);
+    /// Where the lookup finds an input of 0..1 between the nodes, 0 .. n-1; does not fall.
+    double (*place)(double in, int n);
+    /// How the lookup weighs the nodes around that place.
+    Interpolation interpolation;
+    /// The engine's arithmetic in float over a picture of codes/maximum; `n` is the lattice size.
+    Rgb (*lookup)(const Picture& picture, int n, Rgb in);
+};
+
+std::span<const Engine> engines();
+const Engine* engine_named(std::string_view name);
+
+} // namespace lutlib

@@ -1,0 +1,67 @@
+#include "lutlib/engine/verify.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lutlib {
+namespace {
+
+TexelCheck check_texels(const CodePicture& picture, const Engine& engine, int size,
+                        const Oracle& oracle) {
+    const Layout& layout = *layout_named(engine.layout);
+    std::vector<Pixel> pixels;
+    std::vector<Rgb> values;
+    for (int b = 0; b < size; ++b) {
+        for (int g = 0; g < size; ++g) {
+            for (int r = 0; r < size; ++r) {
+                pixels.push_back(layout.pixel(size, r, g, b));
+                values.push_back(to_float({engine.node_input(r, size), engine.node_input(g, size),
+                                           engine.node_input(b, size)}));
+            }
+        }
+    }
+    oracle(values);
+    TexelCheck out;
+    out.texels = values.size();
+    const int maximum = picture.maximum();
+    double sum = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        bool wrong = false;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double value = saturate(static_cast<double>(values[i][c]));
+            const int code = picture.code(pixels[i], c);
+            if (is_rounded(code, value, maximum)) {
+                continue;
+            }
+            wrong = true;
+            const int difference =
+                std::abs(code - static_cast<int>(std::floor(value * maximum + 0.5)));
+            sum += difference;
+            if (difference > out.max_difference) {
+                out.max_difference = difference;
+                out.worst = pixels[i];
+            }
+        }
+        out.wrong += wrong;
+    }
+    out.mean_difference = sum / (3.0 * static_cast<double>(values.size()));
+    return out;
+}
+
+} // namespace
+
+Verification verify(const CodePicture& picture, const Engine& engine, int size,
+                    const Oracle& oracle, const std::vector<Rgb>& inputs,
+                    const Alternatives& alternatives) {
+    Verification out;
+    out.texels = check_texels(picture, engine, size, oracle);
+    std::vector<Rgb> expected = inputs;
+    oracle(expected);
+    out.lookup = lookup_error(engine, decoded(picture), size, inputs, expected);
+    if (out.texels.wrong > 0) {
+        out.diagnosis = diagnose(picture, engine, size, oracle, alternatives);
+    }
+    return out;
+}
+
+} // namespace lutlib

@@ -1,0 +1,124 @@
+#include "lutlib/interpolation/stored_lut.h"
+
+#include "lutlib/interpolation/apply.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+namespace lutlib {
+namespace {
+
+constexpr std::array<Storage, 5> storage_table{{
+    {NodeFormat::codes8, "8", "8 bits", 3, 255},
+    {NodeFormat::codes10, "10", "10 bits", 4, 1023},
+    {NodeFormat::codes16, "16", "16 bits", 6, 65535},
+    {NodeFormat::halves, "half", "half float", 6, 0},
+    {NodeFormat::floats, "float", "float", 12, 0},
+}};
+
+constexpr std::array<Lookup, 4> lookup_table{{
+    {"nearest", "nearest", Interpolation::nearest, 0},
+    {"trilinear", "trilinear", Interpolation::trilinear, 0},
+    {"tetrahedral", "tetrahedral", Interpolation::tetrahedral, 0},
+    {"hardware", "hardware trilinear", Interpolation::trilinear, 8},
+}};
+
+// A vector of four channels is loaded where a node has three.
+constexpr std::size_t padding = 16;
+
+// Rounds to nearest, ties to even.
+std::uint16_t float_to_half(double x) {
+    const double held = std::clamp(std::isnan(x) ? 0 : x, -65504.0, 65504.0);
+    const auto sign = static_cast<std::uint16_t>(std::signbit(held) ? 0x8000 : 0);
+    const double magnitude = std::abs(held);
+    const int exponent = std::max(magnitude > 0 ? std::ilogb(magnitude) : -14, -14);
+    const auto mantissa = static_cast<int>(std::nearbyint(std::ldexp(magnitude, 10 - exponent)));
+    // A mantissa that rounds up to 2048 carries into the exponent, as it should.
+    const int bits = ((exponent + 14) << 10) + mantissa;
+    return static_cast<std::uint16_t>(sign | bits);
+}
+
+template <class T>
+void store(std::uint8_t* at, T value) {
+    std::memcpy(at, &value, sizeof value);
+}
+
+void store_node(std::uint8_t* at, RgbD node, const Storage& storage) {
+    std::array<std::uint32_t, 3> code{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        code[c] = static_cast<std::uint32_t>(std::floor(saturate(node[c]) * storage.maximum + 0.5));
+    }
+    if (storage.format == NodeFormat::codes10) {
+        store(at, code[0] | code[1] << 10 | code[2] << 20);
+        return;
+    }
+    const std::size_t step = storage.bytes / 3;
+    for (std::size_t c = 0; c < 3; ++c) {
+        std::uint8_t* const to = at + c * step;
+        switch (storage.format) {
+        case NodeFormat::codes8:
+            store(to, static_cast<std::uint8_t>(code[c]));
+            break;
+        case NodeFormat::codes16:
+            store(to, static_cast<std::uint16_t>(code[c]));
+            break;
+        case NodeFormat::halves:
+            store(to, float_to_half(node[c]));
+            break;
+        case NodeFormat::floats:
+            store(to, static_cast<float>(node[c]));
+            break;
+        case NodeFormat::codes10:
+            break;
+        }
+    }
+}
+
+} // namespace
+
+std::span<const Storage> storages() {
+    return storage_table;
+}
+
+std::span<const Lookup> lookups() {
+    return lookup_table;
+}
+
+const Lookup& lookup_of(Interpolation how) {
+    return *std::find_if(lookup_table.begin(), lookup_table.end(),
+                         [how](const Lookup& row) { return row.weights == how; });
+}
+
+StoredLut::StoredLut(const Lut& lut) : storage_(&storage_table.back()), shaper_(lut.shaper) {
+    if (lut.cube) {
+        size_ = lut.cube->size;
+        cube_domain_ = lut.cube->domain;
+        static_assert(sizeof(Rgb) == 3 * sizeof(float));
+        const std::size_t bytes = lut.cube->nodes.size() * sizeof(Rgb);
+        data_.resize(bytes + padding);
+        std::memcpy(data_.data(), lut.cube->nodes.data(), bytes);
+    }
+}
+
+StoredLut::StoredLut(const Lut& lut, const std::vector<RgbD>& nodes, const Storage& storage)
+    : storage_(&storage), shaper_(lut.shaper), size_(lut.cube->size),
+      cube_domain_(lut.cube->domain), data_(nodes.size() * storage.bytes + padding) {
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        store_node(&data_[k * storage.bytes], nodes[k], storage);
+    }
+}
+
+std::size_t StoredLut::bytes() const {
+    return (size_ ? data_.size() - padding : 0) +
+           (shaper_ ? shaper_->entries.size() * sizeof(Rgb) : 0);
+}
+
+void StoredLut::apply(std::span<const Rgb> in, std::span<Rgb> out, const Lookup& lookup) const {
+    if (!in.empty()) {
+        apply_on_this_thread(*this, lookup, &in[0].r, &out[0].r, in.size(), 3);
+    }
+}
+
+} // namespace lutlib

@@ -1,0 +1,265 @@
+#include "lutlib/ops/op.h"
+
+#include "lutlib/error.h"
+#include "lutlib/ops/all.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+
+namespace lutlib {
+namespace {
+
+constexpr std::array<const Op*, 21> table{
+    &op::exposure,
+    &op::white_balance,
+    &op::channel_mixer,
+    &op::highlights,
+    &op::lift_gamma_gain,
+    &op::offset,
+    &op::cdl,
+    &op::contrast,
+    &op::curves,
+    &op::saturation,
+    &op::saturation_perceptual,
+    &op::vibrance,
+    &op::split_toning,
+    &op::hue_vs_hue,
+    &op::hue_vs_sat,
+    &op::hue_vs_lum,
+    &op::lum_vs_sat,
+    &op::sat_vs_sat,
+    &op::sat_vs_lum,
+    &op::lum_vs_lum,
+    &op::hue_range,
+};
+
+// The shortest text that reads back as the same number, whatever the locale.
+std::string number_text(double x) {
+    std::array<char, 32> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x).ptr;
+    return {buffer.data(), end};
+}
+
+std::string problem_with_number(double x, double min, double max) {
+    if (x >= min && x <= max) {
+        return {};
+    }
+    return "is " + number_text(x) + "; the range is " + number_text(min) + " to " +
+           number_text(max);
+}
+
+bool is_neutral(const Parameter& parameter, const Value& value) {
+    if (value == default_value(parameter)) {
+        return true;
+    }
+    if (parameter.kind != ParameterKind::curve) {
+        return false;
+    }
+    const Knots& knots = std::get<Knots>(value);
+    return std::all_of(knots.begin(), knots.end(), [&](const Knot& k) {
+        return k.y == (parameter.axis.diagonal ? k.x : parameter.fallback);
+    });
+}
+
+std::string_view trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(" \t");
+    return first == text.npos ? std::string_view{}
+                              : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (;;) {
+        const auto end = text.find(separator);
+        parts.push_back(trimmed(text.substr(0, end)));
+        if (end == text.npos) {
+            return parts;
+        }
+        text.remove_prefix(end + 1);
+    }
+}
+
+// Reads the numbers of one flag; every complaint names the flag and shows what it accepts.
+struct FlagReader {
+    const Parameter& parameter;
+    const std::string& text;
+
+    [[noreturn]] void refuse(const std::string& why) const {
+        throw UsageError("--" + std::string(parameter.flag) + " " + why, {"", 0, text});
+    }
+
+    double number(std::string_view part) const {
+        double x = 0;
+        const std::string_view digits = part.starts_with('+') ? part.substr(1) : part;
+        const auto [end, problem] =
+            std::from_chars(digits.data(), digits.data() + digits.size(), x);
+        if (problem != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(x)) {
+            refuse(parameter.kind == ParameterKind::curve
+                       ? "takes knots, as in \"0:1, 120:1.4, 240:0.8\""
+                   : parameter.kind == ParameterKind::rgb
+                       ? "takes one number or three, as in \"1, 0.9, 0.8\""
+                       : "takes a number");
+        }
+        return x;
+    }
+
+    Value rgb() const {
+        const auto parts = split(text, ',');
+        if (parts.size() == 1) {
+            const double x = number(parts[0]);
+            return RgbD{x, x, x};
+        }
+        if (parts.size() != 3) {
+            refuse("takes one number or three, as in \"1, 0.9, 0.8\"");
+        }
+        return RgbD{number(parts[0]), number(parts[1]), number(parts[2])};
+    }
+
+    Value knots() const {
+        Knots out;
+        for (const std::string_view part : split(text, ',')) {
+            const auto pair = split(part, ':');
+            if (pair.size() != 2) {
+                refuse("takes knots, as in \"0:1, 120:1.4, 240:0.8\"");
+            }
+            out.push_back({number(pair[0]), number(pair[1])});
+        }
+        return out;
+    }
+
+    double toggle() const {
+        const bool on = text == "on" || text == "1", off = text == "off" || text == "0";
+        if (!on && !off) {
+            refuse("takes on or off");
+        }
+        return on ? 1 : 0;
+    }
+};
+
+} // namespace
+
+std::string_view name_of(Space space) {
+    return space == Space::codes    ? "code values"
+           : space == Space::linear ? "linear light"
+                                    : "Oklab";
+}
+
+Value default_value(const Parameter& parameter) {
+    switch (parameter.kind) {
+    case ParameterKind::rgb:
+        return parameter.fallback_rgb;
+    case ParameterKind::curve:
+        return Knots{};
+    case ParameterKind::number:
+    case ParameterKind::toggle:
+        break;
+    }
+    return parameter.fallback;
+}
+
+std::span<const Op* const> ops() {
+    return table;
+}
+
+const Op* op_named(std::string_view name) {
+    const auto found =
+        std::find_if(table.begin(), table.end(), [&](const Op* op) { return op->name == name; });
+    return found == table.end() ? nullptr : *found;
+}
+
+Operation default_operation(const Op& op) {
+    Operation out{&op, {}, true};
+    for (const Parameter& parameter : op.parameters) {
+        out.values.push_back(default_value(parameter));
+    }
+    return out;
+}
+
+bool is_identity(const Operation& operation) {
+    for (std::size_t i = 0; i < operation.values.size(); ++i) {
+        if (!is_neutral(operation.op->parameters[i], operation.values[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+std::string problem_with(const Parameter& parameter, const Value& value) {
+    if (value.index() != default_value(parameter).index()) {
+        return "is of the wrong kind";
+    }
+    if (const double* x = std::get_if<double>(&value)) {
+        if (parameter.kind == ParameterKind::toggle) {
+            return *x == 0 || *x == 1 ? "" : "is " + number_text(*x) + "; it must be 0 or 1";
+        }
+        return problem_with_number(*x, parameter.min, parameter.max);
+    }
+    if (const RgbD* c = std::get_if<RgbD>(&value)) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (const auto why = problem_with_number((*c)[i], parameter.min, parameter.max);
+                !why.empty()) {
+                return why;
+            }
+        }
+        return {};
+    }
+    for (const Knot& k : std::get<Knots>(value)) {
+        if (const auto why = problem_with_number(k.x, parameter.axis.min, parameter.axis.max);
+            !why.empty()) {
+            return "has a knot whose " + std::string(parameter.axis.label) + " " + why;
+        }
+        if (const auto why = problem_with_number(k.y, parameter.min, parameter.max); !why.empty()) {
+            return "has a knot whose value " + why;
+        }
+    }
+    return {};
+}
+
+Curve curve_of(const Parameter& parameter, const Value& value) {
+    const Knots& knots = std::get<Knots>(value);
+    return parameter.axis.periodic
+               ? Curve::periodic(knots, parameter.axis.max - parameter.axis.min, parameter.fallback)
+               : Curve::open(knots, parameter.fallback);
+}
+
+Value parse_value(const Parameter& parameter, const std::string& text) {
+    const FlagReader reader{parameter, text};
+    Value value;
+    switch (parameter.kind) {
+    case ParameterKind::number:
+        value = reader.number(trimmed(text));
+        break;
+    case ParameterKind::toggle:
+        value = reader.toggle();
+        break;
+    case ParameterKind::rgb:
+        value = reader.rgb();
+        break;
+    case ParameterKind::curve:
+        value = reader.knots();
+        break;
+    }
+    if (const std::string why = problem_with(parameter, value); !why.empty()) {
+        throw UsageError("--" + std::string(parameter.flag) + " " + why);
+    }
+    return value;
+}
+
+std::string value_text(const Value& value) {
+    if (const double* x = std::get_if<double>(&value)) {
+        return number_text(*x);
+    }
+    if (const RgbD* c = std::get_if<RgbD>(&value)) {
+        return number_text(c->r) + ", " + number_text(c->g) + ", " + number_text(c->b);
+    }
+    std::string out;
+    for (const Knot& k : std::get<Knots>(value)) {
+        out += (out.empty() ? "" : ", ") + number_text(k.x) + ":" + number_text(k.y);
+    }
+    return out;
+}
+
+} // namespace lutlib

@@ -1,0 +1,68 @@
+// A recipe: a look as an ordered list of operators with values, on top of an optional base LUT.
+//
+// In JSON, every key but the first and "operators" optional:
+//
+//   {
+//     "schema_version": 1,
+//     "title": "Warm teal",
+//     "input": "srgb",             what the operators' code values are, a row of encodings()
+//     "output": "srgb",            what the result is encoded in; default: as the input
+//     "base": "look.cube",         applied first; "input" is then the encoding of its output
+//     "bake": {
+//       "size": 33,                nodes a side; default: the base's, else 33
+//       "domain": [0, 1],          numbers, or [r, g, b] each; default: the base's, else 0..1
+//       "shaper": "none",          none, base, tone, or a row of encodings(); see bake_recipe.h
+//       "shaper_size": 4096
+//     },
+//     "operators": [
+//       {"op": "exposure", "stops": 0.5},
+//       {"op": "hue-vs-sat", "enabled": false, "curve": [[0, 1], [120, 1.4]]}
+//     ]
+//   }
+//
+// A parameter that is left out has its default. An rgb parameter is [r, g, b], a toggle true or
+// false, a curve a list of [x, y].
+#pragma once
+
+#include "lutlib/color/encoding.h"
+#include "lutlib/lut.h"
+#include "lutlib/ops/op.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lutlib {
+
+/// How a recipe becomes a LUT. Unset members are taken from the base, else from the defaults above.
+struct BakeSettings {
+    std::optional<int> size;
+    std::optional<Domain> domain;
+    std::string shaper; ///< empty: base where the base has one, else none
+    int shaper_size = 4096;
+    friend bool operator==(const BakeSettings&, const BakeSettings&) = default;
+};
+
+struct Recipe {
+    std::string title;
+    const Encoding* input = &srgb();
+    const Encoding* output = nullptr; ///< null: as the input
+    std::string base;                 ///< the base's file, as written in the recipe
+    std::shared_ptr<const Lut> base_lut;
+    BakeSettings bake;
+    std::vector<Operation> operations;
+
+    const Encoding& output_encoding() const { return output ? *output : *input; }
+};
+
+/// Throws Error with the file, the line for broken JSON, else the JSON path, for anything unknown,
+/// of a wrong kind or out of range. `base` is only named: the caller reads it into base_lut.
+Recipe parse_recipe(std::string_view json, const std::string& file);
+
+/// Readable and diffable: one operator or one parameter a line, defaults left out, numbers in the
+/// shortest form that reads back the same.
+std::string to_json(const Recipe& recipe);
+
+} // namespace lutlib

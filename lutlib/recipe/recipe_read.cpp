@@ -1,0 +1,270 @@
+#include "lutlib/error.h"
+#include "lutlib/limits.h"
+#include "lutlib/recipe/recipe.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lutlib {
+namespace {
+
+using nlohmann::json;
+
+constexpr int schema_version = 1;
+
+// A value and where it stands, so that every complaint names its path.
+struct Node {
+    const json& value;
+    std::string path;
+    const std::string& file;
+
+    [[noreturn]] void refuse(const std::string& why) const {
+        throw Error((path.empty() ? std::string("the recipe") : path) + " " + why, {file, 0, ""});
+    }
+    Node member(const std::string& key) const {
+        return {value.at(key), path.empty() ? key : path + "." + key, file};
+    }
+    Node item(std::size_t index) const {
+        return {value.at(index), path + "[" + std::to_string(index) + "]", file};
+    }
+    bool has(const std::string& key) const { return value.contains(key); }
+
+    const Node& object() const {
+        if (!value.is_object()) {
+            refuse("must be an object");
+        }
+        return *this;
+    }
+    const Node& array(std::size_t length = 0) const {
+        if (!value.is_array() || (length && value.size() != length)) {
+            refuse(length ? "must be a list of " + std::to_string(length) : "must be a list");
+        }
+        return *this;
+    }
+    double number() const {
+        if (!value.is_number()) {
+            refuse("must be a number");
+        }
+        const double x = value.get<double>();
+        if (!std::isfinite(x)) {
+            refuse("must be finite");
+        }
+        return x;
+    }
+    int integer(int min, int max) const {
+        const double x = number();
+        if (x != std::floor(x) || x < min || x > max) {
+            refuse("must be a whole number from " + std::to_string(min) + " to " +
+                   std::to_string(max));
+        }
+        return static_cast<int>(x);
+    }
+    bool boolean() const {
+        if (!value.is_boolean()) {
+            refuse("must be true or false");
+        }
+        return value.get<bool>();
+    }
+    std::string text() const {
+        if (!value.is_string()) {
+            refuse("must be a text");
+        }
+        return value.get<std::string>();
+    }
+    RgbD rgb() const {
+        array(3);
+        return {item(0).number(), item(1).number(), item(2).number()};
+    }
+    template <class Known>
+    void only(const Known& known) const {
+        for (const auto& [key, unused] : object().value.items()) {
+            if (std::find(std::begin(known), std::end(known), key) == std::end(known)) {
+                refuse("has an unknown key '" + key + "'; there are " + listed(known));
+            }
+        }
+    }
+    template <class Names>
+    static std::string listed(const Names& names) {
+        std::string out;
+        for (const auto& name : names) {
+            out += (out.empty() ? "" : ", ") + std::string(name);
+        }
+        return out;
+    }
+};
+
+std::vector<std::string_view> encoding_names() {
+    std::vector<std::string_view> names;
+    for (const Encoding& row : encodings()) {
+        names.push_back(row.name);
+    }
+    return names;
+}
+
+const Encoding* read_encoding(const Node& node) {
+    const std::string name = node.text();
+    const Encoding* const found = encoding_named(name);
+    if (!found) {
+        node.refuse("is '" + name + "'; there are " + Node::listed(encoding_names()));
+    }
+    return found;
+}
+
+Value read_value(const Node& node, ParameterKind kind) {
+    switch (kind) {
+    case ParameterKind::toggle:
+        return node.boolean() ? 1.0 : 0.0;
+    case ParameterKind::rgb:
+        return node.rgb();
+    case ParameterKind::curve: {
+        Knots knots;
+        for (std::size_t i = 0; i < node.array().value.size(); ++i) {
+            const Node knot = node.item(i).array(2);
+            knots.push_back({knot.item(0).number(), knot.item(1).number()});
+        }
+        return knots;
+    }
+    case ParameterKind::number:
+        break;
+    }
+    return node.number();
+}
+
+Operation read_operation(const Node& node) {
+    if (!node.object().has("op")) {
+        node.refuse("lacks its \"op\"");
+    }
+    const std::string name = node.member("op").text();
+    const Op* const op = op_named(name);
+    if (!op) {
+        std::vector<std::string_view> names;
+        for (const Op* row : ops()) {
+            names.push_back(row->name);
+        }
+        node.member("op").refuse("is '" + name + "', which is unknown; there are " +
+                                 Node::listed(names));
+    }
+    std::vector<std::string> keys{"op", "enabled"};
+    for (const Parameter& parameter : op->parameters) {
+        keys.emplace_back(parameter.name);
+    }
+    node.only(keys);
+    Operation out = default_operation(*op);
+    out.enabled = !node.has("enabled") || node.member("enabled").boolean();
+    for (std::size_t i = 0; i < op->parameters.size(); ++i) {
+        const Parameter& parameter = op->parameters[i];
+        const std::string key(parameter.name);
+        if (!node.has(key)) {
+            continue;
+        }
+        const Node value = node.member(key);
+        out.values[i] = read_value(value, parameter.kind);
+        if (const std::string why = problem_with(parameter, out.values[i]); !why.empty()) {
+            value.refuse(why);
+        }
+    }
+    return out;
+}
+
+Rgb read_corner(const Node& node) {
+    if (node.value.is_number()) {
+        const auto x = static_cast<float>(node.number());
+        return {x, x, x};
+    }
+    return to_float(node.rgb());
+}
+
+BakeSettings read_bake(const Node& node) {
+    constexpr std::array<std::string_view, 4> keys{"size", "domain", "shaper", "shaper_size"};
+    node.only(keys);
+    BakeSettings out;
+    if (node.has("size")) {
+        out.size = node.member("size").integer(limits::min_cube_size, limits::max_cube_size);
+    }
+    if (node.has("domain")) {
+        const Node domain = node.member("domain").array(2);
+        out.domain = Domain{read_corner(domain.item(0)), read_corner(domain.item(1))};
+        try {
+            check_domain(*out.domain);
+        } catch (const Error& error) {
+            domain.refuse("cannot be: " + error.message());
+        }
+    }
+    if (node.has("shaper")) {
+        out.shaper = node.member("shaper").text();
+        std::vector<std::string_view> names = encoding_names();
+        names.insert(names.begin(), {"none", "base", "tone"});
+        if (std::find(names.begin(), names.end(), out.shaper) == names.end()) {
+            node.member("shaper").refuse("is '" + out.shaper + "'; there are " +
+                                         Node::listed(names));
+        }
+    }
+    if (node.has("shaper_size")) {
+        out.shaper_size =
+            node.member("shaper_size").integer(limits::min_shaper_size, limits::max_shaper_size);
+    }
+    return out;
+}
+
+json parsed(std::string_view text, const std::string& file) {
+    try {
+        return json::parse(text.begin(), text.end());
+    } catch (const json::parse_error& error) {
+        const auto end =
+            text.begin() +
+            static_cast<std::ptrdiff_t>(std::min(text.size(), error.byte > 0 ? error.byte - 1 : 0));
+        const auto line = static_cast<std::size_t>(std::count(text.begin(), end, '\n')) + 1;
+        const std::size_t start = text.rfind('\n', static_cast<std::size_t>(end - text.begin()));
+        const std::size_t first = start == text.npos ? 0 : start + 1;
+        throw Error("this is not JSON",
+                    {file, line, std::string(text.substr(first, text.find('\n', first) - first))});
+    } catch (const json::exception& error) {
+        throw Error(std::string("this JSON cannot be read: ") + error.what(), {file, 0, ""});
+    }
+}
+
+} // namespace
+
+Recipe parse_recipe(std::string_view text, const std::string& file) {
+    const json document = parsed(text, file);
+    const Node root{document, "", file};
+    if (!root.object().has("schema_version")) {
+        root.refuse("lacks \"schema_version\": " + std::to_string(schema_version));
+    }
+    if (const Node version = root.member("schema_version");
+        version.integer(0, 1 << 20) != schema_version) {
+        version.refuse("is " + version.value.dump() + "; this program reads version " +
+                       std::to_string(schema_version));
+    }
+    constexpr std::array<std::string_view, 7> keys{"schema_version", "title", "input",    "output",
+                                                   "base",           "bake",  "operators"};
+    root.only(keys);
+    Recipe out;
+    if (root.has("title")) {
+        out.title = root.member("title").text();
+    }
+    if (root.has("input")) {
+        out.input = read_encoding(root.member("input"));
+    }
+    if (root.has("output")) {
+        out.output = read_encoding(root.member("output"));
+    }
+    if (root.has("base")) {
+        out.base = root.member("base").text();
+    }
+    if (root.has("bake")) {
+        out.bake = read_bake(root.member("bake"));
+    }
+    if (root.has("operators")) {
+        const Node list = root.member("operators").array();
+        for (std::size_t i = 0; i < list.value.size(); ++i) {
+            out.operations.push_back(read_operation(list.item(i)));
+        }
+    }
+    return out;
+}
+
+} // namespace lutlib

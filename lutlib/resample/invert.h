@@ -1,0 +1,51 @@
+// The inverse of a look, and what of it there is.
+//
+// A look is affine within each tetrahedron of its cube (the tetrahedral interpolation). For each
+// wanted colour a grid over the look's outputs gives the cells that can produce it, and within each
+// of their tetrahedra one Newton step is exact: so every input that gives the colour is found, and
+// a fold shows as more than one. A colour that no input gives is out of the look's gamut: damped
+// Newton steps (Levenberg 1944, Marquardt 1963) from the nearest nodes then find the input whose
+// output lies nearest. What cannot be inverted is filled so and counted, never silently.
+#pragma once
+
+#include "lutlib/lut.h"
+#include "lutlib/metrics/stats.h"
+#include "lutlib/resample/resample.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace lutlib {
+
+/// Nodes of the inverse of one kind: how many, the box of wanted colours that holds them, and the
+/// worst of them.
+struct InverseRegion {
+    std::size_t count = 0;
+    Rgb low, high;
+    Rgb worst;         ///< the wanted colour
+    double extent = 0; ///< of the worst: see below
+};
+
+struct Inversion {
+    Lut lut;
+    std::size_t nodes = 0;
+    /// No input gives these colours. Extent: the distance to the nearest output, largest channel.
+    InverseRegion out_of_gamut;
+    /// More than one input does. Extent: the largest channel distance between those.
+    InverseRegion folded;
+};
+
+struct InvertOptions {
+    std::optional<int> size;      ///< of the inverse; default: the look's
+    std::optional<Domain> domain; ///< of the inverse; default: 0..1, widened to the look's outputs
+};
+
+/// The look's outputs, per channel.
+Domain output_range(const Lut& lut);
+
+/// Throws Error for a cube larger than 129 (resample it first), or a 1D table that neither rises
+/// nor falls along its whole length: an output of it has no single input.
+Inversion invert(const Lut& lut, const InvertOptions& options = {});
+
+} // namespace lutlib

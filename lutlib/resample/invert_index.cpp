@@ -1,0 +1,290 @@
+#include "lutlib/resample/invert_index.h"
+
+#include "lutlib/color/matrix.h"
+#include "lutlib/interpolation/interpolation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lutlib {
+namespace {
+
+// The axes in the order in which a tetrahedron's path from the dark to the bright corner takes
+// them.
+constexpr std::array<std::array<std::size_t, 3>, 6> paths{
+    {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+
+using Place = std::array<double, 3>; // in nodes, 0 .. size-1
+
+double square(RgbD d) {
+    return d.r * d.r + d.g * d.g + d.b * d.b;
+}
+
+struct Cell {
+    int r, g, b;
+};
+
+// The four corners' outputs along a path.
+std::array<RgbD, 4> corners(const Lut3D& cube, Cell cell, const std::array<std::size_t, 3>& path) {
+    std::array<int, 3> node{cell.r, cell.g, cell.b};
+    std::array<RgbD, 4> out{to_double(cube.at(node[0], node[1], node[2]))};
+    for (std::size_t step = 0; step < 3; ++step) {
+        ++node[path[step]];
+        out[step + 1] = to_double(cube.at(node[0], node[1], node[2]));
+    }
+    return out;
+}
+
+// d output / d place within a tetrahedron: the column of axis path[i] is corner i+1 minus corner i.
+Matrix3 slope(const std::array<RgbD, 4>& corner, const std::array<std::size_t, 3>& path) {
+    Matrix3 m;
+    for (std::size_t step = 0; step < 3; ++step) {
+        const RgbD d = corner[step + 1] - corner[step];
+        for (std::size_t c = 0; c < 3; ++c) {
+            m.m[c][path[step]] = d[c];
+        }
+    }
+    return m;
+}
+
+} // namespace
+
+OutputIndex::Bucket OutputIndex::bucket_of(RgbD output) const {
+    Bucket out{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double x = (output[c] - low_[c]) * scale_[c];
+        out[c] = static_cast<int>(std::clamp(x, 0.0, buckets_ - 1.0));
+    }
+    return out;
+}
+
+std::size_t OutputIndex::bucket_index(const Bucket& b) const {
+    const auto n = static_cast<std::size_t>(buckets_);
+    return static_cast<std::size_t>(b[0]) +
+           n * (static_cast<std::size_t>(b[1]) + n * static_cast<std::size_t>(b[2]));
+}
+
+OutputIndex::OutputIndex(const Lut3D& cube) : cube_(cube), buckets_(std::max(cube.size, 8)) {
+    RgbD high = low_ = to_double(cube.nodes.front());
+    for (const Rgb& node : cube.nodes) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            low_[c] = std::min(low_[c], static_cast<double>(node[c]));
+            high[c] = std::max(high[c], static_cast<double>(node[c]));
+        }
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+        scale_[c] = high[c] > low_[c] ? buckets_ / (high[c] - low_[c]) : 0;
+    }
+    const auto n = static_cast<std::size_t>(buckets_);
+    // Two passes: count, then place.
+    const auto each_entry = [&](auto&& visit_cell, auto&& visit_node) {
+        for (int b = 0; b < cube.size; ++b) {
+            for (int g = 0; g < cube.size; ++g) {
+                for (int r = 0; r < cube.size; ++r) {
+                    const auto id = static_cast<std::uint32_t>(cube.index(r, g, b));
+                    visit_node(bucket_index(bucket_of(to_double(cube.at(r, g, b)))), id);
+                    if (r + 1 == cube.size || g + 1 == cube.size || b + 1 == cube.size) {
+                        continue;
+                    }
+                    Bucket from = bucket_of(to_double(cube.at(r, g, b))), to = from;
+                    for (int corner = 1; corner < 8; ++corner) {
+                        const Bucket at = bucket_of(to_double(
+                            cube.at(r + (corner & 1), g + (corner >> 1 & 1), b + (corner >> 2))));
+                        for (std::size_t c = 0; c < 3; ++c) {
+                            from[c] = std::min(from[c], at[c]);
+                            to[c] = std::max(to[c], at[c]);
+                        }
+                    }
+                    for (int z = from[2]; z <= to[2]; ++z) {
+                        for (int y = from[1]; y <= to[1]; ++y) {
+                            for (int x = from[0]; x <= to[0]; ++x) {
+                                visit_cell(bucket_index({x, y, z}), id);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    };
+    cell_start_.assign(n * n * n + 1, 0);
+    node_start_.assign(n * n * n + 1, 0);
+    each_entry([&](std::size_t k, std::uint32_t) { ++cell_start_[k + 1]; },
+               [&](std::size_t k, std::uint32_t) { ++node_start_[k + 1]; });
+    for (std::size_t k = 0; k < n * n * n; ++k) {
+        cell_start_[k + 1] += cell_start_[k];
+        node_start_[k + 1] += node_start_[k];
+    }
+    cells_.resize(cell_start_.back());
+    nodes_.resize(node_start_.back());
+    std::vector<std::uint32_t> next_cell = cell_start_, next_node = node_start_;
+    each_entry([&](std::size_t k, std::uint32_t id) { cells_[next_cell[k]++] = id; },
+               [&](std::size_t k, std::uint32_t id) { nodes_[next_node[k]++] = id; });
+}
+
+RgbD OutputIndex::place(const std::array<double, 3>& lattice) const {
+    RgbD out;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double min = cube_.domain.min[c], max = cube_.domain.max[c];
+        out[c] = min + (max - min) * lattice[c] / (cube_.size - 1);
+    }
+    return out;
+}
+
+void OutputIndex::preimages(RgbD wanted, std::vector<RgbD>& found) const {
+    // Points on a face that two tetrahedra share must be inside at least one of them.
+    constexpr double slack = 1e-7;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double x = (wanted[c] - low_[c]) * scale_[c];
+        if (x < -slack || x > buckets_ + slack) {
+            return;
+        }
+    }
+    const std::size_t k = bucket_index(bucket_of(wanted));
+    const auto n = static_cast<std::uint32_t>(cube_.size);
+    for (std::uint32_t i = cell_start_[k]; i < cell_start_[k + 1]; ++i) {
+        const std::uint32_t id = cells_[i];
+        const Cell cell{static_cast<int>(id % n), static_cast<int>(id / n % n),
+                        static_cast<int>(id / (n * n))};
+        for (const auto& path : paths) {
+            const auto corner = corners(cube_, cell, path);
+            const Matrix3 m = slope(corner, path);
+            // Relative to the outputs' own size: a flat tetrahedron has no volume.
+            const double volume = determinant(m);
+            const double extent =
+                std::max({square(corner[1] - corner[0]), square(corner[2] - corner[0]),
+                          square(corner[3] - corner[0])});
+            if (std::abs(volume) <= 1e-12 * extent * std::sqrt(extent)) {
+                continue;
+            }
+            const RgbD f = inverse(m) * (wanted - corner[0]);
+            if (f[path[0]] <= 1 + slack && f[path[0]] >= f[path[1]] - slack &&
+                f[path[1]] >= f[path[2]] - slack && f[path[2]] >= -slack) {
+                found.push_back(
+                    place({cell.r + std::clamp(f.r, 0.0, 1.0), cell.g + std::clamp(f.g, 0.0, 1.0),
+                           cell.b + std::clamp(f.b, 0.0, 1.0)}));
+            }
+        }
+    }
+}
+
+Nearest OutputIndex::descend(RgbD wanted, Place at) const {
+    const double last = cube_.size - 1;
+    const auto cell_of = [&](const Place& p) {
+        const auto axis = [&](double x) { return std::min(static_cast<int>(x), cube_.size - 2); };
+        return Cell{axis(p[0]), axis(p[1]), axis(p[2])};
+    };
+    const auto output = [&](const Place& p, Matrix3* jacobian) {
+        const Cell cell = cell_of(p);
+        const Place f{p[0] - cell.r, p[1] - cell.g, p[2] - cell.b};
+        const auto path = axes_by_fraction(f);
+        const auto corner = corners(cube_, cell, path);
+        const Matrix3 m = slope(corner, path);
+        if (jacobian) {
+            *jacobian = m;
+        }
+        return corner[0] + m * RgbD{f[0], f[1], f[2]};
+    };
+    Matrix3 j;
+    RgbD residual = wanted - output(at, &j);
+    double damping = 1e-3;
+    for (int step = 0; step < 60 && damping < 1e9; ++step) {
+        // (J^T J + damping trace I) d = J^T residual, over the axes that are not held at a face.
+        Matrix3 t;
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                t.m[i][k] = j.m[k][i];
+            }
+        }
+        Matrix3 normal = t * j;
+        RgbD gradient = t * residual;
+        const double trace = normal.m[0][0] + normal.m[1][1] + normal.m[2][2];
+        if (!(trace > 0)) {
+            break;
+        }
+        for (std::size_t i = 0; i < 3; ++i) {
+            normal.m[i][i] += damping * trace;
+            const bool held = (at[i] <= 0 && gradient[i] < 0) || (at[i] >= last && gradient[i] > 0);
+            if (held) {
+                for (std::size_t k = 0; k < 3; ++k) {
+                    normal.m[i][k] = normal.m[k][i] = i == k ? 1 : 0;
+                }
+                gradient[i] = 0;
+            }
+        }
+        const RgbD d = inverse(normal) * gradient;
+        Place next{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            next[i] = std::clamp(at[i] + std::clamp(d[i], -2.0, 2.0), 0.0, last);
+        }
+        Matrix3 next_j;
+        const RgbD next_residual = wanted - output(next, &next_j);
+        if (square(next_residual) < square(residual)) {
+            const bool done = square(residual) - square(next_residual) < 1e-18 * square(residual);
+            at = next;
+            residual = next_residual;
+            j = next_j;
+            damping = std::max(damping / 5, 1e-9);
+            if (done) {
+                break;
+            }
+        } else {
+            damping *= 4;
+        }
+    }
+    return {place(at), largest_magnitude(residual)};
+}
+
+Nearest OutputIndex::nearest(RgbD wanted) const {
+    // Rings of buckets round the wanted colour until one holds nodes, and one ring more, because a
+    // nearer node may sit just behind a bucket's border.
+    const Bucket centre = bucket_of(wanted);
+    struct Start {
+        double distance;
+        std::uint32_t node;
+    };
+    std::vector<Start> starts;
+    int rings_left = 2;
+    for (int ring = 0; ring < buckets_ && rings_left > 0; ++ring) {
+        for (int z = centre[2] - ring; z <= centre[2] + ring; ++z) {
+            for (int y = centre[1] - ring; y <= centre[1] + ring; ++y) {
+                const bool shell =
+                    std::abs(z - centre[2]) == ring || std::abs(y - centre[1]) == ring;
+                for (int x = centre[0] - ring; x <= centre[0] + ring;
+                     x += shell || ring == 0 ? 1 : 2 * ring) {
+                    if (std::min({x, y, z}) < 0 || std::max({x, y, z}) >= buckets_) {
+                        continue;
+                    }
+                    const std::size_t k = bucket_index({x, y, z});
+                    for (std::uint32_t i = node_start_[k]; i < node_start_[k + 1]; ++i) {
+                        const std::uint32_t id = nodes_[i];
+                        starts.push_back({square(to_double(cube_.nodes[id]) - wanted), id});
+                    }
+                }
+            }
+        }
+        rings_left -= starts.empty() ? 0 : 1;
+    }
+    constexpr std::size_t tries = 4;
+    const std::size_t count = std::min(tries, starts.size());
+    std::partial_sort(starts.begin(), starts.begin() + static_cast<std::ptrdiff_t>(count),
+                      starts.end(), [](const Start& a, const Start& b) {
+                          return a.distance < b.distance ||
+                                 (a.distance == b.distance && a.node < b.node);
+                      });
+    const auto n = static_cast<std::uint32_t>(cube_.size);
+    Nearest best;
+    best.distance = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t id = starts[i].node;
+        const Nearest found =
+            descend(wanted, {static_cast<double>(id % n), static_cast<double>(id / n % n),
+                             static_cast<double>(id / (n * n))});
+        if (found.distance < best.distance) {
+            best = found;
+        }
+    }
+    return best;
+}
+
+} // namespace lutlib

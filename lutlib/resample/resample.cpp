@@ -1,0 +1,96 @@
+#include "lutlib/resample/resample.h"
+
+#include "lutlib/error.h"
+#include "lutlib/interpolation/interpolation.h"
+#include "lutlib/interpolation/tricubic.h"
+#include "lutlib/resample/sample_lut.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lutlib {
+namespace {
+
+constexpr std::array<ResamplingMethod, 3> table{{
+    {"trilinear", "eight nodes",
+     [](const Lut3D& cube, RgbD in) { return evaluate_exact(cube, in, Interpolation::trilinear); }},
+    {"tetrahedral", "four nodes, exact on the neutral axis",
+     [](const Lut3D& cube, RgbD in) {
+         return evaluate_exact(cube, in, Interpolation::tetrahedral);
+     }},
+    {"tricubic", "64 nodes, smooth, may overshoot at bends", tricubic},
+}};
+
+// What a 1D table can give, widened where it is constant.
+Domain range_of(const Lut1D& curve) {
+    Domain out{curve.entries.front(), curve.entries.front()};
+    for (const Rgb& entry : curve.entries) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            out.min[c] = std::min(out.min[c], entry[c]);
+            out.max[c] = std::max(out.max[c], entry[c]);
+        }
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (!(out.min[c] < out.max[c])) {
+            out.max[c] = out.min[c] + std::max(1.0F, std::abs(out.min[c]));
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+std::span<const ResamplingMethod> resampling_methods() {
+    return table;
+}
+
+const ResamplingMethod* resampling_method_named(std::string_view name) {
+    const auto row = std::find_if(table.begin(), table.end(),
+                                  [&](const ResamplingMethod& m) { return m.name == name; });
+    return row == table.end() ? nullptr : &*row;
+}
+
+Transform transform_of(const Lut& lut, const ResamplingMethod& method) {
+    return each_colour([&lut, read = method.cube](RgbD c) {
+        const RgbD shaped = lut.shaper ? evaluate_exact(*lut.shaper, c) : c;
+        return lut.cube ? read(*lut.cube, shaped) : shaped;
+    });
+}
+
+Lut sample_like(const Lut& like, const Sampling& sampling, const Transform& whole,
+                const Transform& after_table) {
+    const int size = sampling.size.value_or(like.cube ? like.cube->size : usual_cube_size);
+    const Domain domain = sampling.domain.value_or(like.domain());
+    const std::string shaper = !sampling.shaper.empty()          ? sampling.shaper
+                               : like.shaper && !sampling.domain ? "base"
+                                                                 : "none";
+    Lut out;
+    out.title = like.title;
+    if (shaper == "none") {
+        out.cube = sample_cube(whole, domain, size);
+    } else if (shaper == "base") {
+        if (!like.shaper) {
+            throw Error("the 1D table is to be the look's own, but it has none");
+        }
+        if (sampling.domain) {
+            throw Error("the look's own 1D table comes with its own domain; choose another table "
+                        "or no domain");
+        }
+        out.shaper = like.shaper;
+        out.cube =
+            sample_cube(after_table, like.cube ? like.cube->domain : range_of(*like.shaper), size);
+    } else {
+        out.shaper = encoding_shaper(shaper, *sampling.input, domain, sampling.shaper_size);
+        out.cube = sample_cube_behind(whole, *out.shaper, size);
+    }
+    return out;
+}
+
+Lut resample(const Lut& lut, const Sampling& sampling, const ResamplingMethod& method) {
+    Lut cube_only;
+    cube_only.cube = lut.cube;
+    return sample_like(lut, sampling, transform_of(lut, method), transform_of(cube_only, method));
+}
+
+} // namespace lutlib

@@ -1,0 +1,80 @@
+// What every way of keeping a look costs in error, in bytes and in time: each combination worth
+// considering of lattice size, shaper, storage, lookup and filling, measured.
+#pragma once
+
+#include "lutlib/interpolation/stored_lut.h"
+#include "lutlib/metrics/compare.h"
+#include "lutlib/recipe/recipe.h"
+#include "lutlib/survey/timing.h"
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lutlib {
+
+/// A 1D table before the lattice, as bake_recipe() names it.
+struct ShaperChoice {
+    std::string_view name;
+    std::string_view label;
+    std::string_view bake_name;
+};
+/// none, srgb, log, pq, and the look's own.
+std::span<const ShaperChoice> shaper_choices();
+
+struct Combination {
+    int size = 0;
+    const ShaperChoice* shaper = nullptr;
+    const Storage* storage = nullptr;
+    const Lookup* lookup = nullptr;
+    bool fitted = false;
+};
+/// "17 nodes, log shaper, 8 bits, tetrahedral, fitted"
+std::string to_text(const Combination& c);
+
+struct SurveyRow {
+    Combination what;
+    Difference error;
+    std::size_t bytes = 0;
+    double bake_seconds = 0;
+    Timing pixel; ///< seconds a pixel on one core
+};
+
+struct SurveySettings {
+    std::vector<int> sizes{8, 16, 17, 25, 32, 33, 49, 64, 65};
+    int colours = 6000; ///< spread evenly, on which errors are measured; 1024 neutrals besides
+    int pixels = 16384; ///< of a timed run
+    int repetitions = 15;
+    double promise = 1; ///< largest dE2000 of the recommendation
+};
+
+/// Indices of rows. The smallest whose largest dE2000 is within the promise, the faster of equally
+/// small ones; else the one whose largest is least, with `kept` false.
+struct Recommendation {
+    std::size_t row = 0;
+    std::size_t fastest = 0; ///< the fastest that keeps the promise
+    bool kept = false;
+};
+Recommendation recommend(const std::vector<SurveyRow>& rows, double max_delta_e);
+
+struct Survey {
+    std::vector<SurveyRow> rows;
+    std::vector<std::string> notes; ///< what was left out, and why
+    std::size_t colours = 0;
+    SurveySettings settings;
+    Recommendation recommendation;
+    std::size_t checked = 0; ///< further colours on which the recommendation holds, and uphill
+};
+
+/// From 0 to 1, and what is being done.
+using Progress = std::function<void(double share, const std::string& doing)>;
+
+/// The reference is the recipe, evaluated exactly. Where that lies within 0..1, results are held to
+/// 0..1 as displays do. What is recommended has been checked on colours other than the table's, and
+/// uphill from the worst of them; where that found more, the row's largest dE2000 says so.
+Survey survey(const Recipe& recipe, const SurveySettings& settings, const Progress& progress);
+
+} // namespace lutlib

@@ -1,0 +1,200 @@
+#include "lutlib/resample/invert.h"
+
+#include "lutlib/error.h"
+#include "lutlib/interpolation/interpolation.h"
+#include "lutlib/metrics/compare.h"
+#include "lutlib/recipe/bake_recipe.h"
+#include "tests/lutlib/looks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lutlib {
+namespace {
+
+Lut cube_look(Lut3D cube) {
+    Lut out;
+    out.cube = std::move(cube);
+    return out;
+}
+
+// Invertible: rising, channels mixed a little, within 0..1.
+RgbD gentle(RgbD c) {
+    const double y = test_luma(c);
+    const auto bend = [](double x) { return x + 0.12 * std::sin(6.283185307179586 * x) / 6.28; };
+    return {bend(0.85 * c.r + 0.15 * y), bend(0.85 * c.g + 0.15 * y), bend(0.85 * c.b + 0.15 * y)};
+}
+
+double round_trip(const Lut& look, const Lut& inverse, const std::vector<Rgb>& inputs) {
+    double worst = 0;
+    for (const Rgb& in : inputs) {
+        const RgbD back = evaluate_exact(inverse, evaluate_exact(look, to_double(in)));
+        const RgbD d = back - to_double(in);
+        worst = std::max({worst, std::abs(d.r), std::abs(d.g), std::abs(d.b)});
+    }
+    return worst;
+}
+
+TEST(Invert, of_the_identity_is_the_identity_and_complete) {
+    for (const Domain& domain : {Domain{}, Domain{{-1, 0, 0.5F}, {2, 4, 1}}}) {
+        InvertOptions options;
+        options.domain = domain;
+        const Inversion out = invert(cube_look(identity_cube(9, domain)), options);
+        EXPECT_EQ(out.out_of_gamut.count, 0U);
+        EXPECT_EQ(out.folded.count, 0U);
+        const Lut3D wanted = identity_cube(9, domain);
+        for (std::size_t i = 0; i < wanted.nodes.size(); ++i) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                EXPECT_NEAR(out.lut.cube->nodes[i][c], wanted.nodes[i][c], 1e-6);
+            }
+        }
+    }
+}
+
+TEST(Invert, holds_an_exact_inverse_at_every_node_within_the_gamut) {
+    const Lut look = cube_look(sampled(gentle, 17));
+    const Inversion out = invert(look, {});
+    std::size_t exact = 0;
+    const Lut3D& inverse = *out.lut.cube;
+    for (int b = 0; b < inverse.size; ++b) {
+        for (int g = 0; g < inverse.size; ++g) {
+            for (int r = 0; r < inverse.size; ++r) {
+                const RgbD wanted = node_position(inverse, r, g, b);
+                const RgbD d = evaluate_exact(look, to_double(inverse.at(r, g, b))) - wanted;
+                exact += std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)}) < 1e-6;
+            }
+        }
+    }
+    EXPECT_EQ(exact, out.nodes - out.out_of_gamut.count);
+    EXPECT_EQ(out.folded.count, 0U);
+    EXPECT_GT(exact, out.nodes / 2);
+}
+
+TEST(Invert, undoes_an_invertible_look_within_a_bound_that_falls_with_the_square_of_the_step) {
+    const Lut look = cube_look(sampled(gentle, 33));
+    std::vector<Rgb> inputs;
+    // Away from the gamut's surface, where a cell of the inverse also holds colours out of gamut.
+    for (const Rgb& in : samples_over({{.15F, .15F, .15F}, {.85F, .85F, .85F}}, 9, 5000)) {
+        inputs.push_back(in);
+    }
+    const auto error = [&](int size) {
+        InvertOptions options;
+        options.size = size;
+        return round_trip(look, invert(look, options).lut, inputs);
+    };
+    const double coarse = error(9), fine = error(33);
+    EXPECT_LT(coarse, 4e-3);
+    EXPECT_LT(fine, 5e-4);
+    EXPECT_LT(fine, coarse / 8);
+}
+
+TEST(Invert, says_where_a_colour_cannot_be_given) {
+    // Outputs fill 0.25..0.75 only.
+    const Lut look = cube_look(sampled(
+        [](RgbD c) {
+            return RgbD{.25 + .5 * c.r, .25 + .5 * c.g, .25 + .5 * c.b};
+        },
+        9));
+    const Inversion out = invert(look, {});
+    std::size_t outside = 0;
+    for (const Rgb& wanted : identity_cube(9).nodes) {
+        outside += std::min({wanted.r, wanted.g, wanted.b}) < 0.25F ||
+                   std::max({wanted.r, wanted.g, wanted.b}) > 0.75F;
+    }
+    EXPECT_EQ(out.out_of_gamut.count, outside);
+    EXPECT_NEAR(out.out_of_gamut.extent, 0.25, 1e-6);
+    EXPECT_EQ(out.out_of_gamut.low, (Rgb{0, 0, 0}));
+    EXPECT_EQ(out.out_of_gamut.high, (Rgb{1, 1, 1}));
+    // Filled with the nearest that there is.
+    EXPECT_NEAR(out.lut.cube->at(0, 0, 0).r, 0, 1e-6);
+    EXPECT_NEAR(out.lut.cube->at(8, 0, 8).b, 1, 1e-6);
+    EXPECT_NEAR(out.lut.cube->at(8, 4, 0).g, 0.5, 1e-6);
+}
+
+TEST(Invert, finds_the_nearest_colour_that_a_look_can_give) {
+    const Lut look = cube_look(sampled(gentle, 17));
+    const Inversion out = invert(look, {});
+    ASSERT_GT(out.out_of_gamut.count, 0U);
+    // Against a search over a fine lattice of inputs, for a colour at a corner.
+    const RgbD wanted{1, 0, 0};
+    const RgbD got = evaluate_exact(look, to_double(out.lut.cube->at(16, 0, 0)));
+    const auto distance = [&](RgbD c) {
+        const RgbD d = c - wanted;
+        return d.r * d.r + d.g * d.g + d.b * d.b;
+    };
+    double best = 9;
+    for (const Rgb& in : identity_cube(65).nodes) {
+        best = std::min(best, distance(evaluate_exact(look, to_double(in))));
+    }
+    EXPECT_LE(distance(got), best + 1e-9);
+}
+
+TEST(Invert, says_where_a_look_folds) {
+    // Red turns back at 0.7: outputs from 0.4 to 0.7 in red have two inputs.
+    const auto fold = [](RgbD c) { return RgbD{c.r <= 0.75 ? c.r : 1.5 - c.r, c.g, c.b}; };
+    const Lut look = cube_look(sampled(fold, 17));
+    InvertOptions options;
+    options.size = 17;
+    const Inversion out = invert(look, options);
+    // Nodes at 12/16 have one input; those of 13 to 16 none; 12 down to 8 are reached twice.
+    EXPECT_EQ(out.out_of_gamut.count, 4U * 17 * 17);
+    EXPECT_EQ(out.folded.count, 4U * 17 * 17);
+    EXPECT_NEAR(out.folded.low.r, 0.5, 1e-6);
+    EXPECT_NEAR(out.folded.high.r, 0.6875, 1e-6);
+    EXPECT_NEAR(out.folded.extent, 0.5, 1e-6);
+    // Of two inputs the one on the sheet that does not fold.
+    EXPECT_NEAR(out.lut.cube->at(9, 3, 5).r, 9.0 / 16, 1e-6);
+}
+
+TEST(Invert, undoes_a_clipped_look_where_it_is_not_clipped) {
+    const Lut look = cube_look(sampled(
+        [](RgbD c) {
+            return saturate(RgbD{2 * c.r - .5, 2 * c.g - .5, 2 * c.b - .5});
+        },
+        33));
+    const Inversion out = invert(look, {});
+    EXPECT_EQ(out.out_of_gamut.count, 0U);
+    EXPECT_LT(round_trip(look, out.lut, samples_over({{.3F, .3F, .3F}, {.7F, .7F, .7F}}, 5, 2000)),
+              1e-5);
+}
+
+TEST(Invert, reads_a_1d_table_backwards) {
+    Lut look = cube_look(sampled(gentle, 17));
+    look.shaper = Lut1D{{{0, 0, 0}, {4, 4, 4}}, {}};
+    for (int i = 0; i < 100; ++i) {
+        const auto v = static_cast<float>(std::pow(i / 99.0, 0.5));
+        look.shaper->entries.push_back({v, v, v});
+    }
+    const Inversion out = invert(look, {});
+    const RgbD in{1.2, 0.9, 1.6};
+    const RgbD back = evaluate_exact(out.lut, evaluate_exact(look, in));
+    EXPECT_NEAR(back.r, in.r, 0.05); // the table's square is interpolated by the inverse's cube
+    EXPECT_NEAR(back.g, in.g, 0.05);
+    Lut curve;
+    curve.shaper = look.shaper;
+    InvertOptions options;
+    options.size = 65;
+    EXPECT_NEAR(evaluate_exact(invert(curve, options).lut, {.5, .5, .5}).r, 1.0, 1e-3);
+}
+
+TEST(Invert, refuses_a_table_that_is_flat_and_a_cube_that_is_too_large) {
+    Lut look;
+    look.shaper = Lut1D{{}, {{0, 0, 0}, {.5F, .5F, .5F}, {.5F, .6F, .6F}, {1, 1, 1}}};
+    EXPECT_THROW(invert(look, {}), Error);
+    look.shaper.reset();
+    look.cube = identity_cube(130);
+    EXPECT_THROW(invert(look, {}), Error);
+}
+
+TEST(Invert, of_a_constant_look_is_filled_and_says_so) {
+    const Lut look = cube_look(sampled([](RgbD) { return RgbD{.5, .5, .5}; }, 5));
+    const Inversion out = invert(look, {});
+    EXPECT_EQ(out.out_of_gamut.count, out.nodes - 1);
+    for (const Rgb& c : out.lut.cube->nodes) {
+        EXPECT_TRUE(std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b));
+    }
+}
+
+} // namespace
+} // namespace lutlib

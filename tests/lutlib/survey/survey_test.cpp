@@ -1,0 +1,133 @@
+#include "lutlib/survey/survey.h"
+
+#include "lutlib/engine/budget.h"
+#include "lutlib/metrics/samples.h"
+#include "tests/lutlib/looks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace lutlib {
+namespace {
+
+Recipe recipe_of(RgbD (*f)(RgbD)) {
+    Lut lut;
+    lut.cube = sampled(f, 17);
+    Recipe recipe;
+    recipe.base = "look";
+    recipe.base_lut = std::make_shared<const Lut>(std::move(lut));
+    return recipe;
+}
+
+SurveySettings small() {
+    SurveySettings out;
+    out.sizes = {8, 9};
+    out.colours = 500;
+    out.pixels = 256;
+    out.repetitions = 3;
+    return out;
+}
+
+TEST(Survey, measures_every_combination_of_storage_and_lookup_for_each_size) {
+    const Survey result =
+        survey(recipe_of(test_looks()[1].f), small(), [](double, const std::string&) {});
+    for (const int size : small().sizes) {
+        for (const Storage& storage : storages()) {
+            for (const Lookup& lookup : lookups()) {
+                const auto row =
+                    std::find_if(result.rows.begin(), result.rows.end(), [&](const SurveyRow& r) {
+                        return r.what.size == size && r.what.storage == &storage &&
+                               r.what.lookup == &lookup && !r.what.fitted &&
+                               r.what.shaper->name == "none";
+                    });
+                ASSERT_NE(row, result.rows.end());
+                EXPECT_GT(row->pixel.median, 0);
+                EXPECT_LE(row->pixel.lower_quartile, row->pixel.median);
+                EXPECT_GE(row->pixel.upper_quartile, row->pixel.median);
+                EXPECT_EQ(row->bytes, static_cast<std::size_t>(size * size * size) * storage.bytes);
+                EXPECT_GT(row->error.delta_e_2000.max, 0);
+            }
+        }
+    }
+    // The input is sRGB, so encoding it as sRGB changes nothing.
+    EXPECT_TRUE(std::any_of(result.notes.begin(), result.notes.end(), [](const std::string& note) {
+        return note.find("sRGB shaper left out") == 0;
+    }));
+}
+
+TEST(Survey, finds_fitted_lattices_nearer_on_average_than_point_samples) {
+    const Survey result =
+        survey(recipe_of(test_looks()[3].f), small(), [](double, const std::string&) {});
+    std::size_t pairs = 0;
+    for (const SurveyRow& fitted : result.rows) {
+        if (!fitted.what.fitted) {
+            continue;
+        }
+        for (const SurveyRow& plain : result.rows) {
+            Combination same = fitted.what;
+            same.fitted = false;
+            if (to_text(plain.what) == to_text(same)) {
+                EXPECT_LT(fitted.error.absolute.mean, plain.error.absolute.mean)
+                    << to_text(plain.what);
+                ++pairs;
+            }
+        }
+    }
+    EXPECT_GT(pairs, 0u);
+}
+
+TEST(Survey, progress_rises_to_the_end) {
+    double last = 0;
+    survey(recipe_of(test_looks()[0].f), small(), [&](double share, const std::string& doing) {
+        EXPECT_GE(share, 0);
+        EXPECT_LE(share, 1);
+        EXPECT_FALSE(doing.empty());
+        last = share;
+    });
+    EXPECT_EQ(last, 1);
+}
+
+SurveyRow row_with(double largest, std::size_t bytes, double seconds) {
+    SurveyRow row;
+    row.error.delta_e_2000.max = largest;
+    row.bytes = bytes;
+    row.pixel.median = seconds;
+    return row;
+}
+
+TEST(Recommendation, is_the_smallest_that_keeps_the_promise_and_then_the_fastest) {
+    const std::vector<SurveyRow> rows{row_with(0.5, 100, 3), row_with(2, 10, 1),
+                                      row_with(0.9, 50, 2), row_with(0.8, 50, 1.5),
+                                      row_with(0.1, 900, 1)};
+    const Recommendation r = recommend(rows, 1);
+    EXPECT_TRUE(r.kept);
+    EXPECT_EQ(r.row, 3u);
+    EXPECT_EQ(r.fastest, 4u);
+    const Recommendation none = recommend(rows, 0.01);
+    EXPECT_FALSE(none.kept);
+    EXPECT_EQ(none.row, 4u);
+}
+
+TEST(Budget, keeps_its_promise_on_colours_that_it_has_not_seen) {
+    const ExactLook look = test_looks()[1].f;
+    for (const char* name : {"piccolo", "hald"}) {
+        const Engine& engine = *engine_named(name);
+        const BudgetBake found = bake_within(look, engine, {2, std::nullopt, std::nullopt, true});
+        ASSERT_TRUE(found.kept) << name;
+        std::vector<Rgb> inputs =
+            sample_colors(found.filled.bake.size,
+                          {.neutral = 333, .random = 5000, .lattice = true, .skipped = 777777});
+        std::vector<Rgb> expected;
+        for (const Rgb& in : inputs) {
+            expected.push_back(to_float(saturate(look(to_double(in)))));
+        }
+        const LookupError error = lookup_error(engine, decoded(found.filled.bake.picture),
+                                               found.filled.bake.size, inputs, expected);
+        // The climb finds peaks nearly, not exactly.
+        EXPECT_LE(error.delta_e.max, 2 * 1.02) << name;
+    }
+}
+
+} // namespace
+} // namespace lutlib

@@ -27,6 +27,7 @@ struct Holds {
     bool cube_domain = false;        ///< an input interval of the cube other than 0..1
     bool per_channel_domain = false; ///< the interval may differ between channels
     bool title = false;
+    bool keywords = false; ///< Lut::keywords
     int integer_bits = 0; ///< codes of so many bits over 0..1, values outside clamped; 0: float
     int decimals = 0;     ///< decimals of a text format that rounds; 0: every bit kept
 };

@@ -53,6 +53,9 @@ struct Lut {
     std::string title;
     /// Comment lines of the file, without their marker, in order.
     std::vector<std::string> comments;
+    /// Lines of a .cube whose keyword is none of ours, such as LUT_IN_VIDEO_RANGE: kept as they
+    /// are, not acted on.
+    std::vector<std::string> keywords;
     /// Where the look came from: a file name or a description. Not stored in files.
     std::string provenance;
 

@@ -17,7 +17,35 @@ namespace {
 struct Range {
     std::optional<Rgb> min, max;
     std::size_t line = 0;
+    std::string text; ///< of that line
 };
+
+char upper(char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+std::string upper(std::string_view word) {
+    std::string out(word);
+    std::transform(out.begin(), out.end(), out.begin(), [](char c) { return upper(c); });
+    return out;
+}
+
+bool is_letter(char c) {
+    return (upper(c) >= 'A' && upper(c) <= 'Z') || c == '_';
+}
+
+// Whether a line's first word may be a keyword that we do not know.
+bool may_be_keyword(std::string_view word) {
+    return word.size() > 1 && is_letter(word.front()) &&
+           word.find_first_of(".,") == std::string_view::npos;
+}
+
+bool is_number(std::string_view word) {
+    float value = 0;
+    return parse_float(word, value) != NumberStatus::not_a_number;
+}
+
+constexpr std::string_view title_keyword = "TITLE";
 
 class CubeReader {
   public:
@@ -26,6 +54,9 @@ class CubeReader {
         if (bytes.empty()) {
             throw Error("the file is empty; a .cube needs at least LUT_3D_SIZE or LUT_1D_SIZE",
                         {file_, 0, {}});
+        }
+        if (bytes.substr(0, 2) == "\xFF\xFE" || bytes.substr(0, 2) == "\xFE\xFF") {
+            throw Error("this is UTF-16 text; save it as UTF-8 or ASCII", {file_, 0, {}});
         }
         if (bytes.substr(0, 4096).find('\0') != std::string_view::npos) {
             throw Error("this is a binary file, not a .cube text", {file_, 0, {}});
@@ -73,33 +104,34 @@ class CubeReader {
             read_comment(trimmed(line.substr(1)));
             return;
         }
-        const Words words = words_of(line);
-        if (words.items[0] == "TITLE") {
-            read_title(line.substr(5));
+        if (upper(words_of(line).items[0]) == title_keyword) {
+            read_title(line.substr(title_keyword.size()));
+            return;
+        }
+        const Words words = words_of(without_comment(line));
+        if (looks_like_number(words.items[0])) {
+            read_row(words, line);
         } else {
-            const Words uncommented = words_of(without_comment(line));
-            if (looks_like_number(uncommented.items[0])) {
-                read_row(uncommented, line);
-            } else {
-                read_keyword(uncommented, line);
-            }
+            read_keyword(words, line);
         }
     }
 
+    // OpenColorIO refuses a Resolve file with a TITLE, so writers hide the title in a comment.
     void read_comment(std::string_view comment) {
         constexpr std::string_view quoted_title = "TITLE \"";
-        if (lut_.title.empty() && comment.substr(0, quoted_title.size()) == quoted_title) {
-            read_title(comment.substr(5));
+        if (lut_.title.empty() && comment.substr(0, quoted_title.size()) == quoted_title &&
+            comment.size() <= limits::max_title_bytes) {
+            read_title(comment.substr(title_keyword.size()));
         } else {
             lut_.comments.emplace_back(comment);
         }
     }
 
-    // A comment behind a row starts at a "#" after a blank; "1.#INF" has none before its "#".
+    // The "#" of "1.#INF" starts no comment.
     static std::string_view without_comment(std::string_view line) {
         for (std::size_t at = line.find('#'); at != std::string_view::npos;
              at = line.find('#', at + 1)) {
-            if (line[at - 1] == ' ' || line[at - 1] == '\t') {
+            if (line[at - 1] != '.') {
                 return line.substr(0, at);
             }
         }
@@ -107,10 +139,9 @@ class CubeReader {
     }
 
     static bool looks_like_number(std::string_view word) {
-        float value = 0;
         const char c = word.front();
         return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == ',' ||
-               parse_float(word, value) != NumberStatus::not_a_number;
+               is_number(word);
     }
 
     void read_title(std::string_view text) {
@@ -128,7 +159,10 @@ class CubeReader {
 
     void read_row(const Words& words, std::string_view line) {
         if (words.count != 3) {
-            fail("a row needs 3 numbers, this one has " + std::to_string(words.count), line);
+            const bool commas = words.items[0].find(',') != std::string_view::npos;
+            fail("a row needs 3 numbers, this one has " + std::to_string(words.count) +
+                     (commas ? "; separate them by blanks, not commas" : ""),
+                 line);
         }
         Rgb row;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -146,7 +180,7 @@ class CubeReader {
     }
 
     void read_keyword(const Words& words, std::string_view line) {
-        const std::string_view keyword = words.items[0];
+        const std::string keyword = upper(words.items[0]);
         if (keyword == "LUT_1D_SIZE") {
             shaper_size_ = read_size(shaper_size_, words, line, check_shaper_size);
             const auto n = static_cast<std::size_t>(*shaper_size_);
@@ -170,8 +204,18 @@ class CubeReader {
         } else if (keyword == "LUT_3D_INPUT_RANGE") {
             read_input_range(resolve_3d_, words, line);
         } else {
-            lut_.comments.emplace_back(line);
+            read_unknown(words, line);
         }
+    }
+
+    // Among the rows of a table it is a damaged row, and so it is where it looks like one.
+    void read_unknown(const Words& words, std::string_view line) {
+        const bool keyword = may_be_keyword(words.items[0]);
+        const bool row = !keyword && words.count == 3 && is_number(words.items[1]);
+        if (row || (table_ && rows_begun())) {
+            fail("neither a row of 3 numbers nor a keyword", line);
+        }
+        (keyword ? lut_.keywords : lut_.comments).emplace_back(line);
     }
 
     int read_size(std::optional<int> before, const Words& words, std::string_view line,
@@ -179,7 +223,7 @@ class CubeReader {
         if (before) {
             fail("a second " + std::string(words.items[0]) + "; a file has one", line);
         }
-        if (filled_ > 0 || tables_full_) {
+        if (rows_begun()) {
             fail(std::string(words.items[0]) + " after the first row; it must stand before", line);
         }
         long long size = 0;
@@ -203,7 +247,7 @@ class CubeReader {
         if (rows > room) {
             fail("the table is truncated: " + std::to_string(rows) +
                      " rows are needed, the rest of the file has room for at most " +
-                     std::to_string(room),
+                     std::to_string(room) + " of 3 numbers",
                  line);
         }
     }
@@ -234,7 +278,7 @@ class CubeReader {
     // when both are known, and told with this line.
     void note_range(Range& range, std::string_view line) {
         range.line = lines_.line_number();
-        last_range_text_ = line;
+        range.text = line;
     }
 
     float read_value(std::string_view word, std::string_view line) {
@@ -268,6 +312,8 @@ class CubeReader {
         return text;
     }
 
+    bool rows_begun() const { return filled_ > 0 || a_table_is_full_; }
+
     void choose_table() { table_ = lut_.shaper ? &lut_.shaper->entries : &lut_.cube->nodes; }
 
     void next_table_when_full() {
@@ -276,7 +322,7 @@ class CubeReader {
         }
         const bool cube_follows = lut_.cube && table_ != &lut_.cube->nodes;
         table_ = cube_follows ? &lut_.cube->nodes : nullptr;
-        tables_full_ = true;
+        a_table_is_full_ = true;
         filled_ = 0;
     }
 
@@ -286,7 +332,7 @@ class CubeReader {
         try {
             check_domain(domain);
         } catch (const Error& error) {
-            throw Error(error.message(), {file_, range.line, last_range_text_});
+            throw Error(error.message(), {file_, range.line, range.text});
         }
     }
 
@@ -294,7 +340,7 @@ class CubeReader {
         const Domain given{range.min.value_or(Rgb{}), range.max.value_or(Rgb{1, 1, 1})};
         if (range.line > 0 && !given.is_unit()) {
             throw Error(std::string(keyword) + " speaks of a table that this file does not have",
-                        {file_, range.line, {}});
+                        {file_, range.line, range.text});
         }
     }
 
@@ -327,7 +373,7 @@ class CubeReader {
         set_domain(domain, range);
         if (!before.is_unit() && !(before == domain)) {
             throw Error("DOMAIN_MIN/MAX and an INPUT_RANGE of the same table disagree; keep one",
-                        {file_, range.line, {}});
+                        {file_, range.line, range.text});
         }
     }
 
@@ -338,9 +384,8 @@ class CubeReader {
     std::optional<int> shaper_size_, cube_size_;
     std::vector<Rgb>* table_ = nullptr; // being filled; null before the sizes and after the last
     std::size_t filled_ = 0;
-    bool tables_full_ = false;
+    bool a_table_is_full_ = false;
     Range adobe_, resolve_1d_, resolve_3d_;
-    std::string last_range_text_;
 };
 
 } // namespace

@@ -2,7 +2,7 @@
 //
 //   file    = [BOM] { line end }               the last end may be missing
 //   end     = LF | CR LF | CR
-//   line    = blank | comment | keyword | row    a comment may follow any but a row
+//   line    = blank | comment | keyword | row    a comment may follow any but a TITLE
 //   comment = "#" text
 //   keyword = "TITLE" text                       quoted or not
 //           | "LUT_1D_SIZE" n                    2 .. 65536
@@ -11,12 +11,13 @@
 //           | "DOMAIN_MAX" r g b                 and of the last, per channel
 //           | "LUT_1D_INPUT_RANGE" min max       Resolve: the same, of the 1D table
 //           | "LUT_3D_INPUT_RANGE" min max       Resolve: of the 3D table
-//           | other [text]                       kept as a comment
+//           | other [text]                       kept, written back and not acted on
 //   row     = number number number               blanks or tabs between; a decimal comma is read
 //
-// Keywords may stand anywhere, sizes before the first row. The rows are the 1D table's, if there
-// is one, then the 3D table's, red fastest. With both tables the 1D table shapes the input of the
-// 3D table, and DOMAIN_MIN/MAX belong to the 1D table.
+// Keywords are read in any case. They may stand anywhere, but sizes before the first row, and unknown
+// ones not among the rows, where they are taken for damaged rows. The rows are the 1D table's, if
+// there is one, then the 3D table's, red fastest. With both tables the 1D table shapes the input of
+// the 3D table, and DOMAIN_MIN/MAX belong to the 1D table.
 //
 // Sources: Adobe, "Cube LUT Specification 1.0" (2013); Blackmagic Design, DaVinci Resolve's
 // "LUT files" readme.

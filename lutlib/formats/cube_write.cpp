@@ -1,6 +1,8 @@
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
+#include "lutlib/limits.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -60,9 +62,9 @@ void append_range(std::string& out, std::string_view keyword, const Domain& doma
     out += '\n';
 }
 
-// Comments that were keywords unknown to the reader go back as they were read, as comments.
 // Resolve's dialect knows no TITLE, and OpenColorIO refuses a file of it that has one; there the
-// title is a comment, which our reader knows again.
+// title is a comment, which our reader knows again. It stands first, so that no other comment is
+// taken for it.
 void append_head(std::string& out, const Lut& lut, CubeDialect dialect,
                  const WriteOptions& options) {
     const auto one_line = [](std::string text) {
@@ -71,16 +73,23 @@ void append_head(std::string& out, const Lut& lut, CubeDialect dialect,
         }
         return text;
     };
-    for (const std::string& comment : lut.comments) {
-        out += "# " + one_line(comment) + '\n';
-    }
     std::string title = one_line(options.title.empty() ? lut.title : options.title);
     for (char& c : title) {
         c = c == '"' ? '\'' : c;
     }
+    if (title.size() > limits::max_title_bytes) {
+        throw Error("the title has " + std::to_string(title.size()) + " bytes; a .cube takes " +
+                    std::to_string(limits::max_title_bytes));
+    }
     if (!title.empty()) {
         out += dialect == CubeDialect::resolve ? "# " : "";
         out += "TITLE \"" + title + "\"\n";
+    }
+    for (const std::string& comment : lut.comments) {
+        out += "# " + one_line(comment) + '\n';
+    }
+    for (const std::string& keyword : lut.keywords) {
+        out += one_line(keyword) + '\n';
     }
 }
 
@@ -91,16 +100,21 @@ std::string write_resolve(const Lut& lut, const WriteOptions& options) {
     return write_cube(lut, CubeDialect::resolve, options);
 }
 
-int sniff(std::string_view bytes) {
+bool head_has(std::string_view bytes, std::string_view keyword) {
     const std::string_view head = bytes.substr(0, 1U << 16);
-    const bool sized = head.find("LUT_3D_SIZE") != std::string_view::npos ||
-                       head.find("LUT_1D_SIZE") != std::string_view::npos;
-    return sized ? 90 : 0;
+    const auto same = [](char a, char b) {
+        return (a >= 'a' && a <= 'z' ? a - 'a' + 'A' : a) == b;
+    };
+    return std::search(head.begin(), head.end(), keyword.begin(), keyword.end(), same) !=
+           head.end();
+}
+
+int sniff(std::string_view bytes) {
+    return head_has(bytes, "LUT_3D_SIZE") || head_has(bytes, "LUT_1D_SIZE") ? 90 : 0;
 }
 
 int sniff_resolve(std::string_view bytes) {
-    const bool ranged = bytes.substr(0, 1U << 16).find("D_INPUT_RANGE") != std::string_view::npos;
-    return sniff(bytes) == 0 ? 0 : ranged ? 95 : 80;
+    return sniff(bytes) == 0 ? 0 : head_has(bytes, "D_INPUT_RANGE") ? 95 : 80;
 }
 
 constexpr Holds adobe_holds{.curve = true,
@@ -108,13 +122,15 @@ constexpr Holds adobe_holds{.curve = true,
                             .curve_domain = true,
                             .cube_domain = true,
                             .per_channel_domain = true,
-                            .title = true};
+                            .title = true,
+                            .keywords = true};
 constexpr Holds resolve_holds{.curve = true,
                               .cube = true,
                               .curve_and_cube = true,
                               .curve_domain = true,
                               .cube_domain = true,
-                              .title = true};
+                              .title = true,
+                              .keywords = true};
 
 constexpr std::array<Format, 2> table{{
     {"cube", "Adobe/Iridas .cube: a 1D or a 3D table with its domain", extensions, sniff, read_cube,

@@ -10,7 +10,9 @@
 #include <clocale>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <random>
 
@@ -42,6 +44,8 @@ INSTANTIATE_TEST_SUITE_P(
                    "DOMAIN_MIN 0 0 0\nDOMAIN_MAX 4 4 4\nLUT_3D_SIZE 2\n" + identity_rows, 0.1255F},
         DialectRow{"domain_after_the_rows",
                    "LUT_3D_SIZE 2\n" + identity_rows + "DOMAIN_MAX 4 4 4\n", 0.1255F},
+        DialectRow{"lower_case_keywords",
+                   "lut_3d_size 2\ndomain_min 0 0 0\nDomain_Max 4 4 4\n" + identity_rows, 0.1255F},
         DialectRow{"resolve_input_range", "LUT_3D_SIZE 2\nLUT_3D_INPUT_RANGE 0 4\n" + identity_rows,
                    0.1255F},
         DialectRow{"resolve_shaper_and_cube",
@@ -85,12 +89,15 @@ INSTANTIATE_TEST_SUITE_P(
         Oddity{"crlf", replaced(plain, "\n", "\r\n")},
         Oddity{"lone_cr", replaced(plain, "\n", "\r")},
         Oddity{"byte_order_mark", "\xEF\xBB\xBF" + plain},
+        Oddity{"lower_case_title", replaced(plain, "TITLE", "title")},
         Oddity{"unquoted_title", replaced(plain, "\"A look\"", "A look")},
         Oddity{"title_as_a_comment", replaced(plain, "TITLE", "# TITLE")},
         Oddity{"title_without_closing_quote", replaced(plain, "look\"", "look")},
         Oddity{"comment_behind_a_row", replaced(plain, "0 1 0\n", "0 1 0 # green\n")},
         Oddity{"comment_between_rows", replaced(plain, "0 1 0\n", "# green\n0 1 0\n")},
         Oddity{"comment_behind_a_keyword", replaced(plain, "SIZE 2\n", "SIZE 2 # small\n")},
+        Oddity{"comment_without_a_blank",
+               replaced(replaced(plain, "SIZE 2\n", "SIZE 2# small\n"), "0 1 0\n", "0 1 0#c\n")},
         Oddity{"comment_at_the_end", plain + "# the end"},
         Oddity{"blank_lines", replaced(plain, "\n", "\n\n \t\n")},
         Oddity{"decimal_comma",
@@ -119,22 +126,55 @@ TEST_P(CubeOddity, reads_as_the_plain_file) {
     EXPECT_EQ(lut.cube->at(1, 1, 1), (Rgb{1e-3F, 2.5F, 1}));
 }
 
-TEST(Cube, keeps_comments_and_unknown_keywords_in_order) {
-    const Lut lut =
-        read_cube("# one\nLUT_IN_VIDEO_RANGE\nLUT_1D_SIZE 2\n0 0 0\n#two\n1 1 1\n", "c");
-    EXPECT_EQ(lut.comments, (std::vector<std::string>{"one", "LUT_IN_VIDEO_RANGE", "two"}));
+TEST(Cube, keeps_comments_and_unknown_keywords_in_order_and_writes_both_back) {
+    const Lut lut = read_cube("# one\nLUT_IN_VIDEO_RANGE\n; a note\nVENDOR 1 2\nLUT_1D_SIZE 2\n"
+                              "0 0 0\n#two\n1 1 1\nEND\n",
+                              "c");
+    const std::vector<std::string> comments{"one", "; a note", "two"};
+    const std::vector<std::string> keywords{"LUT_IN_VIDEO_RANGE", "VENDOR 1 2", "END"};
+    EXPECT_EQ(lut.comments, comments);
+    EXPECT_EQ(lut.keywords, keywords);
+    for (const CubeDialect dialect : {CubeDialect::adobe, CubeDialect::resolve}) {
+        const Lut again = read_cube(write_cube(lut, dialect), "again");
+        EXPECT_EQ(again.comments, comments);
+        EXPECT_EQ(again.keywords, keywords);
+    }
 }
+
+// A locale with a decimal comma, made for the test.
+class DecimalComma {
+  public:
+    DecimalComma() {
+        const std::string make =
+            "localedef --no-archive -i de_DE -f UTF-8 '" + folder_ + "/de_DE.UTF-8'";
+        EXPECT_EQ(std::system(make.c_str()), 0);
+        setenv("LOCPATH", folder_.c_str(), 1);
+        EXPECT_NE(std::setlocale(LC_ALL, "de_DE.UTF-8"), nullptr);
+    }
+    ~DecimalComma() {
+        std::setlocale(LC_ALL, "C");
+        unsetenv("LOCPATH");
+        std::filesystem::remove_all(folder_);
+    }
+    DecimalComma(const DecimalComma&) = delete;
+    DecimalComma& operator=(const DecimalComma&) = delete;
+
+  private:
+    static std::string made_folder() {
+        std::string pattern = std::filesystem::temp_directory_path() / "lutlib-locale-XXXXXX";
+        return mkdtemp(pattern.data());
+    }
+    std::string folder_ = made_folder();
+};
 
 TEST(Cube, ignores_the_locale_when_reading_and_writing) {
     const Lut lut = read_cube(plain, "plain.cube");
     const std::string before = write_cube(lut, CubeDialect::adobe);
-    // Absent on small machines; then only the C locale is tested.
-    std::setlocale(LC_ALL, "de_DE.UTF-8");
+    const DecimalComma locale;
+    ASSERT_EQ(std::to_string(0.5).substr(0, 2), "0,");
     const Lut again = read_cube(plain, "plain.cube");
-    const std::string after = write_cube(again, CubeDialect::adobe);
-    std::setlocale(LC_ALL, "C");
     EXPECT_EQ(again.cube, lut.cube);
-    EXPECT_EQ(before, after);
+    EXPECT_EQ(write_cube(again, CubeDialect::adobe), before);
 }
 
 Lut random_lut(int shaper, int cube, const Domain& domain) {
@@ -196,6 +236,8 @@ TEST(Cube, writer_refuses_what_the_dialect_cannot_say) {
     EXPECT_THROW(write_cube(random_lut(3, 3, {}), CubeDialect::adobe), Error);
     EXPECT_THROW(write_cube(random_lut(0, 3, {{0, 0, 0}, {1, 2, 1}}), CubeDialect::resolve), Error);
     EXPECT_THROW(write_cube(Lut{}, CubeDialect::adobe), Error);
+    EXPECT_THROW(write_cube(random_lut(0, 2, {}), CubeDialect::adobe, {std::string(4097, 'x')}),
+                 Error);
 }
 
 TEST(Cube, title_and_comments_cannot_break_the_written_file) {
@@ -206,6 +248,16 @@ TEST(Cube, title_and_comments_cannot_break_the_written_file) {
     EXPECT_EQ(again.title, "a 'quoted' LUT_3D_SIZE 9");
     EXPECT_EQ(again.comments.front(), "x 0 0 0");
     EXPECT_EQ(again.cube, lut.cube);
+}
+
+TEST(Cube, title_is_not_taken_from_a_comment_that_looks_like_one) {
+    Lut lut = random_lut(0, 2, {});
+    lut.comments = {"TITLE \"of another\"", "TITLE \"" + std::string(5000, 'x') + "\""};
+    for (const CubeDialect dialect : {CubeDialect::adobe, CubeDialect::resolve}) {
+        const Lut again = read_cube(write_cube(lut, dialect), "again.cube");
+        EXPECT_EQ(again.title, lut.title);
+        EXPECT_EQ(again.comments, lut.comments);
+    }
 }
 
 // The fast rows against std::from_chars: every digit count, sign, separator and line end that
@@ -247,10 +299,10 @@ TEST(CubeRows, are_bit_identical_to_from_chars) {
 TEST(CubeRows, of_six_decimals_are_bit_identical_to_from_chars) {
     std::string text;
     std::vector<int> codes;
-    for (int i = 0; i < 9999999; i += 43) {
+    // From 0.000000 to 9.999969, as many as a 1D table takes.
+    for (int i = 0; i < 9999999; i += 51) {
         codes.push_back(i);
     }
-    codes.resize(codes.size() / 3 / 4096 * 4096 * 3 > 0 ? 46 * 46 * 46 : 0, 9999999);
     for (std::size_t i = 0; i + 2 < codes.size(); i += 3) {
         char row[64];
         std::snprintf(row, sizeof row, "%d.%06d %d.%06d %d.%06d\n", codes[i] / 1000000,
@@ -281,6 +333,7 @@ TEST(CubeFormats, sniff_their_own_output_and_nothing_else) {
     for (const Format& format : cube_formats()) {
         const std::string bytes = format.write(random_lut(0, 3, {}), {});
         EXPECT_GE(format.sniff(bytes), 50) << format.name;
+        EXPECT_GE(format.sniff("title x\nlut_3d_size 2\n"), 50) << format.name;
         EXPECT_EQ(format.sniff("\x89PNG\r\n"), 0) << format.name;
         EXPECT_EQ(format.sniff(""), 0) << format.name;
     }

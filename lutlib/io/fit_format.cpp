@@ -4,10 +4,10 @@
 #include "lutlib/interpolation/interpolation.h"
 #include "lutlib/io/describe.h"
 #include "lutlib/limits.h"
+#include "lutlib/metrics/compare.h"
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace lutlib::io {
 namespace {
@@ -46,22 +46,30 @@ double cut_away(const Domain& before, const Domain& after) {
     return most;
 }
 
+// Where the tables of a look bend, as far as no shaper stands before them.
+void append_knots(const Lut& lut, std::vector<Rgb>& out) {
+    for (int i = 0; lut.shaper && i < lut.shaper->size(); ++i) {
+        out.push_back(to_float(entry_position(*lut.shaper, i)));
+    }
+    if (lut.cube && !lut.shaper) {
+        const std::vector<Rgb> nodes = identity_cube(lut.cube->size, lut.cube->domain).nodes;
+        out.insert(out.end(), nodes.begin(), nodes.end());
+    }
+}
+
+// Over colours spread evenly and wherever one of the two bends: a single node may differ.
 double largest_error(const Lut& before, const Lut& after, const Domain& over) {
-    std::mt19937 random(1);
-    std::uniform_real_distribution<float> position(0, 1);
+    constexpr int spread_evenly = 40000;
+    std::vector<Rgb> inputs = samples_over(over, 2, spread_evenly);
+    append_knots(before, inputs);
+    append_knots(after, inputs);
     double most = 0;
-    for (int i = 0; i < 40000; ++i) {
-        Rgb t{position(random), position(random), position(random)};
-        if (i % 8 == 0) {
-            t.g = t.b = t.r;
-        }
+    for (Rgb in : inputs) {
         for (std::size_t c = 0; c < 3; ++c) {
-            t[c] = over.min[c] + t[c] * (over.max[c] - over.min[c]);
+            in[c] = std::clamp(in[c], over.min[c], over.max[c]);
         }
-        const Rgb difference = evaluate(after, t) - evaluate(before, t);
-        for (std::size_t c = 0; c < 3; ++c) {
-            most = std::max(most, std::abs(static_cast<double>(difference[c])));
-        }
+        most = std::max(most, largest_magnitude(to_double(evaluate(after, in)) -
+                                                to_double(evaluate(before, in))));
     }
     return most;
 }
@@ -151,6 +159,18 @@ void report_precision(const Lut& lut, const Holds& holds, std::vector<Loss>& los
                                                     : std::to_string(holds.decimals) + " decimals";
         losses.push_back({"rounded to " + unit + ", largest error", most_rounded, ""});
     }
+}
+
+void report_keywords(const Lut& lut, const Holds& holds, std::vector<Loss>& losses) {
+    if (holds.keywords || lut.keywords.empty()) {
+        return;
+    }
+    std::string names;
+    for (const std::string& line : lut.keywords) {
+        names += (names.empty() ? "" : ", ") + line.substr(0, line.find_first_of(" \t"));
+    }
+    losses.push_back({"keywords that only a .cube keeps dropped (" + names + ")",
+                      static_cast<double>(lut.keywords.size()), "lines"});
 }
 
 struct Plan {
@@ -255,6 +275,7 @@ FitToFormat fit_to(const Lut& lut, const Holds& holds, int cube_size) {
     }
     resample(lut, plan, holds, cube_size, fit);
     report_precision(fit.lut, holds, fit.losses);
+    report_keywords(fit.lut, holds, fit.losses);
     return fit;
 }
 

@@ -108,7 +108,16 @@ std::string names(Which which) {
 // to guess how large the codes are, and a dark look is then read as a bright one.
 void check_reading_back(const std::string& bytes, const FileFormat& format, const Lut& meant,
                         std::vector<Loss>& losses) {
-    const Lut back = format.read(bytes, "look." + format.extensions.front(), {}).lut;
+    const auto reread = [&] {
+        try {
+            return format.read(bytes, "look." + format.extensions.front(), {}).lut;
+        } catch (const Error& error) {
+            throw Error(
+                "a ." + format.extensions.front() +
+                " of this look cannot be read back, take another format: " + error.message());
+        }
+    };
+    const Lut back = reread();
     if (back.cube && meant.cube && back.cube->size == meant.cube->size) {
         double most = 0;
         for (std::size_t i = 0; i < meant.cube->nodes.size(); ++i) {
@@ -181,7 +190,8 @@ const FileFormat& recognise_format(std::string_view bytes, const std::string& fi
     }
     if (!best) {
         throw Error(
-            "no known LUT format by content or extension; name one of these with --format: " +
+            "no known LUT format by content or extension; 'lutconv convert --from NAME' reads it "
+            "as one of these: " +
                 names(Which::read),
             {file, 0, {}});
     }

@@ -14,23 +14,58 @@ namespace {
 constexpr int sniff_score = 60;
 constexpr int made_size = 65;
 
-Picture picture_of(std::string_view bytes, const std::string& file, std::string& title) {
+struct LutPicture {
+    Picture picture;
+    std::string title;
+    const Engine* engine = nullptr; ///< the one it was baked for, where its text says so
+};
+
+LutPicture picture_of(std::string_view bytes, const std::string& file) {
     const CodeImage image = read_png(bytes, file);
-    title = text_entry(image, "Title").value_or("");
-    return decoded(code_picture(image));
+    return {decoded(code_picture(image)), text_entry(image, "Title").value_or(""),
+            engine_named(text_entry(image, "Engine").value_or(""))};
 }
 
-// The one lattice size whose picture in this layout has these dimensions.
-int size_in_layout(const Picture& picture, const Layout& layout, const std::string& file) {
+// The one lattice size whose picture in this layout has these dimensions, if there is one.
+std::optional<int> size_in_layout(const Picture& picture, const Layout& layout) {
     for (int n = limits::min_cube_size; n <= limits::max_cube_size; ++n) {
         if (layout.picture(n) == PictureSize{picture.width, picture.height}) {
             return n;
         }
     }
+    return std::nullopt;
+}
+
+[[noreturn]] void refuse_size(const Picture& picture, const Layout& layout,
+                              const std::string& file) {
     throw Error("no lattice has a picture of " + std::to_string(picture.width) + "x" +
                     std::to_string(picture.height) + " pixels in the layout '" +
                     std::string(layout.name) + "'",
                 {file, 0, {}});
+}
+
+// An engine that finds its inputs elsewhere than at i/(N-1) does so along straight lines that bend
+// at multiples of half a node: a shaper with an entry at each says the same.
+std::optional<Lut1D> shaper_of(const Engine& engine, int size) {
+    Lut1D out;
+    bool straight = true;
+    for (int i = 0; i <= 2 * size; ++i) {
+        const double in = i / (2.0 * size), place = engine.place(in, size) / (size - 1);
+        straight = straight && std::abs(place - in) < 1e-9;
+        const auto entry = static_cast<float>(place);
+        out.entries.push_back({entry, entry, entry});
+    }
+    return straight ? std::nullopt : std::optional(std::move(out));
+}
+
+Reading reading_of(const LutPicture& source, const Layout& layout, int size) {
+    Reading out;
+    out.lut.title = source.title;
+    out.lut.cube = from_picture(source.picture, layout, size);
+    if (source.engine && source.engine->layout == layout.name) {
+        out.lut.shaper = shaper_of(*source.engine, size);
+    }
+    return out;
 }
 
 std::string encode(const Lut& lut, const Layout& layout, const SaveOptions& options) {
@@ -85,10 +120,12 @@ FileFormat picture_format(const Layout& layout) {
     out.holds = Holds{.cube = true, .title = true, .integer_bits = 16};
     out.picture = &layout;
     out.read = [&layout](std::string_view bytes, const std::string& file, const ReadOptions&) {
-        Reading reading;
-        const Picture picture = picture_of(bytes, file, reading.lut.title);
-        reading.lut.cube = from_picture(picture, layout, size_in_layout(picture, layout, file));
-        return reading;
+        const LutPicture source = picture_of(bytes, file);
+        const std::optional<int> size = size_in_layout(source.picture, layout);
+        if (!size) {
+            refuse_size(source.picture, layout, file);
+        }
+        return reading_of(source, layout, *size);
     };
     out.write = [&layout](const Lut& lut, const SaveOptions& options) {
         return encode(lut, layout, options);
@@ -103,10 +140,15 @@ FileFormat recognised_picture_format() {
     out.extensions = {"png"};
     out.sniff = [](std::string_view bytes) { return is_png(bytes) ? sniff_score : 0; };
     out.read = [](std::string_view bytes, const std::string& file, const ReadOptions&) {
-        Reading reading;
-        const Picture picture = picture_of(bytes, file, reading.lut.title);
-        const Recognition found = recognise_one(picture, file);
-        reading.lut.cube = from_picture(picture, *found.layout, found.size);
+        const LutPicture source = picture_of(bytes, file);
+        if (source.engine) {
+            const Layout& layout = *layout_named(source.engine->layout);
+            if (const std::optional<int> size = size_in_layout(source.picture, layout)) {
+                return reading_of(source, layout, *size);
+            }
+        }
+        const Recognition found = recognise_one(source.picture, file);
+        Reading reading = reading_of(source, *found.layout, found.size);
         if (found.rows > 1) {
             reading.losses.push_back(
                 {"only the first of the picture's stacked lattices is read, of",

@@ -60,8 +60,8 @@ TEST(Cdl, agrees_with_opencolorio_clamped_and_not) {
             const Edit edit = ours(cdl, clamp);
             double worst = 0;
             for (std::size_t i = 0; i < in.size(); ++i) {
-                const RgbD d = edit(to_double(in[i])) - to_double(theirs[i]);
-                worst = std::max({worst, std::abs(d.r), std::abs(d.g), std::abs(d.b)});
+                const RgbD difference = edit(to_double(in[i])) - to_double(theirs[i]);
+                worst = std::max(worst, largest_magnitude(difference));
             }
             // OpenColorIO takes powers in float by a polynomial, of about 2e-6 relative.
             EXPECT_LT(worst, 2e-5) << cdl.saturation << ' ' << clamp;

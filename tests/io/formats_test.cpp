@@ -33,10 +33,7 @@ std::vector<Rgb> colors_in(const Domain& domain, int count = 5000) {
 double largest_difference(const std::vector<Rgb>& a, const std::vector<Rgb>& b) {
     double worst = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            const double d = std::abs(static_cast<double>(a[i][c]) - static_cast<double>(b[i][c]));
-            worst = std::isnan(d) ? INFINITY : std::max(worst, d);
-        }
+        worst = std::max(worst, largest_magnitude(to_double(a[i]) - to_double(b[i])));
     }
     return worst;
 }
@@ -232,6 +229,25 @@ TEST(FitTo, counts_the_values_that_integers_clamp) {
     EXPECT_DOUBLE_EQ(fit.losses[0].figure, 0.5);
 }
 
+TEST(FitTo, sees_a_single_node_that_resampling_loses) {
+    Lut spike;
+    spike.cube = identity_cube(33);
+    spike.cube->at(5, 17, 9) = {1, 0, 1};
+    const FitToFormat fit = fit_to(spike, Holds{.cube = true}, 17);
+    ASSERT_EQ(fit.losses.size(), 1U);
+    EXPECT_GT(fit.losses[0].figure, 0.5);
+}
+
+TEST(FitTo, tells_keywords_that_the_format_drops) {
+    Lut lut = looks_of_every_shape()[0].lut;
+    lut.keywords = {"LUT_IN_VIDEO_RANGE", "VENDOR 1 2"};
+    const FitToFormat fit = fit_to(lut, Holds{.cube = true});
+    ASSERT_EQ(fit.losses.size(), 1U);
+    EXPECT_NE(fit.losses[0].what.find("(LUT_IN_VIDEO_RANGE, VENDOR)"), std::string::npos);
+    EXPECT_EQ(fit.losses[0].figure, 2);
+    EXPECT_TRUE(fit_to(lut, Holds{.cube = true, .keywords = true}).losses.empty());
+}
+
 TEST(FitTo, leaves_a_look_alone_that_the_format_can_hold) {
     for (const auto& [name, lut] : looks_of_every_shape()) {
         for (const FileFormat& format : file_formats()) {
@@ -262,6 +278,13 @@ TEST(WriteLut, refuses_unknown_names_and_extensions_as_usage_errors) {
     EXPECT_THROW(write_lut("/nowhere/x.unknown", lut), UsageError);
     EXPECT_THROW(write_lut("/nowhere/x.cube", lut, {}, "unknown"), UsageError);
     EXPECT_THROW(write_lut("/nowhere/x.cc", lut), UsageError);
+}
+
+TEST(Autodesk3dl, a_look_that_no_reader_takes_back_is_refused) {
+    Lut black;
+    black.cube = identity_cube(17);
+    std::fill(black.cube->nodes.begin(), black.cube->nodes.end(), Rgb{});
+    EXPECT_THROW(encode_lut(black, require_file_format("flame")), Error);
 }
 
 TEST(Autodesk3dl, a_dark_look_whose_codes_are_misread_is_reported) {

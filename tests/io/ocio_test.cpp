@@ -35,9 +35,7 @@ double largest_difference(const Lut& lut, const OcioTransform& oracle, Interpola
     double worst = 0;
     for (std::size_t i = 0; i < in.size(); ++i) {
         const Rgb difference = evaluate(lut, in[i], how) - expected[i];
-        for (std::size_t c = 0; c < 3; ++c) {
-            worst = std::max(worst, std::abs(static_cast<double>(difference[c])));
-        }
+        worst = std::max(worst, largest_magnitude(to_double(difference)));
     }
     return worst;
 }

@@ -1,0 +1,86 @@
+#include "lutlib/io/picture_format.h"
+
+#include "lutlib/engine/bake.h"
+#include "lutlib/error.h"
+#include "lutlib/io/lut_picture.h"
+#include "lutlib/metrics/samples.h"
+#include "tests/io/looks.h"
+
+#include <gtest/gtest.h>
+
+namespace lutlib::io {
+namespace {
+
+class EveryEngine : public testing::TestWithParam<Engine> {};
+INSTANTIATE_TEST_SUITE_P(Engines, EveryEngine,
+                         testing::ValuesIn(engines().begin(), engines().end()),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+CodePicture baked_codes(const Engine& engine, const Lut& lut) {
+    const int size = engine.sizes.empty() ? 16 : engine.sizes.front();
+    const ExactLook exact = [&lut](RgbD in) { return evaluate_exact(lut, in); };
+    return bake(exact, engine, size, engine.default_bits).picture;
+}
+
+// A monochrome look: its content does not tell its layout.
+Lut monochrome() {
+    Lut lut;
+    lut.cube = identity_cube(9);
+    for (Rgb& node : lut.cube->nodes) {
+        const float grey = (node.r + node.g + node.b) / 3;
+        node = {grey, grey, grey};
+    }
+    return lut;
+}
+
+TEST_P(EveryEngine, reads_its_baked_picture_as_the_engine_does) {
+    const Engine& engine = GetParam();
+    Lut graded;
+    graded.cube = graded_cube(17, {});
+    for (const Lut& look : {graded, monochrome()}) {
+        const int size = engine.sizes.empty() ? 16 : engine.sizes.front();
+        Bake bake;
+        bake.engine = &engine;
+        bake.size = size;
+        bake.picture = baked_codes(engine, look);
+        const std::string bytes = picture_bytes(bake, {"source", "Title", "tetrahedral"});
+        const Lut read = recognised_picture_format().read(bytes, "x.png", {}).lut;
+        EXPECT_EQ(read.title, "Title");
+        const Picture picture = decoded(bake.picture);
+        double worst = 0;
+        for (const Rgb& in : sample_colors(size, {.neutral = 512, .random = 4000})) {
+            const Rgb theirs = engine.lookup(picture, size, in);
+            const Rgb ours = evaluate(read, in, engine.interpolation);
+            worst = std::max(worst, largest_magnitude(to_double(ours) - to_double(theirs)));
+        }
+        EXPECT_LT(worst, 2e-5) << "a rounding of the texture coordinate times the steepest cell";
+    }
+}
+
+TEST(PictureFormat, goes_by_content_where_the_text_names_an_engine_of_another_size) {
+    Lut graded;
+    graded.cube = graded_cube(17, {});
+    Bake bake;
+    bake.engine = engine_named("piccolo");
+    bake.size = 16;
+    bake.picture = baked_codes(*bake.engine, graded);
+    bake.engine = engine_named("obs");
+    const std::string bytes = picture_bytes(bake, {"source", {}, {}});
+    const Lut read = recognised_picture_format().read(bytes, "x.png", {}).lut;
+    EXPECT_EQ(read.cube->size, 16);
+    EXPECT_FALSE(read.shaper);
+}
+
+TEST(PictureFormat, refuses_dimensions_that_the_layout_does_not_have) {
+    Lut graded;
+    graded.cube = graded_cube(17, {});
+    Bake bake;
+    bake.engine = engine_named("piccolo");
+    bake.size = 16;
+    bake.picture = baked_codes(*bake.engine, graded);
+    const std::string bytes = picture_bytes(bake, {"source", {}, {}});
+    EXPECT_THROW(picture_format(*layout_named("tiles")).read(bytes, "x.png", {}), Error);
+}
+
+} // namespace
+} // namespace lutlib::io

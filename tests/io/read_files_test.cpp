@@ -51,7 +51,7 @@ const std::vector<Expectation>& expectations() {
 }
 
 std::string path_of(const std::string& file) {
-    return std::string(LUT_TEST_FILES) + "/" + file;
+    return LUT_TEST_FILES "/" + file;
 }
 
 class EveryFile : public testing::TestWithParam<Expectation> {};

@@ -24,6 +24,7 @@ namespace io = lutlib::io;
 struct Options {
     std::string input, output, from, format;
     io::SaveOptions save;
+    int row = 0;
     bool strict = false, explain = false, json = false;
 };
 
@@ -84,7 +85,7 @@ std::string as_text(const Options& o, const io::FileFormat& format, const io::En
 }
 
 int run(const Options& o) {
-    io::Reading source = read_look(o.input, {o.save.size}, o.from);
+    io::Reading source = read_look(o.input, {o.save.size, o.row}, o.from);
     const std::optional<Explanation> explanation = leave_out(source.lut, o);
     const io::FileFormat& format = o.format.empty() ? io::format_for_writing(o.output, source.lut)
                                                     : io::require_file_format(o.format);
@@ -119,6 +120,11 @@ Run declare_convert(CLI::App& app) {
     app.add_option("-o,--output", o->output, "the file to write, or - for standard output")
         ->required();
     app.add_option("--from", o->from, "the input's format (default: recognised)");
+    app.add_option("--row", o->row,
+                   "which of the lattices stacked in a picture, from the top (ReShade's multi-LUT "
+                   "files)")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     app.add_option("--format", o->format, "the output's format (default: by its extension)");
     app.add_option("--size", o->save.size,
                    "nodes a side of the cube (default: the input's, or 65 where one is made)");

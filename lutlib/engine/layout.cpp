@@ -108,7 +108,7 @@ Picture to_picture(const Lut3D& cube, const Layout& layout) {
 
 Lut3D from_picture(const Picture& picture, const Layout& layout, int size, int row) {
     const auto [width, height] = picture_size(layout, size);
-    if (picture.width != width || picture.height < height * (row + 1)) {
+    if (picture.width != width || row < 0 || picture.height < height * (row + 1)) {
         throw Error("the layout '" + std::string(layout.name) + "' of size " +
                     std::to_string(size) + " is " + std::to_string(width) + "x" +
                     std::to_string(height) + "; this picture is " + std::to_string(picture.width) +

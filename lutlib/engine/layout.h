@@ -1,5 +1,4 @@
-// Where the node (r,g,b) of a lattice sits in a picture, for every layout in use, and how to tell
-// from a picture's content which layout it has.
+// Where the node (r,g,b) of a lattice sits in a picture, for every layout in use.
 //
 // N is the lattice size; r,g,b run over 0..N-1; x to the right and y down from the top row.
 #pragma once
@@ -36,7 +35,7 @@ struct Layout {
 std::span<const Layout> layouts();
 const Layout* layout_named(std::string_view name);
 
-/// A picture of linear RGB triples, rows from the top.
+/// A picture of RGB code values (1 is the largest code), rows from the top.
 struct Picture {
     int width = 0, height = 0;
     std::vector<Rgb> pixels;
@@ -52,7 +51,8 @@ struct Picture {
 };
 
 /// Lattice to picture and back. Both throw Error when the size does not fit the layout. `row` picks
-/// one of several lattices stacked below each other (ReShade's multi-LUT files), from the top.
+/// one of several lattices stacked below each other (ReShade's multi-LUT files), from the top and 0;
+/// below the last throws Error.
 Picture to_picture(const Lut3D& cube, const Layout& layout);
 Lut3D from_picture(const Picture& picture, const Layout& layout, int size, int row = 0);
 

@@ -5,7 +5,6 @@
 #include <dlfcn.h>
 #include <filesystem>
 #include <system_error>
-#include <vector>
 
 namespace lutlib::io {
 namespace {
@@ -17,9 +16,7 @@ std::filesystem::path program_folder() {
 
 void* open_module(const std::string& file) {
     const std::filesystem::path folder = program_folder();
-    const std::vector<std::filesystem::path> places{folder / "../lib" / file,
-                                                    folder / "../lib/lutlib" / file, folder / file};
-    for (const auto& place : places) {
+    for (const auto& place : {folder / "../lib" / file, folder / file}) {
         std::error_code none;
         if (std::filesystem::exists(place, none)) {
             return ::dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);

@@ -37,6 +37,8 @@ struct ReadOptions {
     /// Nodes per side of the cube onto which a transform is sampled that is no shaper and cube.
     /// 0: 65, or for a transform with a cube in it, the next multiple of its cells from there.
     int size = 0;
+    /// Which of a picture's stacked lattices, from the top.
+    int row = 0;
 };
 
 /// A look with what the reading could not keep.

@@ -58,10 +58,10 @@ std::optional<Lut1D> shaper_of(const Engine& engine, int size) {
     return straight ? std::nullopt : std::optional(std::move(out));
 }
 
-Reading reading_of(const LutPicture& source, const Layout& layout, int size) {
+Reading reading_of(const LutPicture& source, const Layout& layout, int size, int row = 0) {
     Reading out;
     out.lut.title = source.title;
-    out.lut.cube = from_picture(source.picture, layout, size);
+    out.lut.cube = from_picture(source.picture, layout, size, row);
     if (source.engine && source.engine->layout == layout.name) {
         out.lut.shaper = shaper_of(*source.engine, size);
     }
@@ -139,20 +139,25 @@ FileFormat recognised_picture_format() {
     out.label = "PNG picture whose layout is recognised from its content";
     out.extensions = {"png"};
     out.sniff = [](std::string_view bytes) { return is_png(bytes) ? sniff_score : 0; };
-    out.read = [](std::string_view bytes, const std::string& file, const ReadOptions&) {
+    out.read = [](std::string_view bytes, const std::string& file, const ReadOptions& options) {
         const LutPicture source = picture_of(bytes, file);
-        if (source.engine) {
+        if (source.engine && options.row == 0) {
             const Layout& layout = *layout_named(source.engine->layout);
             if (const std::optional<int> size = size_in_layout(source.picture, layout)) {
                 return reading_of(source, layout, *size);
             }
         }
         const Recognition found = recognise_one(source.picture, file);
-        Reading reading = reading_of(source, *found.layout, found.size);
+        if (options.row < 0 || options.row >= found.rows) {
+            throw UsageError("--row " + std::to_string(options.row) + ": the picture has " +
+                             std::to_string(found.rows) + " lattice" +
+                             (found.rows == 1 ? "" : "s, 0 to " + std::to_string(found.rows - 1)));
+        }
+        Reading reading = reading_of(source, *found.layout, found.size, options.row);
         if (found.rows > 1) {
-            reading.losses.push_back(
-                {"only the first of the picture's stacked lattices is read, of",
-                 static_cast<double>(found.rows), "lattices"});
+            reading.losses.push_back({"only one of the picture's stacked lattices is read (row " +
+                                          std::to_string(options.row) + "), of",
+                                      static_cast<double>(found.rows), "lattices"});
         }
         return reading;
     };

@@ -71,6 +71,34 @@ TEST(PictureFormat, goes_by_content_where_the_text_names_an_engine_of_another_si
     EXPECT_FALSE(read.shaper);
 }
 
+TEST(PictureFormat, reads_the_row_of_stacked_lattices_that_is_asked_for) {
+    Bake bake;
+    bake.engine = engine_named("reshade");
+    bake.size = 16;
+    bake.picture = baked_codes(*bake.engine, [] {
+        Lut lut;
+        lut.cube = identity_cube(16);
+        return lut;
+    }());
+    CodePicture& stacked = bake.picture;
+    const std::vector<std::uint16_t> first = stacked.codes;
+    // Below the identity the same with red at full.
+    stacked.codes.insert(stacked.codes.end(), first.begin(), first.end());
+    for (std::size_t i = first.size(); i < stacked.codes.size(); i += 3) {
+        stacked.codes[i] = 255;
+    }
+    stacked.height *= 2;
+    const std::string bytes = picture_bytes(bake, {"source", {}, {}});
+    const FileFormat png = recognised_picture_format();
+    for (const int row : {0, 1}) {
+        const Reading reading = png.read(bytes, "x.png", {.row = row});
+        EXPECT_EQ(reading.lut.cube->at(3, 15, 0), (Rgb{row == 0 ? 0.2F : 1.0F, 1, 0}));
+        ASSERT_EQ(reading.losses.size(), 1U);
+        EXPECT_EQ(reading.losses[0].figure, 2);
+    }
+    EXPECT_THROW(png.read(bytes, "x.png", {.row = 2}), UsageError);
+}
+
 TEST(PictureFormat, refuses_dimensions_that_the_layout_does_not_have) {
     Lut graded;
     graded.cube = graded_cube(17, {});

@@ -182,6 +182,29 @@ TEST(Invert, reads_a_1d_table_backwards) {
     EXPECT_NEAR(evaluate_exact(invert(curve, options).lut, {.5, .5, .5}).r, 1.0, 1e-3);
 }
 
+// The table is x / 4, and red turns back at its 0.25.
+TEST(Invert, measures_folds_and_nearness_in_inputs_where_there_is_a_1d_table) {
+    Lut look = cube_look(sampled(
+        [](RgbD c) {
+            return RgbD{c.r >= 0.25 ? c.r : 0.5 - c.r, c.g, c.b};
+        },
+        17));
+    look.shaper = Lut1D{{{0, 0, 0}, {4, 4, 4}}, {{0, 0, 0}, {1, 1, 1}}};
+    const Inversion out = invert(look, {});
+    // 0.375 comes of 1.5 and of 0.5, which is nearer.
+    EXPECT_NEAR(out.lut.cube->at(6, 0, 0).r, 0.5, 1e-6);
+    EXPECT_NEAR(out.folded.extent, 2, 1e-6);
+}
+
+TEST(Invert, counts_what_only_inputs_beyond_the_1d_table_would_give) {
+    Lut look = cube_look(identity_cube(17));
+    look.shaper = Lut1D{{}, {{0, 0, 0}, {.5F, 1, 1}}};
+    const Inversion out = invert(look, {});
+    EXPECT_EQ(out.out_of_gamut.count, 8U * 17 * 17);
+    EXPECT_NEAR(out.out_of_gamut.extent, 0.5, 1e-6);
+    EXPECT_NEAR(out.lut.cube->at(16, 0, 0).r, 1, 1e-6);
+}
+
 TEST(Invert, refuses_a_table_that_is_flat_and_a_cube_that_is_too_large) {
     Lut look;
     look.shaper = Lut1D{{}, {{0, 0, 0}, {.5F, .5F, .5F}, {.5F, .6F, .6F}, {1, 1, 1}}};

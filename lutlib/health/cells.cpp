@@ -241,9 +241,9 @@ double share(std::size_t part, std::size_t whole) {
     return whole ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
 
-// Where the node is reached: without a shaper its own position, else that of a cell beside it.
 void examine_second_differences(const Lut& lut, const Lut3D& cube, Health& out) {
     const auto axes = cells_of_axes(lut, cube.size, cube.domain);
+    const auto inputs = inputs_of_nodes(lut, cube);
     const int last = cube.size - 1;
     const auto reached = [&](std::size_t c, int i) {
         return axes[c][static_cast<std::size_t>(i)].reached;
@@ -265,13 +265,11 @@ void examine_second_differences(const Lut& lut, const Lut3D& cube, Health& out) 
                                    to_double(cube.at(after[0], after[1], after[2]));
                     for (std::size_t k = 0; k < 3; ++k) {
                         if (std::abs(d[k]) > out.second_difference.value) {
-                            Rgb in = to_float(node_position(cube, r, g, b));
-                            for (std::size_t a = 0; a < 3 && lut.shaper; ++a) {
-                                const int beside = std::min(at[a], last - 1);
-                                in[a] = static_cast<float>(
-                                    axes[a][static_cast<std::size_t>(beside)].input);
+                            RgbD in;
+                            for (std::size_t a = 0; a < 3; ++a) {
+                                in[a] = inputs[a][static_cast<std::size_t>(at[a])];
                             }
-                            out.second_difference = {std::abs(d[k]), in};
+                            out.second_difference = {std::abs(d[k]), to_float(in)};
                         }
                     }
                 }

@@ -112,6 +112,28 @@ TEST(Health, calls_a_cube_flat_only_where_rounding_could_hide_its_sign) {
     EXPECT_EQ(dull.folded, 0U);
 }
 
+// 0..4 becomes the cube's -1..2, so that node k is reached by input k.
+TEST(Health, says_where_nodes_are_as_inputs_before_the_shaper) {
+    Lut lut = look([](RgbD c) { return c; }, 5);
+    lut.cube->domain = {{-1, -1, -1}, {2, 2, 2}};
+    lut.shaper = Lut1D{{{0, 0, 0}, {4, 4, 4}}, {{-1, -1, -1}, {2, 2, 2}}};
+    lut.cube->at(1, 2, 3).g = 9;
+    lut.cube->at(3, 0, 1).b = -9;
+    Health h = examine(lut);
+    EXPECT_EQ(h.highest.in, (Rgb{1, 2, 3}));
+    EXPECT_EQ(h.lowest.in, (Rgb{3, 0, 1}));
+    lut.cube->at(3, 0, 1).b = 0.25F;
+    h = examine(lut);
+    EXPECT_EQ(h.second_difference.in, (Rgb{1, 2, 3}));
+    lut.cube->at(4, 3, 0).r = nan;
+    EXPECT_EQ(examine(lut).first_non_finite, (Rgb{4, 3, 0}));
+    // Through a table that falls, and one that never reaches the node.
+    lut.shaper->entries = {{2, 2, 2}, {-1, -1, -1}};
+    EXPECT_EQ(examine(lut).first_non_finite, (Rgb{0, 1, 4}));
+    lut.shaper->entries = {{0, 2, 2}, {1, -1, -1}};
+    EXPECT_EQ(examine(lut).first_non_finite, (Rgb{4, 1, 4}));
+}
+
 TEST(Health, finds_the_steepest_place) {
     const Health spike = of_suite("spike_100");
     for (std::size_t c = 0; c < 3; ++c) {

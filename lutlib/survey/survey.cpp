@@ -231,8 +231,7 @@ class Surveyor {
             return f.lut.cube->size > largest_fitted_size;
         });
         if (any_large) {
-            note("beyond " + std::to_string(largest_fitted_size) +
-                 " nodes point samples only: rounding rules the error there, not the lattice");
+            note(fit_limit_text());
         }
         std::ptrdiff_t done = 0;
         for (const Filled& filled : filled_) {

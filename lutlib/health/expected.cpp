@@ -172,7 +172,7 @@ Extreme by_formula(const Lut3D& cube, const Alignment& alignment, int stride) {
                 error = error + mixed * (value(pp) - value(pm) - value(mp) + value(mm));
             }
         }
-        const double most = std::max({std::abs(error.r), std::abs(error.g), std::abs(error.b)});
+        const double most = largest_magnitude(error);
         return Extreme{std::isfinite(most) ? most : 0, to_float(node_position(cube, r, g, b))};
     };
     return tbb::parallel_deterministic_reduce(

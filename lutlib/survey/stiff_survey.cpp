@@ -80,8 +80,7 @@ class StiffSurveyor {
         stored.apply(inputs_, got, lookup);
         std::vector<double> errors(got.size());
         for (std::size_t i = 0; i < got.size(); ++i) {
-            const RgbD d = to_double(got[i]) - expected_[i];
-            errors[i] = std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)}) / extent_;
+            errors[i] = largest_magnitude(to_double(got[i]) - expected_[i]) / extent_;
         }
         return error_stats(std::move(errors));
     }

@@ -241,7 +241,7 @@ TEST(Health, predicts_what_noise_near_black_becomes) {
         const RgbD d = evaluate_exact(lut, in) - clean;
         square = square + RgbD{d.r * d.r, d.g * d.g, d.b * d.b};
     }
-    const double most = std::sqrt(std::max({square.r, square.g, square.b}) / count);
+    const double most = std::sqrt(largest_magnitude(square) / count);
     EXPECT_NEAR(h.noise_gain.value, most / (0.2 / 255), 0.1 * h.noise_gain.value);
     EXPECT_LT(centre.r, 17.0 / 255);
 }
@@ -268,8 +268,8 @@ double measured_error(const Lut& lut, int nodes) {
                 std::lerp(static_cast<double>(lut.domain().min[c]),
                           static_cast<double>(lut.domain().max[c]), static_cast<double>(unit[c]));
         }
-        const RgbD d = evaluate_exact(lut, in) - evaluate_exact(coarse, in);
-        most = std::max({most, std::abs(d.r), std::abs(d.g), std::abs(d.b)});
+        most =
+            std::max(most, largest_magnitude(evaluate_exact(lut, in) - evaluate_exact(coarse, in)));
     }
     return most;
 }

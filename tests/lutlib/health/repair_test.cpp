@@ -17,10 +17,7 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 double largest_difference(const Lut3D& a, const Lut3D& b) {
     double most = 0;
     for (std::size_t i = 0; i < a.nodes.size(); ++i) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            most = std::max(most, std::abs(static_cast<double>(a.nodes[i][c]) -
-                                           static_cast<double>(b.nodes[i][c])));
-        }
+        most = std::max(most, largest_magnitude(to_double(a.nodes[i]) - to_double(b.nodes[i])));
     }
     return most;
 }

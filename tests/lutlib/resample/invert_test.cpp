@@ -34,8 +34,7 @@ double round_trip(const Lut& look, const Lut& inverse, const std::vector<Rgb>& i
     double worst = 0;
     for (const Rgb& in : inputs) {
         const RgbD back = evaluate_exact(inverse, evaluate_exact(look, to_double(in)));
-        const RgbD d = back - to_double(in);
-        worst = std::max({worst, std::abs(d.r), std::abs(d.g), std::abs(d.b)});
+        worst = std::max(worst, largest_magnitude(back - to_double(in)));
     }
     return worst;
 }
@@ -66,7 +65,7 @@ TEST(Invert, holds_an_exact_inverse_at_every_node_within_the_gamut) {
             for (int r = 0; r < inverse.size; ++r) {
                 const RgbD wanted = node_position(inverse, r, g, b);
                 const RgbD d = evaluate_exact(look, to_double(inverse.at(r, g, b))) - wanted;
-                exact += std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)}) < 1e-6;
+                exact += largest_magnitude(d) < 1e-6;
             }
         }
     }

@@ -11,11 +11,6 @@
 namespace lutlib {
 namespace {
 
-// The axes in the order in which a tetrahedron's path from the dark to the bright corner takes
-// them.
-constexpr std::array<std::array<std::size_t, 3>, 6> paths{
-    {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
-
 using Place = std::array<double, 3>; // in nodes, 0 .. size-1
 
 double square(RgbD d) {
@@ -27,7 +22,7 @@ struct Cell {
 };
 
 // The four corners' outputs along a path.
-std::array<RgbD, 4> corners(const Lut3D& cube, Cell cell, const std::array<std::size_t, 3>& path) {
+std::array<RgbD, 4> corners(const Lut3D& cube, Cell cell, const Walk& path) {
     std::array<int, 3> node{cell.r, cell.g, cell.b};
     std::array<RgbD, 4> out{to_double(cube.at(node[0], node[1], node[2]))};
     for (std::size_t step = 0; step < 3; ++step) {
@@ -38,7 +33,7 @@ std::array<RgbD, 4> corners(const Lut3D& cube, Cell cell, const std::array<std::
 }
 
 // d output / d place within a tetrahedron: the column of axis path[i] is corner i+1 minus corner i.
-Matrix3 slope(const std::array<RgbD, 4>& corner, const std::array<std::size_t, 3>& path) {
+Matrix3 slope(const std::array<RgbD, 4>& corner, const Walk& path) {
     Matrix3 m;
     for (std::size_t step = 0; step < 3; ++step) {
         const RgbD d = corner[step + 1] - corner[step];
@@ -175,7 +170,7 @@ void OutputIndex::preimages(RgbD wanted, std::vector<RgbD>& found) const {
         const std::uint32_t id = cells_[i];
         const Cell cell{static_cast<int>(id % n), static_cast<int>(id / n % n),
                         static_cast<int>(id / (n * n))};
-        for (const auto& path : paths) {
+        for (const Walk& path : tetrahedron_walks) {
             const auto corner = corners(cube_, cell, path);
             const Matrix3 m = slope(corner, path);
             // Relative to the outputs' own size: a flat tetrahedron has no volume.
@@ -206,7 +201,7 @@ Nearest OutputIndex::descend(RgbD wanted, Place at) const {
     const auto output = [&](const Place& p, Matrix3* jacobian) {
         const Cell cell = cell_of(p);
         const Place f{p[0] - cell.r, p[1] - cell.g, p[2] - cell.b};
-        const auto path = axes_by_fraction(f);
+        const Walk& path = axes_by_fraction(f);
         const auto corner = corners(cube_, cell, path);
         const Matrix3 m = slope(corner, path);
         if (jacobian) {

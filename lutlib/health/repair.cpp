@@ -1,5 +1,6 @@
 #include "lutlib/health/repair.h"
 
+#include "lutlib/color/luma.h"
 #include "lutlib/error.h"
 #include "lutlib/health/parts.h"
 
@@ -269,11 +270,6 @@ std::string level_spikes(Lut& lut, const RepairOptions&) {
     return found.empty() ? "" : "single nodes that stood out are levelled with their neighbours";
 }
 
-double luma(const Rgb& c) {
-    return 0.2126 * static_cast<double>(c.r) + 0.7152 * static_cast<double>(c.g) +
-           0.0722 * static_cast<double>(c.b);
-}
-
 // Chroma, as a share of the cube's width, up to which a neutral's correction is carried outwards.
 constexpr double carried = 0.25;
 
@@ -286,7 +282,7 @@ std::string straighten_neutrals(Lut& lut, const RepairOptions&) {
     Lut3D& cube = *lut.cube;
     std::vector<double> values;
     for (int i = 0; i < cube.size; ++i) {
-        values.push_back(luma(cube.at(i, i, i)));
+        values.push_back(luma(to_double(cube.at(i, i, i))));
     }
     const double rounding = health::rounding_of(lut);
     double highest = values.front(), fall = 0;

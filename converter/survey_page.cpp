@@ -115,8 +115,8 @@ std::vector<std::string> method(const Survey& survey) {
             "depends on size, 1D table, storage and lookup, "
             "not on the values, and was measured once for each of these.",
             s.pixels, s.repetitions),
-        "Bytes: of the nodes as stored, and 12288 of the 1D table where there is one. Bake time: "
-        "one run, all cores.",
+        "Bytes: of the nodes as stored, and 12 for each entry of the 1D table where there is one: "
+        "1024, or as many as the look's own has. Bake time: one run, all cores.",
         "Dominated: another combination is no worse in largest dE2000, time and bytes, and better "
         "in one. The dashed line joins what no other beats in the plot's own two measures."};
     for (const std::string& note : survey.notes) {

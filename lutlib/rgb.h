@@ -52,7 +52,7 @@ constexpr BasicRgb<T> saturate(BasicRgb<T> c) {
 
 /// The largest channel by absolute value; +Inf when a channel is NaN, which std::max would drop.
 inline double largest_magnitude(RgbD c) {
-    const double largest = std::max({std::abs(c.r), std::abs(c.g), std::abs(c.b)});
+    const double largest = std::max(std::max(std::abs(c.r), std::abs(c.g)), std::abs(c.b));
     return std::isnan(c.r + c.g + c.b) ? std::numeric_limits<double>::infinity() : largest;
 }
 

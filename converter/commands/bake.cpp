@@ -102,6 +102,10 @@ nlohmann::ordered_json budget_json(const Options& o, const BudgetBake& found) {
         {"checked_on", to_json(found.checked_on.delta_e)}};
 }
 
+bool is_beyond_fitting(const Options& o, const FilledBake& filled) {
+    return o.fit && filled.bake.size > lutlib::largest_fitted_size;
+}
+
 FilledBake fill(const Options& o, const Look& look, const lutlib::Engine& engine) {
     const int size = o.size ? o.size : engine.default_size;
     const int bits = o.bits ? o.bits : engine.default_bits;
@@ -150,6 +154,9 @@ int run(const Options& o) {
         if (filled.result.count > 0) {
             json["fit"] = fit_json(filled);
         }
+        if (is_beyond_fitting(o, filled)) {
+            json["notes"] = {"not fitted: " + lutlib::fit_limit_text()};
+        }
         if (budgeted) {
             json["budget"] = budget_json(o, *budgeted);
         }
@@ -161,6 +168,8 @@ int run(const Options& o) {
         print(bake_report(lutlib::io::input_name(o.input), lutlib::io::output_name(o.output),
                           filled.bake, look.domain, error) +
                   (filled.result.count > 0 ? fit_text(filled) : "") +
+                  (is_beyond_fitting(o, filled) ? "  not fitted: " + lutlib::fit_limit_text() + "\n"
+                                                : "") +
                   (budgeted ? budget_text(o, *budgeted) : "") +
                   (explanation ? to_text(*explanation) : ""),
               o.output);
@@ -186,8 +195,10 @@ Run declare_bake(CLI::App& app) {
     app.add_option("--bits", o->bits, "8 or 16 bits a sample (default: the engine's)");
     o->interpolation.declare(app, "how the look is read between its own nodes");
     app.add_flag("--fit", o->fit,
-                 "choose the nodes so that the engine's lookup comes nearest to the look between "
-                 "them; keeps point samples where that does not help");
+                 fmt::format("choose the nodes so that the engine's lookup comes nearest to the "
+                             "look between them; keeps point samples where that does not help, "
+                             "and beyond {} nodes a side",
+                             lutlib::largest_fitted_size));
     app.add_option(
         "--max-delta-e", o->max_delta_e,
         "take the smallest combination of size, bits and fit that the engine accepts and "

@@ -41,6 +41,12 @@ const Curve& dial() {
     return curve;
 }
 
+// A turn more where negative: of a tiny one rounding makes a whole turn, which is 0.
+double within_turn(double degrees) {
+    const double h = degrees < 0 ? degrees + 360 : degrees;
+    return h < 360 ? h : 0;
+}
+
 } // namespace
 
 RgbD oklab_from_linear(RgbD linear) {
@@ -55,8 +61,7 @@ double dial_hue(double a, double b) {
     if (a == 0 && b == 0) {
         return 0;
     }
-    const double h = dial()(place_on_square(a, b));
-    return h < 0 ? h + 360 : h;
+    return within_turn(dial()(place_on_square(a, b)));
 }
 
 double oklab_hue(double place) {
@@ -70,8 +75,7 @@ double oklab_hue(double place) {
     const double p = low > 2 ? low - 4 : low;
     const double b = p > 1 ? 2 - p : p < -1 ? -2 - p : p;
     const double a = std::abs(p) > 1 ? std::abs(b) - 1 : 1 - std::abs(b);
-    const double degrees = std::atan2(b, a) * 180 / std::numbers::pi;
-    return degrees < 0 ? degrees + 360 : degrees;
+    return within_turn(std::atan2(b, a) * 180 / std::numbers::pi);
 }
 
 } // namespace lutlib

@@ -47,7 +47,7 @@ inline constexpr double srgb_chroma = 0.3225;
 /// secondaries stand at 0 (red), 60 (yellow), 120 (green), 180, 240 (blue) and 300; smooth between
 /// them (C1). The hue of a neutral is 0.
 double dial_hue(double a, double b);
-/// The Oklab hue angle, in degrees, of a place on the dial; the inverse of dial_hue.
+/// The Oklab hue angle, 0 <= angle < 360 degrees, of a place on the dial; the inverse of dial_hue.
 double oklab_hue(double dial);
 
 } // namespace lutlib

@@ -111,6 +111,11 @@ double BudgetBake::largest_delta_e() const {
     return std::max(chosen_on.delta_e.max, checked_on.delta_e.max);
 }
 
+std::string fit_limit_text() {
+    return "beyond " + std::to_string(largest_fitted_size) +
+           " nodes point samples only: rounding rules the error there, not the lattice";
+}
+
 std::uint64_t lattice_bytes(int size, int bits) {
     const auto n = static_cast<std::uint64_t>(size);
     return n * n * n * 3 * static_cast<std::uint64_t>(bits) / 8;
@@ -118,6 +123,9 @@ std::uint64_t lattice_bytes(int size, int bits) {
 
 FilledBake bake_fitted(const ExactLook& look, const Engine& engine, int size, int bits) {
     FilledBake out{bake(look, engine, size, bits), false, {}, {}};
+    if (size > largest_fitted_size) {
+        return out;
+    }
     const Transform held = each_colour([&look](RgbD c) { return saturate(look(c)); });
     const LatticeReader reader = reader_of(engine, size);
     std::vector<RgbD> nodes = point_samples(held, reader);

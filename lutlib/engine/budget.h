@@ -5,13 +5,16 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace lutlib {
 
-/// Lattices beyond this size are not fitted: their cells are so small that rounding rules the
-/// error.
+/// Lattices of more nodes a side keep their point samples: their cells are so small that rounding
+/// rules the error, and a fit's memory grows with its nodes, beyond 10 GB at 256 a side.
 inline constexpr int largest_fitted_size = 33;
+/// That, as a clause for reports.
+std::string fit_limit_text();
 
 /// A bake whose nodes may have been fitted to the engine's lookup.
 struct FilledBake {
@@ -21,7 +24,7 @@ struct FilledBake {
     ErrorStats result;        ///< ... and of what was kept, over colours that the fit has not seen
 };
 
-/// bake(), with nodes fitted to the engine's lookup where that helps.
+/// bake(), with nodes fitted to the engine's lookup where that helps, up to largest_fitted_size.
 FilledBake bake_fitted(const ExactLook& look, const Engine& engine, int size, int bits);
 
 /// Bytes of the codes, three a node.

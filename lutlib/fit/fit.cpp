@@ -16,6 +16,9 @@
 namespace lutlib {
 namespace {
 
+// Codes so fine that plain rounding loses nothing.
+constexpr int fine_codes = 65535;
+
 // Larger values pull towards the point samples; nodes are well determined by their cells' samples,
 // so a little is enough to settle the ends of the domain.
 constexpr double ridge = 1e-3;
@@ -164,22 +167,38 @@ class NodeGrid {
                                         static_cast<int>(neighbours / 2));
     }
 
+    // From each node's entries with later neighbours, those that they have with it.
+    void mirror(std::vector<std::array<double, neighbours>>& rows) const {
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            for (std::size_t i = neighbours / 2 + 1; i < neighbours; ++i) {
+                if (rows[k][i] != 0) {
+                    rows[k + offset(i)][neighbours - 1 - i] = rows[k][i];
+                }
+            }
+        }
+    }
+
+    // Leaves a node without entries, its own too.
+    void cut_off(std::vector<std::array<double, neighbours>>& rows, std::size_t node) const {
+        for (std::size_t i = 0; i < neighbours; ++i) {
+            if (rows[node][i] != 0) {
+                rows[node + offset(i)][neighbours - 1 - i] = 0;
+                rows[node][i] = 0;
+            }
+        }
+    }
+
     Eigen::SparseMatrix<double, Eigen::RowMajor>
     matrix(const std::vector<std::array<double, neighbours>>& rows) const {
         const auto n = static_cast<Eigen::Index>(rows.size());
-        const auto side = static_cast<Eigen::Index>(size_);
         Eigen::SparseMatrix<double, Eigen::RowMajor> out(n, n);
         out.reserve(n * static_cast<Eigen::Index>(neighbours));
         for (Eigen::Index k = 0; k < n; ++k) {
             out.startVec(k);
             for (std::size_t i = 0; i < neighbours; ++i) {
-                const auto step = [&](std::size_t digit) {
-                    return static_cast<Eigen::Index>(digit % 3) - 1;
-                };
                 const double value = rows[static_cast<std::size_t>(k)][i];
                 if (value != 0) {
-                    out.insertBack(k, k + step(i) + side * (step(i / 3) + side * step(i / 9))) =
-                        value;
+                    out.insertBack(k, k + static_cast<Eigen::Index>(offset(i))) = value;
                 }
             }
         }
@@ -188,6 +207,12 @@ class NodeGrid {
     }
 
   private:
+    // From a node to its neighbour, in nodes; modulo 2^64 where it lies before.
+    std::size_t offset(std::size_t neighbour) const {
+        const auto step = [](std::size_t digit) { return digit % 3 - 1; };
+        return step(neighbour) + size_ * (step(neighbour / 3) + size_ * step(neighbour / 9));
+    }
+
     std::size_t size_;
     std::vector<int> place_;
 };
@@ -239,33 +264,36 @@ struct LatticeFit::State {
     // The normal equations: each node has entries with itself and its neighbours alone.
     void solve() {
         const NodeGrid grid(reader.size);
-        const std::vector<bool> fixed = corners(reader.size);
         std::vector<std::array<double, neighbours>> normal(point.size());
         std::vector<RgbD> pull(point.size());
         for (std::size_t s = 0; s < samples.target.size(); ++s) {
             const auto begin = static_cast<std::size_t>(samples.first[s]);
-            const auto end = static_cast<std::size_t>(samples.first[s + 1]);
+            const std::size_t count = static_cast<std::size_t>(samples.first[s + 1]) - begin;
+            const int* const node = &samples.node[begin];
+            const float* const weight = &samples.weight[begin];
             // What the point samples leave over is what the correction of each node must explain.
             const RgbD left = samples.target[s] - samples.read(point, s);
-            for (std::size_t i = begin; i < end; ++i) {
-                const auto node = static_cast<std::size_t>(samples.node[i]);
-                if (fixed[node]) {
-                    continue;
-                }
+            for (std::size_t i = 0; i < count; ++i) {
+                const auto own = static_cast<std::size_t>(node[i]);
                 const double w =
-                    static_cast<double>(samples.share[s]) * static_cast<double>(samples.weight[i]);
-                pull[node] = pull[node] + w * left;
-                for (std::size_t k = begin; k < end; ++k) {
-                    const auto other = static_cast<std::size_t>(samples.node[k]);
-                    if (!fixed[other]) {
-                        normal[node][grid.neighbour(node, other)] +=
-                            w * static_cast<double>(samples.weight[k]);
-                    }
+                    static_cast<double>(samples.share[s]) * static_cast<double>(weight[i]);
+                pull[own] = pull[own] + w * left;
+                double* const row = normal[own].data();
+                // Nodes rise, and the matrix is symmetric: the other half is filled in below.
+                for (std::size_t k = i; k < count; ++k) {
+                    row[grid.neighbour(own, static_cast<std::size_t>(node[k]))] +=
+                        w * static_cast<double>(weight[k]);
                 }
             }
         }
-        for (auto& row : normal) {
-            double& own = row[neighbours / 2];
+        grid.mirror(normal);
+        const std::vector<bool> fixed = corners(reader.size);
+        for (std::size_t k = 0; k < point.size(); ++k) {
+            if (fixed[k]) {
+                pull[k] = {};
+                grid.cut_off(normal, k);
+            }
+            double& own = normal[k][neighbours / 2];
             own = own > 0 ? own * (1 + ridge) : 1;
         }
         const Eigen::SparseMatrix<double, Eigen::RowMajor> matrix = grid.matrix(normal);
@@ -347,9 +375,12 @@ FittedLattice LatticeFit::exact() const {
 FittedLattice LatticeFit::rounded(int maximum) const {
     const State& s = *state_;
     const std::vector<RgbD> plain = rounded_to_codes(s.point, maximum);
-    return s.judged(descended(s.samples, rounded_to_codes(s.fitted, maximum), plain,
-                              corners(s.reader.size), s.reader.size, maximum),
-                    plain, true);
+    std::vector<RgbD> nodes = rounded_to_codes(s.fitted, maximum);
+    if (maximum < fine_codes) {
+        nodes = descended(s.samples, std::move(nodes), plain, corners(s.reader.size), s.reader.size,
+                          maximum);
+    }
+    return s.judged(std::move(nodes), plain, true);
 }
 
 LatticeReader reader_of(const Engine& engine, int size) {

@@ -8,7 +8,8 @@
 //
 // where p are the point samples, w_s is the share of the domain that sample s stands for, and
 // D_k = sum_s w_s W_sk^2 makes lambda a pure number. The eight corners keep their point samples, so
-// black stays black and white white, and no node leaves the look's own range.
+// black stays black and white white. Other nodes may leave the look's range beside a kink; codes
+// hold them to 0..1.
 //
 // Rounding to codes then descends, node by node and code by code, on the mean error itself: a node
 // that had to go up lets its neighbours go down.

@@ -46,9 +46,9 @@ struct Readers {
 struct Price {
     float cap;
 
-    float operator()(float r, float g, float b) const {
-        r = std::abs(r), g = std::abs(g), b = std::abs(b);
-        const float e = std::max({r, g, b});
+    float operator()(const Rgb& error) const {
+        const float r = std::abs(error.r), g = std::abs(error.g), b = std::abs(error.b);
+        const float e = std::max(std::max(r, g), b);
         return e + say_of_all_channels * (r + g + b) + price_of_excess * std::max(0.0F, e - cap);
     }
 };
@@ -76,10 +76,12 @@ std::vector<RgbD> descended(const FitSamples& samples, std::vector<RgbD> nodes,
     for (std::size_t s = 0; s < count; ++s) {
         const RgbD target = saturate(samples.target[s]);
         const RgbD d = samples.read(plain, s) - target;
-        cap = std::max({cap, std::abs(d.r), std::abs(d.g), std::abs(d.b)});
+        cap = std::max(cap, largest_magnitude(d));
         error[s] = to_float(samples.read(nodes, s) - target);
     }
     const Price price{static_cast<float>(cap)};
+    std::vector<float> paid(count); // each sample's price as it stands
+    std::transform(error.begin(), error.end(), paid.begin(), price);
     const Readers readers(samples, nodes.size());
     const double step = 1.0 / maximum;
     const auto n = static_cast<std::size_t>(size);
@@ -99,17 +101,16 @@ std::vector<RgbD> descended(const FitSamples& samples, std::vector<RgbD> nodes,
                 float gain = 0;
                 for (std::size_t k = begin; k < end; ++k) {
                     const auto s = static_cast<std::size_t>(readers.sample[k]);
-                    const Rgb& e = error[s];
-                    Rgb after = e;
+                    Rgb after = error[s];
                     after[c] += by * readers.weight[k];
-                    gain += samples.share[s] *
-                            (price(e.r, e.g, e.b) - price(after.r, after.g, after.b));
+                    gain += samples.share[s] * (paid[s] - price(after));
                 }
                 if (gain > 0) {
                     nodes[node][c] = std::round(value * maximum) / maximum;
                     for (std::size_t k = begin; k < end; ++k) {
-                        error[static_cast<std::size_t>(readers.sample[k])][c] +=
-                            by * readers.weight[k];
+                        const auto s = static_cast<std::size_t>(readers.sample[k]);
+                        error[s][c] += by * readers.weight[k];
+                        paid[s] = price(error[s]);
                     }
                     moved = true;
                     break;

@@ -59,6 +59,28 @@ AxisCells through(const Lut1D& shaper, const Domain& cube, int size, std::size_t
     return cells;
 }
 
+double lowest_input(const Lut1D& shaper, std::size_t c, double wanted) {
+    double nearest = INFINITY;
+    int place = 0;
+    for (int k = 0; k < shaper.size(); ++k) {
+        const double own = shaper.entries[static_cast<std::size_t>(k)][c];
+        if (std::abs(own - wanted) < nearest) {
+            nearest = std::abs(own - wanted);
+            place = k;
+        }
+        const double next =
+            k + 1 < shaper.size()
+                ? static_cast<double>(shaper.entries[static_cast<std::size_t>(k) + 1][c])
+                : own;
+        if (std::isfinite(next - own) && own != next && std::min(own, next) <= wanted &&
+            wanted <= std::max(own, next)) {
+            return std::lerp(entry_position(shaper, k)[c], entry_position(shaper, k + 1)[c],
+                             (wanted - own) / (next - own));
+        }
+    }
+    return entry_position(shaper, place)[c];
+}
+
 } // namespace
 
 std::array<AxisCells, 3> cells_of_axes(const Lut& lut, int size, const Domain& cube_domain) {
@@ -66,6 +88,17 @@ std::array<AxisCells, 3> cells_of_axes(const Lut& lut, int size, const Domain& c
     for (std::size_t c = 0; c < 3; ++c) {
         out[c] = lut.shaper ? through(*lut.shaper, cube_domain, size, c)
                             : straight(cube_domain, size, c);
+    }
+    return out;
+}
+
+std::array<std::vector<double>, 3> inputs_of_nodes(const Lut& lut, const Lut3D& cube) {
+    std::array<std::vector<double>, 3> out;
+    for (int i = 0; i < cube.size; ++i) {
+        const RgbD position = node_position(cube, i, i, i);
+        for (std::size_t c = 0; c < 3; ++c) {
+            out[c].push_back(lut.shaper ? lowest_input(*lut.shaper, c, position[c]) : position[c]);
+        }
     }
     return out;
 }

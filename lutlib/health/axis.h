@@ -23,4 +23,8 @@ using AxisCells = std::vector<AxisCell>;
 /// a slope of 1.
 std::array<AxisCells, 3> cells_of_axes(const Lut& lut, int size, const Domain& cube_domain);
 
+/// Of each channel and node, the lowest input of the look that reaches the node of its cube; where
+/// the shaper reaches none, that of the nearest entry.
+std::array<std::vector<double>, 3> inputs_of_nodes(const Lut& lut, const Lut3D& cube);
+
 } // namespace lutlib

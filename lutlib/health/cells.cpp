@@ -2,6 +2,7 @@
 #include "lutlib/health/axis.h"
 #include "lutlib/health/jacobian.h"
 #include "lutlib/health/parts.h"
+#include "lutlib/interpolation/interpolation.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -14,11 +15,6 @@
 
 namespace lutlib::health {
 namespace {
-
-// The tetrahedra of a cell: the orders in which a path from its dark to its bright corner walks
-// along the axes, as tetrahedral interpolation does.
-constexpr std::array<std::array<std::size_t, 3>, 6> walks{
-    {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
 
 void raise(Extreme& extreme, double value, const Rgb& in) {
     if (value > extreme.value) {
@@ -126,24 +122,23 @@ class CellPass {
 
     void cell(int r, int g, int b, const std::array<AxisCell, 3>& at, Sums& out) const {
         std::array<RgbD, 8> corner;
-        Rgb low = cube_.at(r, g, b), high = low;
+        const Rgb* const first = &cube_.at(r, g, b);
+        const auto n = static_cast<std::size_t>(cube_.size);
+        Rgb low = *first, high = low;
         for (std::size_t k = 0; k < 8; ++k) {
-            const int dr = k & 1 ? 1 : 0, dg = k & 2 ? 1 : 0, db = k & 4 ? 1 : 0;
-            const Rgb& node = cube_.at(r + dr, g + dg, b + db);
+            const Rgb& node = first[(k & 1) + n * ((k >> 1 & 1) + n * (k >> 2))];
             if (!finite(node)) {
                 return;
             }
             corner[k] = to_double(node);
-            for (std::size_t c = 0; c < 3; ++c) {
-                low[c] = std::min(low[c], node[c]);
-                high[c] = std::max(high[c], node[c]);
-            }
+            low = {std::min(low.r, node.r), std::min(low.g, node.g), std::min(low.b, node.b)};
+            high = {std::max(high.r, node.r), std::max(high.g, node.g), std::max(high.b, node.b)};
         }
         const Rgb in = to_float({at[0].input, at[1].input, at[2].input});
         ++out.cells;
         flatness(low, high, in, out);
         const double volume = at[0].width * at[1].width * at[2].width / 6;
-        for (const auto& walk : walks) {
+        for (const Walk& walk : tetrahedron_walks) {
             Jacobian edges;
             std::size_t k = 0;
             for (const std::size_t c : walk) {
@@ -183,14 +178,13 @@ class CellPass {
         double channel = 0;
         for (std::size_t c = 0; c < 3; ++c) {
             slopes[c] = (at[c].slope * (cube_.size - 1)) * edges[c];
-            channel = std::max(
-                {channel, std::abs(slopes[c].r), std::abs(slopes[c].g), std::abs(slopes[c].b)});
+            channel = std::max(channel, largest_magnitude(slopes[c]));
         }
         raise(out.channel_gain, channel, in);
         const double x = length(edges[0]), y = length(edges[1]), z = length(edges[2]);
         const double det = determinant(edges);
         // What two independent roundings, both twice their usual size, make of an edge.
-        const double shake = 1.6 * tolerance(static_cast<float>(std::max({x, y, z})));
+        const double shake = 1.6 * tolerance(static_cast<float>(std::max(std::max(x, y), z)));
         const bool flat = !(std::abs(det) > shake * (x * y + y * z + z * x)) ||
                           !(at[0].slope * at[1].slope * at[2].slope > 0);
         raise_singular(slopes, flat, in, out);
@@ -214,8 +208,7 @@ class CellPass {
         const bool ill = !flat && square * std::sqrt(square / 3) > out.condition.value * det;
         const RgbD a = magnitudes(j[0]), b = magnitudes(j[1]), c = magnitudes(j[2]);
         const RgbD rows = a + b + c;
-        const double bound =
-            std::max({sum(a), sum(b), sum(c)}) * std::max({rows.r, rows.g, rows.b});
+        const double bound = std::max(std::max(sum(a), sum(b)), sum(c)) * largest_magnitude(rows);
         if (!ill && bound <= out.gain.value * out.gain.value) {
             return;
         }
@@ -241,9 +234,9 @@ double share(std::size_t part, std::size_t whole) {
     return whole ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
 
-// Where the node is reached: without a shaper its own position, else that of a cell beside it.
 void examine_second_differences(const Lut& lut, const Lut3D& cube, Health& out) {
     const auto axes = cells_of_axes(lut, cube.size, cube.domain);
+    const auto inputs = inputs_of_nodes(lut, cube);
     const int last = cube.size - 1;
     const auto reached = [&](std::size_t c, int i) {
         return axes[c][static_cast<std::size_t>(i)].reached;
@@ -265,13 +258,11 @@ void examine_second_differences(const Lut& lut, const Lut3D& cube, Health& out) 
                                    to_double(cube.at(after[0], after[1], after[2]));
                     for (std::size_t k = 0; k < 3; ++k) {
                         if (std::abs(d[k]) > out.second_difference.value) {
-                            Rgb in = to_float(node_position(cube, r, g, b));
-                            for (std::size_t a = 0; a < 3 && lut.shaper; ++a) {
-                                const int beside = std::min(at[a], last - 1);
-                                in[a] = static_cast<float>(
-                                    axes[a][static_cast<std::size_t>(beside)].input);
+                            RgbD in;
+                            for (std::size_t a = 0; a < 3; ++a) {
+                                in[a] = inputs[a][static_cast<std::size_t>(at[a])];
                             }
-                            out.second_difference = {std::abs(d[k]), in};
+                            out.second_difference = {std::abs(d[k]), to_float(in)};
                         }
                     }
                 }

@@ -1,38 +1,51 @@
+#include "lutlib/health/axis.h"
 #include "lutlib/health/parts.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <vector>
 
 namespace lutlib {
 namespace health {
 namespace {
 
-// Calls visit(value, place) for every stored colour that is an output of the look.
-template <class F>
-void each_output(const Lut& lut, F visit) {
+// Every stored colour that is an output of the look.
+std::span<const Rgb> outputs(const Lut& lut) {
     if (lut.cube) {
-        const int n = lut.cube->size;
-        for (int b = 0; b < n; ++b) {
-            for (int g = 0; g < n; ++g) {
-                for (int r = 0; r < n; ++r) {
-                    visit(lut.cube->at(r, g, b), to_float(node_position(*lut.cube, r, g, b)));
-                }
-            }
-        }
-    } else if (lut.shaper) {
-        for (int i = 0; i < lut.shaper->size(); ++i) {
-            visit(lut.shaper->entries[static_cast<std::size_t>(i)],
-                  to_float(entry_position(*lut.shaper, i)));
+        return lut.cube->nodes;
+    }
+    return lut.shaper ? std::span<const Rgb>(lut.shaper->entries) : std::span<const Rgb>();
+}
+
+// The input of the look that gives output k.
+class Places {
+  public:
+    explicit Places(const Lut& lut) : lut_(lut) {
+        if (lut.cube) {
+            nodes_ = inputs_of_nodes(lut, *lut.cube);
         }
     }
-}
+
+    Rgb operator()(std::size_t k) const {
+        if (!lut_.cube) {
+            return to_float(entry_position(*lut_.shaper, static_cast<int>(k)));
+        }
+        const auto n = static_cast<std::size_t>(lut_.cube->size);
+        return to_float({nodes_[0][k % n], nodes_[1][k / n % n], nodes_[2][k / (n * n)]});
+    }
+
+  private:
+    const Lut& lut_;
+    std::array<std::vector<double>, 3> nodes_;
+};
 
 bool all_codes(const Lut& lut, double maximum) {
     bool all = true;
     double highest = 0;
-    each_output(lut, [&](const Rgb& value, const Rgb&) {
+    for (const Rgb& value : outputs(lut)) {
         for (std::size_t c = 0; c < 3; ++c) {
             const double code = static_cast<double>(value[c]) * maximum;
             // A code divided by its maximum in float, and read back from six decimals.
@@ -40,7 +53,7 @@ bool all_codes(const Lut& lut, double maximum) {
                   code <= maximum;
             highest = std::max(highest, code);
         }
-    });
+    }
     return all && highest >= 1;
 }
 
@@ -57,13 +70,11 @@ double rounding_of(const Lut& lut) {
         }
     }
     double size = 0;
-    each_output(lut, [&](const Rgb& value, const Rgb&) {
+    for (const Rgb& value : outputs(lut)) {
         if (finite(value)) {
-            size = std::max({size, static_cast<double>(std::abs(value.r)),
-                             static_cast<double>(std::abs(value.g)),
-                             static_cast<double>(std::abs(value.b))});
+            size = std::max(size, largest_magnitude(to_double(value)));
         }
-    });
+    }
     return std::max(5e-7 * std::min(size, 1.0),
                     static_cast<double>(std::numeric_limits<float>::denorm_min()));
 }
@@ -71,23 +82,26 @@ double rounding_of(const Lut& lut) {
 void examine_values(const Lut& lut, Health& out) {
     out.lowest.value = std::numeric_limits<double>::infinity();
     out.highest.value = -out.lowest.value;
-    each_output(lut, [&out](const Rgb& value, const Rgb& in) {
+    const Places place(lut);
+    const std::span<const Rgb> values = outputs(lut);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const Rgb& value = values[k];
         for (std::size_t c = 0; c < 3; ++c) {
             ++out.values;
             if (!std::isfinite(value[c])) {
                 ++out.non_finite;
-                out.first_non_finite = out.first_non_finite.value_or(in);
+                out.first_non_finite = out.first_non_finite.value_or(place(k));
                 continue;
             }
             out.outside += value[c] < 0 || value[c] > 1;
             if (value[c] < out.lowest.value) {
-                out.lowest = {value[c], in};
+                out.lowest = {value[c], place(k)};
             }
             if (value[c] > out.highest.value) {
-                out.highest = {value[c], in};
+                out.highest = {value[c], place(k)};
             }
         }
-    });
+    }
     if (lut.shaper && lut.cube) {
         for (int i = 0; i < lut.shaper->size(); ++i) {
             const Rgb& entry = lut.shaper->entries[static_cast<std::size_t>(i)];

@@ -21,6 +21,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <map>
 #include <vector>
 
 namespace lutlib::health {
@@ -45,26 +47,37 @@ Extreme larger(const Extreme& a, const Extreme& b) {
     return b.value > a.value ? b : a;
 }
 
+// The largest channel of those that are finite.
+double largest_finite(RgbD d) {
+    double most = largest_magnitude(d);
+    if (!std::isfinite(most)) {
+        most = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            most = std::isfinite(d[c]) ? std::max(most, std::abs(d[c])) : most;
+        }
+    }
+    return most;
+}
+
 // The largest second difference of any channel along any edge at this stride.
 Extreme largest_difference(const Lut3D& cube, int stride) {
     const int last = cube.size - 1;
     const auto slab = [&](int b) {
         Extreme most;
         for (int g = 0; g <= last; ++g) {
-            for (int r = 0; r <= last; ++r) {
-                for (const auto& e : edges) {
-                    const int dr = e[0] * stride, dg = e[1] * stride, db = e[2] * stride;
-                    if (r < dr || g < dg || b < db || r + dr > last || g + dg > last ||
-                        b + db > last) {
-                        continue;
-                    }
-                    const RgbD d = to_double(cube.at(r - dr, g - dg, b - db)) -
-                                   2 * to_double(cube.at(r, g, b)) +
-                                   to_double(cube.at(r + dr, g + dg, b + db));
-                    for (std::size_t c = 0; c < 3; ++c) {
-                        if (std::abs(d[c]) > most.value && std::isfinite(d[c])) {
-                            most = {std::abs(d[c]), to_float(node_position(cube, r, g, b))};
-                        }
+            const Rgb* const row = &cube.at(0, g, b);
+            for (const auto& e : edges) {
+                const int dr = e[0] * stride, dg = e[1] * stride, db = e[2] * stride;
+                if (g < dg || b < db || g + dg > last || b + db > last) {
+                    continue;
+                }
+                const auto step = static_cast<std::ptrdiff_t>(cube.index(dr, dg, db));
+                for (int r = dr; r + dr <= last; ++r) {
+                    const Rgb* const node = row + r;
+                    const double d = largest_finite(to_double(node[-step]) - 2 * to_double(*node) +
+                                                    to_double(node[step]));
+                    if (d > most.value) {
+                        most = {d, to_float(node_position(cube, r, g, b))};
                     }
                 }
             }
@@ -146,34 +159,32 @@ class Alignment {
 // The largest error by the formula over all nodes.
 Extreme by_formula(const Lut3D& cube, const Alignment& alignment, int stride) {
     const int n = cube.size, s = stride;
-    const auto value = [&cube](const std::array<int, 3>& at) {
-        return to_double(cube.at(at[0], at[1], at[2]));
-    };
-    const auto node = [&](int r, int g, int b) {
-        const std::array<int, 3> at{r, g, b};
-        std::array<int, 3> centre{};
-        for (std::size_t a = 0; a < 3; ++a) {
-            centre[a] = std::clamp(at[a], s, n - 1 - s);
+    const std::array<std::ptrdiff_t, 3> step{s, std::ptrdiff_t{s} * n, std::ptrdiff_t{s} * n * n};
+    std::vector<double> axis, pair; // the weights of a node i, and of nodes i and k
+    for (int i = 0; i < n; ++i) {
+        axis.push_back(alignment.axis(i) / (s * s));
+        for (int k = 0; k < n; ++k) {
+            pair.push_back(alignment.pair(i, k) / (4.0 * s * s));
         }
+    }
+    const auto held = [&](int i) { return std::clamp(i, s, n - 1 - s); };
+    const auto node = [&](int r, int g, int b) {
+        const Rgb* const centre = &cube.at(held(r), held(g), held(b));
+        const auto value = [centre](std::ptrdiff_t offset) { return to_double(centre[offset]); };
+        const std::array<int, 3> at{r, g, b};
+        const RgbD middle = 2 * to_double(*centre);
         RgbD error;
         for (std::size_t a = 0; a < 3; ++a) {
-            std::array<int, 3> before = centre, after = centre;
-            before[a] -= s;
-            after[a] += s;
-            const double weight = alignment.axis(at[a]) / (s * s);
-            error = error + weight * (value(before) - 2 * value(centre) + value(after));
-            for (std::size_t b2 = a + 1; b2 < 3; ++b2) {
-                std::array<int, 3> pp = after, pm = after, mp = before, mm = before;
-                pp[b2] += s;
-                pm[b2] -= s;
-                mp[b2] += s;
-                mm[b2] -= s;
-                const double mixed = alignment.pair(at[a], at[b2]) / (4.0 * s * s);
-                error = error + mixed * (value(pp) - value(pm) - value(mp) + value(mm));
+            const std::ptrdiff_t along = step[a];
+            error = error +
+                    axis[static_cast<std::size_t>(at[a])] * (value(-along) - middle + value(along));
+            for (std::size_t c = a + 1; c < 3; ++c) {
+                const std::ptrdiff_t both = along + step[c], apart = along - step[c];
+                error = error + pair[static_cast<std::size_t>(at[a] * n + at[c])] *
+                                    (value(both) - value(apart) - value(-apart) + value(-both));
             }
         }
-        const double most = std::max({std::abs(error.r), std::abs(error.g), std::abs(error.b)});
-        return Extreme{std::isfinite(most) ? most : 0, to_float(node_position(cube, r, g, b))};
+        return Extreme{largest_finite(error), to_float(node_position(cube, r, g, b))};
     };
     return tbb::parallel_deterministic_reduce(
         tbb::blocked_range<int>(0, n, 1), Extreme{},
@@ -190,7 +201,26 @@ Extreme by_formula(const Lut3D& cube, const Alignment& alignment, int stride) {
         larger);
 }
 
-ExpectedError predict(const Lut3D& cube, int nodes, bool is_lattice, double rounding) {
+// largest_difference(), which two predictions may want at one stride.
+class Differences {
+  public:
+    explicit Differences(const Lut3D& cube) : cube_(cube) {}
+
+    const Extreme& at(int stride) {
+        const auto [row, is_new] = known_.try_emplace(stride);
+        if (is_new) {
+            row->second = largest_difference(cube_, stride);
+        }
+        return row->second;
+    }
+
+  private:
+    const Lut3D& cube_;
+    std::map<int, Extreme> known_;
+};
+
+ExpectedError predict(const Lut3D& cube, Differences& differences, int nodes, bool is_lattice,
+                      double rounding) {
     ExpectedError out{nodes, 0, true, {}};
     if (is_lattice && (nodes - 1) % (cube.size - 1) == 0) {
         return out; // every node of the look is kept, and nothing lies between them
@@ -202,7 +232,7 @@ ExpectedError predict(const Lut3D& cube, int nodes, bool is_lattice, double roun
         return out;
     }
     const auto along_edges = [&](int s) {
-        const Extreme d = largest_difference(cube, s);
+        const Extreme& d = differences.at(s);
         const double scale = half_cell / s;
         return Extreme{d.value * scale * scale / 2, d.in};
     };
@@ -231,8 +261,9 @@ ExpectedError predict(const Lut3D& cube, int nodes, bool is_lattice, double roun
 void predict_errors(const Lut& lut, double rounding, Health& out) {
     const Lut3D shaped = lut.shaper || !lut.cube ? without_shaper(lut) : Lut3D{};
     const Lut3D& cube = shaped.size ? shaped : *lut.cube;
+    Differences differences(cube);
     for (ExpectedError& expected : out.expected) {
-        expected = predict(cube, expected.nodes, shaped.size == 0, rounding);
+        expected = predict(cube, differences, expected.nodes, shaped.size == 0, rounding);
     }
 }
 

@@ -1,4 +1,5 @@
 // The neutral axis: whether it rises, how its codes band, and what noise near black becomes.
+#include "lutlib/color/luma.h"
 #include "lutlib/health/parts.h"
 #include "lutlib/interpolation/interpolation.h"
 
@@ -14,14 +15,6 @@ constexpr int even_points = 1025;
 constexpr int codes = 255;
 // The darkest sixteenth of the axis, in input codes.
 constexpr int dark_codes = 16;
-
-double luma(const RgbD& c) {
-    return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
-}
-
-bool finite(const RgbD& c) {
-    return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b);
-}
 
 // A share of the domain's width, on the neutral axis.
 RgbD neutral(const Domain& d, double t) {
@@ -54,7 +47,7 @@ void examine_neutrals(const Lut& lut, double rounding, Health& out) {
     for (const double t : breakpoints(lut)) {
         const RgbD in = neutral(lut.domain(), t);
         const RgbD value = evaluate_exact(lut, in);
-        if (!finite(value)) {
+        if (!std::isfinite(largest_magnitude(value))) {
             continue;
         }
         const double y = luma(value);

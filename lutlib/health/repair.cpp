@@ -1,5 +1,6 @@
 #include "lutlib/health/repair.h"
 
+#include "lutlib/color/luma.h"
 #include "lutlib/error.h"
 #include "lutlib/health/parts.h"
 
@@ -229,20 +230,20 @@ std::optional<float> without_spike(const Lut3D& cube, const Node& n, std::size_t
         return std::nullopt;
     }
     double beside = 0;
+    // Diagonally beside too, where a kink across all axes alike shows that `n` is not alone.
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (std::size_t across = 0; across < 3; ++across) {
-            for (const int side : {-1, 1}) {
-                Node centre = n;
-                centre[across] += side;
-                Node before = centre, after = centre;
-                --before[axis];
-                ++after[axis];
-                const auto at = [&](const Node& m) { return value(m[0], m[1], m[2]); };
-                if (across != axis) {
-                    const double bend = at(before) / 2 - at(centre) + at(after) / 2;
-                    beside = std::max(beside, std::abs(bend));
-                }
+        for (int k = 0; k < 9; ++k) {
+            Node centre = n;
+            centre[(axis + 1) % 3] += k % 3 - 1;
+            centre[(axis + 2) % 3] += k / 3 - 1;
+            if (centre == n) {
+                continue;
             }
+            Node before = centre, after = centre;
+            --before[axis];
+            ++after[axis];
+            const auto at = [&](const Node& m) { return value(m[0], m[1], m[2]); };
+            beside = std::max(beside, std::abs(at(before) / 2 - at(centre) + at(after) / 2));
         }
     }
     return out > spike_ratio * beside ? std::optional<float>(static_cast<float>(lines[1]))
@@ -269,11 +270,6 @@ std::string level_spikes(Lut& lut, const RepairOptions&) {
     return found.empty() ? "" : "single nodes that stood out are levelled with their neighbours";
 }
 
-double luma(const Rgb& c) {
-    return 0.2126 * static_cast<double>(c.r) + 0.7152 * static_cast<double>(c.g) +
-           0.0722 * static_cast<double>(c.b);
-}
-
 // Chroma, as a share of the cube's width, up to which a neutral's correction is carried outwards.
 constexpr double carried = 0.25;
 
@@ -286,7 +282,7 @@ std::string straighten_neutrals(Lut& lut, const RepairOptions&) {
     Lut3D& cube = *lut.cube;
     std::vector<double> values;
     for (int i = 0; i < cube.size; ++i) {
-        values.push_back(luma(cube.at(i, i, i)));
+        values.push_back(luma(to_double(cube.at(i, i, i))));
     }
     const double rounding = health::rounding_of(lut);
     double highest = values.front(), fall = 0;
@@ -342,6 +338,11 @@ constexpr std::array<RepairInfo, 5> table{{
     {"clamp", "clamps outputs to 0..1, when asked to", clamp_outputs},
 }};
 
+// A repair may make room for an earlier one: a levelled spike shows a smaller one beside it, and
+// clamped neutrals may fall. Noise, the worst of looks, is done after 40 rounds at most, as each
+// moves less by half or so; a look beyond the bound would still be moving by its last bits.
+constexpr int most_rounds = 100;
+
 void count_changes(const std::vector<Rgb>& before, const std::vector<Rgb>& after,
                    RepairStep& step) {
     for (std::size_t i = 0; i < before.size(); ++i) {
@@ -357,6 +358,27 @@ void count_changes(const std::vector<Rgb>& before, const std::vector<Rgb>& after
     }
 }
 
+// One repair, entered into the steps. False where there was nothing to do.
+bool make(const RepairInfo& row, const RepairOptions& options, Repaired& out) {
+    const Lut before = out.lut;
+    const std::string words = row.apply(out.lut, options);
+    if (words.empty()) {
+        return false;
+    }
+    auto step = std::find_if(out.steps.begin(), out.steps.end(),
+                             [&row](const RepairStep& s) { return s.name == row.name; });
+    if (step == out.steps.end()) {
+        step = out.steps.insert(step, {row.name, words, 0, 0});
+    }
+    if (before.shaper) {
+        count_changes(before.shaper->entries, out.lut.shaper->entries, *step);
+    }
+    if (before.cube) {
+        count_changes(before.cube->nodes, out.lut.cube->nodes, *step);
+    }
+    return true;
+}
+
 } // namespace
 
 std::span<const RepairInfo> repairs() {
@@ -365,20 +387,12 @@ std::span<const RepairInfo> repairs() {
 
 Repaired repair(const Lut& lut, const RepairOptions& options) {
     Repaired out{lut, {}};
-    for (const RepairInfo& row : table) {
-        const Lut before = out.lut;
-        const std::string words = row.apply(out.lut, options);
-        if (words.empty()) {
-            continue;
+    bool changed = true;
+    for (int round = 0; round < most_rounds && changed; ++round) {
+        changed = false;
+        for (const RepairInfo& row : table) {
+            changed = make(row, options, out) || changed;
         }
-        RepairStep step{row.name, words, 0, 0};
-        if (before.shaper) {
-            count_changes(before.shaper->entries, out.lut.shaper->entries, step);
-        }
-        if (before.cube) {
-            count_changes(before.cube->nodes, out.lut.cube->nodes, step);
-        }
-        out.steps.push_back(step);
     }
     return out;
 }

@@ -15,11 +15,11 @@ struct RepairOptions {
     bool clamp = false; ///< outputs to 0..1
 };
 
-/// One repair that changed something.
+/// One repair that changed something, over all rounds.
 struct RepairStep {
     std::string_view name;
     std::string words;
-    std::size_t changed = 0; ///< values
+    std::size_t changed = 0; ///< values; one that is changed in two rounds counts twice
     /// Largest change of a value that was finite before.
     double largest = 0;
 };
@@ -37,8 +37,8 @@ struct RepairInfo {
 };
 std::span<const RepairInfo> repairs();
 
-/// Every repair in turn. A second run over the result changes nothing. Throws Error when a table
-/// has not one finite value to start from.
+/// Every repair in turn, in rounds until one has nothing to do, so that a second run over the
+/// result changes nothing. Throws Error when a table has not one finite value to start from.
 Repaired repair(const Lut& lut, const RepairOptions& options = {});
 
 } // namespace lutlib

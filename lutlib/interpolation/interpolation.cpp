@@ -106,17 +106,19 @@ RgbD trilinear_exact(const Lut3D& cube, RgbD in) {
 }
 
 RgbD tetrahedral_exact(const Lut3D& cube, RgbD in) {
-    const auto cell = locate(cube, in);
-    const auto order = axes_by_fraction<double>({cell[0].f, cell[1].f, cell[2].f});
-    std::array<int, 3> node{cell[0].i, cell[1].i, cell[2].i};
-    RgbD sum = (1 - cell[order[0]].f) * to_double(cube.at(node[0], node[1], node[2]));
-    for (std::size_t step = 0; step < 3; ++step) {
-        const std::size_t axis = order[step];
-        ++node[axis];
-        const double next = step < 2 ? cell[order[step + 1]].f : 0.0;
-        sum = sum + (cell[axis].f - next) * to_double(cube.at(node[0], node[1], node[2]));
-    }
-    return sum;
+    const auto [r, g, b] = locate(cube, in);
+    const std::array<double, 3> f{r.f, g.f, b.f};
+    const auto n = static_cast<std::size_t>(cube.size);
+    const std::array<std::size_t, 3> stride{1, n, n * n};
+    const auto [first, second, third] = axes_by_fraction(f);
+    const Rgb* node = &cube.at(r.i, g.i, b.i);
+    RgbD sum = (1 - f[first]) * to_double(*node);
+    node += stride[first];
+    sum = sum + (f[first] - f[second]) * to_double(*node);
+    node += stride[second];
+    sum = sum + (f[second] - f[third]) * to_double(*node);
+    node += stride[third];
+    return sum + f[third] * to_double(*node);
 }
 
 void add_node(NodeWeights& out, std::size_t node, double weight) {

@@ -10,7 +10,6 @@
 #include <optional>
 #include <span>
 #include <string_view>
-#include <utility>
 
 namespace lutlib {
 
@@ -27,20 +26,21 @@ std::span<const InterpolationInfo> interpolations();
 std::optional<Interpolation> interpolation_named(std::string_view name);
 std::string_view name_of(Interpolation kind);
 
-/// The axes in order of falling fraction, equal ones in their own order: the way that tetrahedral
-/// interpolation walks from a cell's dark corner to its bright one.
+/// The tetrahedra of a cell: the orders in which a path from its dark corner to its bright one
+/// walks along the axes.
+using Walk = std::array<std::size_t, 3>;
+inline constexpr std::array<Walk, 6> tetrahedron_walks{
+    {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+
+/// The walk along the axes in order of falling fraction, equal ones in their own order: that of the
+/// tetrahedron which holds the place.
 template <class T>
-constexpr std::array<std::size_t, 3> axes_by_fraction(const std::array<T, 3>& fraction) {
-    std::array<std::size_t, 3> order{0, 1, 2};
-    const auto settle = [&](std::size_t i) {
-        if (fraction[order[i + 1]] > fraction[order[i]]) {
-            std::swap(order[i], order[i + 1]);
-        }
-    };
-    settle(0);
-    settle(1);
-    settle(0);
-    return order;
+constexpr const Walk& axes_by_fraction(const std::array<T, 3>& fraction) {
+    const auto [r, g, b] = fraction;
+    if (r >= g) {
+        return tetrahedron_walks[g >= b ? 0 : r >= b ? 1 : 4];
+    }
+    return tetrahedron_walks[r >= b ? 2 : g >= b ? 3 : 5];
 }
 
 /// A curve is always interpolated linearly; `Interpolation` chooses how the cube is.

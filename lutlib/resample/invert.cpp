@@ -55,31 +55,81 @@ struct Answer {
     double spread = 0;   // between the inputs of a folded colour
 };
 
-Answer solve(const OutputIndex& index, RgbD wanted, double width) {
-    // Inputs nearer than this are one place, found in two tetrahedra that share it.
-    const double same = 1e-5 * width;
-    Answer out;
-    std::vector<RgbD> found;
-    index.preimages(wanted, found);
-    if (found.empty()) {
-        const Nearest nearest = index.nearest(wanted);
-        out.input = nearest.input;
-        out.distance = nearest.distance;
-        // Rounding may leave a colour on the gamut's surface a hair outside.
-        out.missing = nearest.distance > 1e-6 * std::max(1.0, largest_magnitude(wanted));
+class Solver {
+  public:
+    Solver(const Lut& lut, const Lut3D& cube) : lut_(lut), index_(cube) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            width_ = std::max(width_, static_cast<double>(cube.domain.max[c]) -
+                                          static_cast<double>(cube.domain.min[c]));
+        }
+        if (lut.shaper) {
+            Lut curve;
+            curve.shaper = lut.shaper;
+            shaped_ = output_range(curve);
+        }
+    }
+
+    Answer solve(RgbD wanted) const {
+        Answer out;
+        std::vector<RgbD> places;
+        index_.preimages(wanted, places);
+        std::erase_if(places, [this](RgbD place) { return !reached(place); });
+        if (places.empty()) {
+            const Nearest nearest = index_.nearest(wanted);
+            out.input = unshaped(nearest.input);
+            out.distance = reached(nearest.input)
+                               ? nearest.distance
+                               : largest_magnitude(evaluate_exact(lut_, out.input) - wanted);
+            // Rounding may leave a colour on the gamut's surface a hair outside.
+            out.missing = out.distance > 1e-6 * std::max(1.0, largest_magnitude(wanted));
+            return out;
+        }
+        // Of several, the input nearest to the wanted colour: the sheet that an unfolded look has.
+        RgbD chosen = places.front();
+        out.input = unshaped(chosen);
+        for (const RgbD& place : places) {
+            const RgbD input = unshaped(place);
+            if (largest_magnitude(input - wanted) < largest_magnitude(out.input - wanted)) {
+                chosen = place;
+                out.input = input;
+            }
+        }
+        for (const RgbD& place : places) {
+            if (largest_magnitude(place - chosen) > same * width_) {
+                out.spread = std::max(out.spread, largest_magnitude(unshaped(place) - out.input));
+            }
+        }
         return out;
     }
-    // Of several, the input nearest to the wanted colour: the sheet that an unfolded look has.
-    const auto closer = [&](RgbD a, RgbD b) {
-        return largest_magnitude(a - wanted) < largest_magnitude(b - wanted);
-    };
-    out.input = *std::min_element(found.begin(), found.end(), closer);
-    for (const RgbD& other : found) {
-        out.spread = std::max(out.spread, largest_magnitude(other - out.input));
+
+  private:
+    // Inputs of the cube nearer than this share of its width are one place, found in two tetrahedra
+    // that share it.
+    static constexpr double same = 1e-5;
+
+    // Whether the 1D table gives this input of the cube.
+    bool reached(RgbD place) const {
+        for (std::size_t c = 0; shaped_ && c < 3; ++c) {
+            if (place[c] < static_cast<double>(shaped_->min[c]) - same * width_ ||
+                place[c] > static_cast<double>(shaped_->max[c]) + same * width_) {
+                return false;
+            }
+        }
+        return true;
     }
-    out.spread = out.spread > same ? out.spread : 0;
-    return out;
-}
+
+    RgbD unshaped(RgbD place) const {
+        for (std::size_t c = 0; lut_.shaper && c < 3; ++c) {
+            place[c] = inverse_of_curve(*lut_.shaper, place[c], c);
+        }
+        return place;
+    }
+
+    const Lut& lut_;
+    OutputIndex index_;
+    double width_ = 0;
+    std::optional<Domain> shaped_; // what the 1D table gives
+};
 
 void add(InverseRegion& region, Rgb wanted, double extent) {
     if (region.count++ == 0) {
@@ -141,19 +191,14 @@ Inversion invert(const Lut& lut, const InvertOptions& options) {
     const Domain domain = options.domain.value_or(inverse_domain(lut));
     check_domain(domain);
 
-    const OutputIndex index(cube);
-    double width = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-        width = std::max(width, static_cast<double>(cube.domain.max[c]) -
-                                    static_cast<double>(cube.domain.min[c]));
-    }
+    const Solver solver(lut, cube);
     Inversion out;
     Lut3D inverse = identity_cube(size, domain);
     out.nodes = inverse.nodes.size();
     std::vector<Answer> answers(out.nodes);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, out.nodes, 256), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            answers[i] = solve(index, to_double(inverse.nodes[i]), width);
+            answers[i] = solver.solve(to_double(inverse.nodes[i]));
         }
     });
     for (std::size_t i = 0; i < out.nodes; ++i) {
@@ -164,11 +209,7 @@ Inversion invert(const Lut& lut, const InvertOptions& options) {
         } else if (answer.spread > 0) {
             add(out.folded, wanted, answer.spread);
         }
-        RgbD input = answer.input;
-        for (std::size_t c = 0; lut.shaper && c < 3; ++c) {
-            input[c] = inverse_of_curve(*lut.shaper, input[c], c);
-        }
-        inverse.nodes[i] = to_float(input);
+        inverse.nodes[i] = to_float(answer.input);
     }
     out.lut.cube = std::move(inverse);
     out.lut.title = lut.title.empty() ? "" : "Inverse of " + lut.title;

@@ -2,6 +2,7 @@
 
 #include "lutlib/color/matrix.h"
 #include "lutlib/interpolation/interpolation.h"
+#include "lutlib/limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +10,6 @@
 
 namespace lutlib {
 namespace {
-
-// The axes in the order in which a tetrahedron's path from the dark to the bright corner takes
-// them.
-constexpr std::array<std::array<std::size_t, 3>, 6> paths{
-    {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
 
 using Place = std::array<double, 3>; // in nodes, 0 .. size-1
 
@@ -26,7 +22,7 @@ struct Cell {
 };
 
 // The four corners' outputs along a path.
-std::array<RgbD, 4> corners(const Lut3D& cube, Cell cell, const std::array<std::size_t, 3>& path) {
+std::array<RgbD, 4> corners(const Lut3D& cube, Cell cell, const Walk& path) {
     std::array<int, 3> node{cell.r, cell.g, cell.b};
     std::array<RgbD, 4> out{to_double(cube.at(node[0], node[1], node[2]))};
     for (std::size_t step = 0; step < 3; ++step) {
@@ -37,7 +33,7 @@ std::array<RgbD, 4> corners(const Lut3D& cube, Cell cell, const std::array<std::
 }
 
 // d output / d place within a tetrahedron: the column of axis path[i] is corner i+1 minus corner i.
-Matrix3 slope(const std::array<RgbD, 4>& corner, const std::array<std::size_t, 3>& path) {
+Matrix3 slope(const std::array<RgbD, 4>& corner, const Walk& path) {
     Matrix3 m;
     for (std::size_t step = 0; step < 3; ++step) {
         const RgbD d = corner[step + 1] - corner[step];
@@ -65,7 +61,47 @@ std::size_t OutputIndex::bucket_index(const Bucket& b) const {
            n * (static_cast<std::size_t>(b[1]) + n * static_cast<std::size_t>(b[2]));
 }
 
-OutputIndex::OutputIndex(const Lut3D& cube) : cube_(cube), buckets_(std::max(cube.size, 8)) {
+void OutputIndex::divide(RgbD high, int buckets) {
+    buckets_ = buckets;
+    for (std::size_t c = 0; c < 3; ++c) {
+        scale_[c] = high[c] > low_[c] ? buckets / (high[c] - low_[c]) : 0;
+    }
+}
+
+// Calls visit(from, to, id) for every cell: the box of buckets that its outputs touch.
+template <class F>
+void OutputIndex::each_cell(F visit) const {
+    for (int b = 0; b + 1 < cube_.size; ++b) {
+        for (int g = 0; g + 1 < cube_.size; ++g) {
+            for (int r = 0; r + 1 < cube_.size; ++r) {
+                Bucket from = bucket_of(to_double(cube_.at(r, g, b))), to = from;
+                for (int corner = 1; corner < 8; ++corner) {
+                    const Bucket at = bucket_of(to_double(
+                        cube_.at(r + (corner & 1), g + (corner >> 1 & 1), b + (corner >> 2))));
+                    for (std::size_t c = 0; c < 3; ++c) {
+                        from[c] = std::min(from[c], at[c]);
+                        to[c] = std::max(to[c], at[c]);
+                    }
+                }
+                visit(from, to, static_cast<std::uint32_t>(cube_.index(r, g, b)));
+            }
+        }
+    }
+}
+
+std::uint64_t OutputIndex::cell_entries() const {
+    std::uint64_t out = 0;
+    each_cell([&out](const Bucket& from, const Bucket& to, std::uint32_t) {
+        std::uint64_t touched = 1;
+        for (std::size_t c = 0; c < 3; ++c) {
+            touched *= static_cast<std::uint64_t>(to[c] - from[c] + 1);
+        }
+        out += touched;
+    });
+    return out;
+}
+
+OutputIndex::OutputIndex(const Lut3D& cube) : cube_(cube) {
     RgbD high = low_ = to_double(cube.nodes.front());
     for (const Rgb& node : cube.nodes) {
         for (std::size_t c = 0; c < 3; ++c) {
@@ -73,39 +109,27 @@ OutputIndex::OutputIndex(const Lut3D& cube) : cube_(cube), buckets_(std::max(cub
             high[c] = std::max(high[c], static_cast<double>(node[c]));
         }
     }
-    for (std::size_t c = 0; c < 3; ++c) {
-        scale_[c] = high[c] > low_[c] ? buckets_ / (high[c] - low_[c]) : 0;
+    // The wilder the look, the more buckets each cell touches. One bucket holds each cell once.
+    divide(high, std::max(cube.size, 8));
+    while (buckets_ > 1 && cell_entries() > limits::max_output_index_entries) {
+        divide(high, buckets_ / 2);
     }
     const auto n = static_cast<std::size_t>(buckets_);
     // Two passes: count, then place.
     const auto each_entry = [&](auto&& visit_cell, auto&& visit_node) {
-        for (int b = 0; b < cube.size; ++b) {
-            for (int g = 0; g < cube.size; ++g) {
-                for (int r = 0; r < cube.size; ++r) {
-                    const auto id = static_cast<std::uint32_t>(cube.index(r, g, b));
-                    visit_node(bucket_index(bucket_of(to_double(cube.at(r, g, b)))), id);
-                    if (r + 1 == cube.size || g + 1 == cube.size || b + 1 == cube.size) {
-                        continue;
-                    }
-                    Bucket from = bucket_of(to_double(cube.at(r, g, b))), to = from;
-                    for (int corner = 1; corner < 8; ++corner) {
-                        const Bucket at = bucket_of(to_double(
-                            cube.at(r + (corner & 1), g + (corner >> 1 & 1), b + (corner >> 2))));
-                        for (std::size_t c = 0; c < 3; ++c) {
-                            from[c] = std::min(from[c], at[c]);
-                            to[c] = std::max(to[c], at[c]);
-                        }
-                    }
-                    for (int z = from[2]; z <= to[2]; ++z) {
-                        for (int y = from[1]; y <= to[1]; ++y) {
-                            for (int x = from[0]; x <= to[0]; ++x) {
-                                visit_cell(bucket_index({x, y, z}), id);
-                            }
-                        }
+        for (std::size_t i = 0; i < cube.nodes.size(); ++i) {
+            visit_node(bucket_index(bucket_of(to_double(cube.nodes[i]))),
+                       static_cast<std::uint32_t>(i));
+        }
+        each_cell([&](const Bucket& from, const Bucket& to, std::uint32_t id) {
+            for (int z = from[2]; z <= to[2]; ++z) {
+                for (int y = from[1]; y <= to[1]; ++y) {
+                    for (int x = from[0]; x <= to[0]; ++x) {
+                        visit_cell(bucket_index({x, y, z}), id);
                     }
                 }
             }
-        }
+        });
     };
     cell_start_.assign(n * n * n + 1, 0);
     node_start_.assign(n * n * n + 1, 0);
@@ -146,7 +170,7 @@ void OutputIndex::preimages(RgbD wanted, std::vector<RgbD>& found) const {
         const std::uint32_t id = cells_[i];
         const Cell cell{static_cast<int>(id % n), static_cast<int>(id / n % n),
                         static_cast<int>(id / (n * n))};
-        for (const auto& path : paths) {
+        for (const Walk& path : tetrahedron_walks) {
             const auto corner = corners(cube_, cell, path);
             const Matrix3 m = slope(corner, path);
             // Relative to the outputs' own size: a flat tetrahedron has no volume.
@@ -177,7 +201,7 @@ Nearest OutputIndex::descend(RgbD wanted, Place at) const {
     const auto output = [&](const Place& p, Matrix3* jacobian) {
         const Cell cell = cell_of(p);
         const Place f{p[0] - cell.r, p[1] - cell.g, p[2] - cell.b};
-        const auto path = axes_by_fraction(f);
+        const Walk& path = axes_by_fraction(f);
         const auto corner = corners(cube_, cell, path);
         const Matrix3 m = slope(corner, path);
         if (jacobian) {
@@ -213,6 +237,11 @@ Nearest OutputIndex::descend(RgbD wanted, Place at) const {
             }
         }
         const RgbD d = inverse(normal) * gradient;
+        // Where the look has fewer than three dimensions, little damping leaves no determinant.
+        if (!std::isfinite(largest_magnitude(d))) {
+            damping *= 4;
+            continue;
+        }
         Place next{};
         for (std::size_t i = 0; i < 3; ++i) {
             next[i] = std::clamp(at[i] + std::clamp(d[i], -2.0, 2.0), 0.0, last);

@@ -1,5 +1,7 @@
 #include "lutlib/survey/stiff_suite.h"
 
+#include "lutlib/color/luma.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -46,10 +48,6 @@ Lut1D curve_of(int size, F f) {
         curve.entries.push_back({v, v, v});
     }
     return curve;
-}
-
-double luma(RgbD c) {
-    return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
 }
 
 RgbD grey(double v) {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <mutex>
 
@@ -81,8 +80,7 @@ class StiffSurveyor {
         stored.apply(inputs_, got, lookup);
         std::vector<double> errors(got.size());
         for (std::size_t i = 0; i < got.size(); ++i) {
-            const RgbD d = to_double(got[i]) - expected_[i];
-            errors[i] = std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)}) / extent_;
+            errors[i] = largest_magnitude(to_double(got[i]) - expected_[i]) / extent_;
         }
         return error_stats(std::move(errors));
     }
@@ -99,19 +97,17 @@ class StiffSurveyor {
 StiffSurvey survey_stiff_suite(const Progress& progress) {
     const auto suite = stiff_suite();
     std::vector<std::vector<StiffRow>> rows(suite.size());
-    std::atomic<std::size_t> done = 0, count = 0;
+    std::size_t done = 0;
+    StiffSurvey out;
     std::mutex one_at_a_time;
     tbb::parallel_for(std::size_t{0}, suite.size(), [&](std::size_t i) {
         const StiffSurveyor surveyor(suite[i]);
         rows[i] = surveyor.run();
-        count = surveyor.colour_count();
-        const std::size_t so_far = ++done;
         const std::lock_guard lock(one_at_a_time);
-        progress(static_cast<double>(so_far) / static_cast<double>(suite.size()),
+        out.colours = surveyor.colour_count();
+        progress(static_cast<double>(++done) / static_cast<double>(suite.size()),
                  std::string(suite[i].name));
     });
-    StiffSurvey out;
-    out.colours = count;
     for (const auto& of_look : rows) {
         out.rows.insert(out.rows.end(), of_look.begin(), of_look.end());
     }

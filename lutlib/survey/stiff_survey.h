@@ -5,7 +5,6 @@
 #include "lutlib/survey/stiff_suite.h"
 #include "lutlib/survey/survey.h"
 
-#include <string>
 #include <vector>
 
 namespace lutlib {
@@ -23,7 +22,6 @@ struct StiffRow {
 
 struct StiffSurvey {
     std::vector<StiffRow> rows;
-    std::vector<std::string> notes;
     std::size_t colours = 0;
 };
 

@@ -62,11 +62,15 @@ struct Filled {
 // What does not depend on the nodes' values.
 struct TimingKey {
     int size;
-    bool shaped;
+    int shaper_size; // 0: none
     const Storage* storage;
     const Lookup* lookup;
     friend auto operator<=>(const TimingKey&, const TimingKey&) = default;
 };
+
+TimingKey timing_key(const Lut& lut, const Storage& storage, const Lookup& lookup) {
+    return {lut.cube->size, lut.shaper ? lut.shaper->size() : 0, &storage, &lookup};
+}
 
 class Surveyor {
   public:
@@ -125,7 +129,10 @@ class Surveyor {
 
     void sample_with(const ShaperChoice& shaper) {
         Recipe recipe = recipe_;
-        recipe.bake.domain = domain_;
+        recipe.bake.domain.reset();
+        if (shaper.name != "own") { // which has a domain of its own
+            recipe.bake.domain = domain_;
+        }
         recipe.bake.shaper = shaper.bake_name;
         recipe.bake.shaper_size = shaper_entries;
         for (const int size : out_.settings.sizes) {
@@ -154,8 +161,7 @@ class Surveyor {
             for (const Storage& storage : storages()) {
                 const StoredLut stored(filled.lut, *filled.nodes, storage);
                 for (const Lookup& lookup : lookups()) {
-                    const TimingKey key{filled.lut.cube->size, filled.lut.shaper.has_value(),
-                                        &storage, &lookup};
+                    const TimingKey key = timing_key(filled.lut, storage, lookup);
                     if (timings_.count(key)) {
                         continue;
                     }
@@ -179,7 +185,7 @@ class Surveyor {
         SurveyRow row;
         row.what = {filled.lut.cube->size, filled.shaper, &storage, &lookup, fitted};
         row.bake_seconds = seconds;
-        row.pixel = timings_.at({row.what.size, filled.lut.shaper.has_value(), &storage, &lookup});
+        row.pixel = timings_.at(timing_key(filled.lut, storage, lookup));
         out_.rows.push_back(row);
         work_.push_back({&filled, std::move(nodes)});
     }
@@ -225,8 +231,7 @@ class Surveyor {
             return f.lut.cube->size > largest_fitted_size;
         });
         if (any_large) {
-            note("beyond " + std::to_string(largest_fitted_size) +
-                 " nodes point samples only: rounding rules the error there, not the lattice");
+            note(fit_limit_text());
         }
         std::ptrdiff_t done = 0;
         for (const Filled& filled : filled_) {
@@ -291,12 +296,12 @@ class Surveyor {
             const StoredLut stored(work_[i].filled->lut, *work_[i].nodes, *row.what.storage);
             row.bytes = stored.bytes();
             row.error = error_of(stored, *row.what.lookup);
-            const std::size_t so_far = ++done;
+            ++done;
             const std::unique_lock lock(one_at_a_time, std::try_to_lock);
             if (lock) {
                 progress_(
                     std::lerp(after_fitting, 1.0,
-                              static_cast<double>(so_far) / static_cast<double>(out_.rows.size())),
+                              static_cast<double>(done) / static_cast<double>(out_.rows.size())),
                     "measuring errors");
             }
         });
@@ -365,10 +370,6 @@ class Surveyor {
 };
 
 } // namespace
-
-std::span<const ShaperChoice> shaper_choices() {
-    return shaper_table;
-}
 
 std::string to_text(const Combination& c) {
     std::string out = std::to_string(c.size) + " nodes, ";

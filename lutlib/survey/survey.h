@@ -9,21 +9,18 @@
 
 #include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace lutlib {
 
-/// A 1D table before the lattice, as bake_recipe() names it.
+/// A 1D table before the lattice: none, srgb, log, pq, or the look's own.
 struct ShaperChoice {
     std::string_view name;
     std::string_view label;
-    std::string_view bake_name;
+    std::string_view bake_name; ///< of bake_recipe()
 };
-/// none, srgb, log, pq, and the look's own.
-std::span<const ShaperChoice> shaper_choices();
 
 struct Combination {
     int size = 0;

@@ -66,5 +66,27 @@ TEST(HueDial, rises_once_round_the_circle_without_a_seam_or_a_kink) {
     EXPECT_NEAR(total, 360, 1e-6);
 }
 
+// Where a hue is negative by its last bit, adding a turn gives a whole one.
+TEST(HueDial, stays_below_a_whole_turn) {
+    const auto around = [](double middle, auto&& check) {
+        double up = middle, down = middle;
+        for (int i = 0; i < 1000; ++i) {
+            check(up);
+            check(down);
+            up = std::nextafter(up, INFINITY);
+            down = std::nextafter(down, -INFINITY);
+        }
+    };
+    around(dial_hue(0.1, 0), [](double place) {
+        EXPECT_GE(oklab_hue(place), 0);
+        EXPECT_LT(oklab_hue(place), 360);
+    });
+    const RgbD red = oklab_from_linear({1, 0, 0});
+    around(red.b, [&red](double b) {
+        EXPECT_GE(dial_hue(red.g, b), 0);
+        EXPECT_LT(dial_hue(red.g, b), 360);
+    });
+}
+
 } // namespace
 } // namespace lutlib

@@ -99,20 +99,16 @@ TEST_P(EveryEngine, agrees_with_the_lattice_interpolated_in_double) {
     const auto look = test_looks()[1];
     const Picture picture = picture_of(look.f);
     const Lut3D cube = from_picture(picture, layout, size);
-    const bool tetrahedral = engine.name == "hald" || engine.name == "ocio";
     for (int i = 0; i < 4000; ++i) {
         const Rgb in{static_cast<float>((i * 37) % 1001) / 1000,
                      static_cast<float>((i * 61) % 997) / 996,
                      static_cast<float>((i * 89) % 983) / 982};
         const Rgb out = engine.lookup(picture, size, in);
-        RgbD position = to_double(in);
-        if (engine.name == "godot") {
-            // The raw colour is a texture coordinate: node i lies at (i + 0.5) / n.
-            position =
-                (position * static_cast<double>(size) - RgbD{0.5, 0.5, 0.5}) * (1.0 / (size - 1));
+        RgbD position;
+        for (std::size_t c = 0; c < 3; ++c) {
+            position[c] = engine.place(static_cast<double>(in[c]), size) / (size - 1);
         }
-        const RgbD exact = evaluate_exact(
-            cube, position, tetrahedral ? Interpolation::tetrahedral : Interpolation::trilinear);
+        const RgbD exact = evaluate_exact(cube, position, engine.interpolation);
         // The look's steepest slope is below 3 and a coordinate is off by 4e-6 (above).
         EXPECT_NEAR(out.r, exact.r, 1.2e-5);
         EXPECT_NEAR(out.g, exact.g, 1.2e-5);

@@ -4,8 +4,10 @@
 #include "tests/lutlib/looks.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <cmath>
+#include <utility>
 
 namespace lutlib {
 namespace {
@@ -41,16 +43,19 @@ TEST_P(FitOfEngine, reader_is_the_lookup_of_the_engine) {
         cube.nodes[k] = {noise(12.9), noise(78.2), noise(37.7)};
     }
     const Picture picture = to_picture(cube, *layout_named(engine.layout));
+    // In units of nodes, as places are.
+    const auto last = static_cast<float>(size - 1);
+    cube.domain = {{0, 0, 0}, {last, last, last}};
     for (int i = 0; i < 2000; ++i) {
         const RgbD in{std::fmod(i * 0.8191, 1.0), std::fmod(i * 0.6710, 1.0),
                       std::fmod(i * 0.5497, 1.0)};
-        const NodeWeights w =
-            node_weights(reader.how, size,
-                         {reader.place(in.r, 0), reader.place(in.g, 1), reader.place(in.b, 2)});
+        const RgbD place{reader.place(in.r, 0), reader.place(in.g, 1), reader.place(in.b, 2)};
+        const NodeWeights w = node_weights(reader.how, size, place);
         RgbD sum;
         for (std::size_t k = 0; k < w.count; ++k) {
             sum = sum + w.weight[k] * to_double(cube.nodes[w.node[k]]);
         }
+        EXPECT_LT(largest_magnitude(sum - evaluate_exact(cube, place, reader.how)), 1e-14);
         const Rgb got = engine.lookup(picture, size, to_float(in));
         for (std::size_t c = 0; c < 3; ++c) {
             // Texture coordinates in float over pictures up to 4096 wide: 2^-24 * 4096 of a node.
@@ -163,12 +168,18 @@ TEST(Fit, survives_looks_that_are_not_finite_or_not_of_this_world) {
     }
 }
 
-TEST(Fit, gives_the_same_codes_every_time) {
+TEST(Fit, gives_the_same_nodes_whatever_the_number_of_threads) {
     const Transform look = transform_of(test_looks()[1]);
     const LatticeReader reader = cube_reader(9, Interpolation::trilinear);
-    const auto once = fit_of(look, reader).rounded(255);
-    const auto twice = fit_of(look, reader).rounded(255);
-    EXPECT_EQ(once.nodes, twice.nodes);
+    const auto nodes_with = [&](std::size_t threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        const LatticeFit fit = fit_of(look, reader);
+        return std::pair(fit.exact().nodes, fit.rounded(255).nodes);
+    };
+    const auto alone = nodes_with(1);
+    for (const std::size_t threads : {2U, 3U, 8U}) {
+        EXPECT_EQ(nodes_with(threads), alone) << threads;
+    }
 }
 
 } // namespace

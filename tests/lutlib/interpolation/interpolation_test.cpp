@@ -77,6 +77,27 @@ TEST_P(EveryInterpolation, stays_finite_on_the_largest_finite_values) {
     EXPECT_TRUE(std::isfinite(out.r) && std::isfinite(out.g) && std::isfinite(out.b));
 }
 
+TEST_P(EveryInterpolation, is_the_sum_of_its_node_weights) {
+    std::mt19937 random(5);
+    for (const int size : {2, 5, 17}) {
+        const auto last = static_cast<float>(size - 1);
+        const Lut3D cube = random_cube(size, {{0, 0, 0}, {last, last, last}}, 6);
+        std::uniform_real_distribution<double> place(-0.5, size - 0.5);
+        for (int i = 0; i < 2000; ++i) {
+            // Some on nodes and in planes where two tetrahedra meet.
+            RgbD at{place(random), place(random), place(random)};
+            at.r = i % 3 == 0 ? std::round(at.r) : at.r;
+            at.g = i % 5 == 0 ? at.r : at.g;
+            const NodeWeights w = node_weights(GetParam().kind, size, at);
+            RgbD sum;
+            for (std::size_t k = 0; k < w.count; ++k) {
+                sum = sum + w.weight[k] * to_double(cube.nodes[w.node[k]]);
+            }
+            ASSERT_LT(largest_magnitude(sum - evaluate_exact(cube, at, GetParam().kind)), 1e-14);
+        }
+    }
+}
+
 TEST(Tetrahedral, is_exact_on_the_neutral_axis_of_a_look_that_is_linear_there) {
     Lut3D cube = identity_cube(16);
     for (int i = 0; i < 16; ++i) {

@@ -46,10 +46,6 @@ RgbD at_hue(double dial, double chroma) {
     return srgb_of({0.6, chroma * std::cos(t), chroma * std::sin(t)});
 }
 
-double largest(RgbD d) {
-    return std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)});
-}
-
 TEST_P(EveryOperator, is_exactly_the_identity_at_its_defaults) {
     const Operation operation = default_operation(*GetParam());
     EXPECT_TRUE(is_identity(operation));
@@ -87,7 +83,7 @@ TEST_P(EveryOperator, answers_nan_as_it_answers_zero) {
     std::mt19937 random(2);
     const Edit edit = edit_of(some_operation(*GetParam(), random));
     EXPECT_EQ(edit({NAN, .5, NAN}), edit({0, .5, 0}));
-    EXPECT_TRUE(std::isfinite(largest(edit({INFINITY, -INFINITY, NAN}))));
+    EXPECT_TRUE(std::isfinite(largest_magnitude(edit({INFINITY, -INFINITY, NAN}))));
 }
 
 // The slope of an operator between two near colours may be steep, but not infinite: a seam would
@@ -99,7 +95,7 @@ TEST_P(EveryOperator, has_no_seam_at_hue_0_at_other_hues_or_at_neutral) {
         const Operation operation = some_operation(*GetParam(), random);
         const Edit edit = edit_of(operation);
         const auto slope = [&](RgbD a, RgbD b) {
-            return largest(edit(a) - edit(b)) / largest(a - b);
+            return largest_magnitude(edit(a) - edit(b)) / largest_magnitude(a - b);
         };
         // The steepest that the parameters allow on these mid-tones: exposure by 10 stops gives
         // 1024 in light, powers of 10 and curves of 17 units within a few hundredths the like.

@@ -2,13 +2,17 @@
 
 #include "lutlib/error.h"
 #include "lutlib/interpolation/interpolation.h"
+#include "lutlib/limits.h"
 #include "lutlib/metrics/compare.h"
 #include "lutlib/recipe/bake_recipe.h"
 #include "tests/lutlib/looks.h"
 
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
 #include <cmath>
+#include <random>
 
 namespace lutlib {
 namespace {
@@ -30,8 +34,7 @@ double round_trip(const Lut& look, const Lut& inverse, const std::vector<Rgb>& i
     double worst = 0;
     for (const Rgb& in : inputs) {
         const RgbD back = evaluate_exact(inverse, evaluate_exact(look, to_double(in)));
-        const RgbD d = back - to_double(in);
-        worst = std::max({worst, std::abs(d.r), std::abs(d.g), std::abs(d.b)});
+        worst = std::max(worst, largest_magnitude(back - to_double(in)));
     }
     return worst;
 }
@@ -62,7 +65,7 @@ TEST(Invert, holds_an_exact_inverse_at_every_node_within_the_gamut) {
             for (int r = 0; r < inverse.size; ++r) {
                 const RgbD wanted = node_position(inverse, r, g, b);
                 const RgbD d = evaluate_exact(look, to_double(inverse.at(r, g, b))) - wanted;
-                exact += std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)}) < 1e-6;
+                exact += largest_magnitude(d) < 1e-6;
             }
         }
     }
@@ -178,6 +181,29 @@ TEST(Invert, reads_a_1d_table_backwards) {
     EXPECT_NEAR(evaluate_exact(invert(curve, options).lut, {.5, .5, .5}).r, 1.0, 1e-3);
 }
 
+// The table is x / 4, and red turns back at its 0.25.
+TEST(Invert, measures_folds_and_nearness_in_inputs_where_there_is_a_1d_table) {
+    Lut look = cube_look(sampled(
+        [](RgbD c) {
+            return RgbD{c.r >= 0.25 ? c.r : 0.5 - c.r, c.g, c.b};
+        },
+        17));
+    look.shaper = Lut1D{{{0, 0, 0}, {4, 4, 4}}, {{0, 0, 0}, {1, 1, 1}}};
+    const Inversion out = invert(look, {});
+    // 0.375 comes of 1.5 and of 0.5, which is nearer.
+    EXPECT_NEAR(out.lut.cube->at(6, 0, 0).r, 0.5, 1e-6);
+    EXPECT_NEAR(out.folded.extent, 2, 1e-6);
+}
+
+TEST(Invert, counts_what_only_inputs_beyond_the_1d_table_would_give) {
+    Lut look = cube_look(identity_cube(17));
+    look.shaper = Lut1D{{}, {{0, 0, 0}, {.5F, 1, 1}}};
+    const Inversion out = invert(look, {});
+    EXPECT_EQ(out.out_of_gamut.count, 8U * 17 * 17);
+    EXPECT_NEAR(out.out_of_gamut.extent, 0.5, 1e-6);
+    EXPECT_NEAR(out.lut.cube->at(16, 0, 0).r, 1, 1e-6);
+}
+
 TEST(Invert, refuses_a_table_that_is_flat_and_a_cube_that_is_too_large) {
     Lut look;
     look.shaper = Lut1D{{}, {{0, 0, 0}, {.5F, .5F, .5F}, {.5F, .6F, .6F}, {1, 1, 1}}};
@@ -193,6 +219,58 @@ TEST(Invert, of_a_constant_look_is_filled_and_says_so) {
     EXPECT_EQ(out.out_of_gamut.count, out.nodes - 1);
     for (const Rgb& c : out.lut.cube->nodes) {
         EXPECT_TRUE(std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b));
+    }
+}
+
+Lut3D noise(int size) {
+    Lut3D out = identity_cube(size);
+    std::mt19937 random(1);
+    for (Rgb& node : out.nodes) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            node[c] = static_cast<float>(static_cast<double>(random()) / 4294967295.0);
+        }
+    }
+    return out;
+}
+
+// Each cell of it touches about half of all buckets: more than 2^32 entries on the finest grid.
+TEST(Invert, of_noise_takes_no_more_memory_than_the_limit) {
+    rusage before{}, after{};
+    const Lut look = cube_look(noise(49));
+    getrusage(RUSAGE_SELF, &before);
+    InvertOptions options;
+    options.size = 2;
+    const Inversion out = invert(look, options);
+    getrusage(RUSAGE_SELF, &after);
+    constexpr std::size_t kibibyte = 1024, other = std::size_t{64} << 20;
+    EXPECT_LT(static_cast<std::size_t>(after.ru_maxrss - before.ru_maxrss) * kibibyte,
+              4 * limits::max_output_index_entries + other);
+    for (const Rgb& c : out.lut.cube->nodes) {
+        EXPECT_EQ(saturate(c), c);
+    }
+    // Coarser buckets lose nothing: what is found gives the wanted colour.
+    options.domain = Domain{{.4F, .4F, .4F}, {.6F, .6F, .6F}};
+    const Inversion inner = invert(look, options);
+    EXPECT_EQ(inner.folded.count, inner.nodes);
+    for (std::size_t i = 0; i < inner.nodes; ++i) {
+        const RgbD wanted = to_double(identity_cube(2, *options.domain).nodes[i]);
+        const RgbD got = evaluate_exact(look, to_double(inner.lut.cube->nodes[i]));
+        EXPECT_LT(largest_magnitude(got - wanted), 1e-4);
+    }
+}
+
+// Nothing of the Jacobian's square remains in the directions that a grey look lacks.
+TEST(Invert, of_a_look_of_one_dimension_is_finite) {
+    for (const double scale : {1.0, 1e-3, 0.3, 3.0}) {
+        Lut look = cube_look(identity_cube(9));
+        for (Rgb& c : look.cube->nodes) {
+            const double y = scale * test_luma(to_double(c));
+            c = to_float({y, y * y, std::sqrt(y)});
+        }
+        const Inversion out = invert(look, {});
+        for (const Rgb& c : out.lut.cube->nodes) {
+            EXPECT_EQ(saturate(c), c);
+        }
     }
 }
 

@@ -29,17 +29,13 @@ Lut1D straight_table(int size, const Domain& domain, Rgb low, Rgb high) {
     return out;
 }
 
-double largest_channel(RgbD d) {
-    return std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)});
-}
-
 // The bound is proved by looking at nodes; this looks everywhere else.
 void expect_equal_within_bound(const Lut& lut, const Simplified& simplified, const char* what) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(0, 1);
     double size = 1;
     for (const Rgb& node : lut.cube ? lut.cube->nodes : lut.shaper->entries) {
-        size = std::max(size, largest_channel(to_double(node)));
+        size = std::max(size, largest_magnitude(to_double(node)));
     }
     for (int i = 0; i < 3000; ++i) {
         RgbD in;
@@ -50,7 +46,7 @@ void expect_equal_within_bound(const Lut& lut, const Simplified& simplified, con
         for (const auto how : {Interpolation::trilinear, Interpolation::tetrahedral}) {
             const RgbD d = evaluate_exact(lut, in, how) - evaluate_exact(simplified.lut, in, how);
             // Beside the bound only the oracle's own rounding in double.
-            ASSERT_LE(largest_channel(d), simplified.bound + 1e-13 * size)
+            ASSERT_LE(largest_magnitude(d), simplified.bound + 1e-13 * size)
                 << what << " at " << in.r << " " << in.g << " " << in.b;
         }
     }
@@ -113,7 +109,7 @@ TEST(Simplify, folds_a_straight_1d_table_into_the_cubes_domain) {
     expect_equal_within_bound(lut, simplified, "straight table");
     // Beyond the domain both stand still.
     const RgbD out = evaluate_exact(lut, {9, -9, 9});
-    EXPECT_LE(largest_channel(out - evaluate_exact(simplified.lut, {9, -9, 9})), 1e-6);
+    EXPECT_LE(largest_magnitude(out - evaluate_exact(simplified.lut, {9, -9, 9})), 1e-6);
 }
 
 TEST(Simplify, keeps_a_straight_1d_table_whose_ends_clamp_before_the_cube_does) {

@@ -17,10 +17,6 @@ INSTANTIATE_TEST_SUITE_P(Suite, EveryStiffLook,
                          testing::ValuesIn(stiff_suite().begin(), stiff_suite().end()),
                          [](const auto& row) { return std::string(row.param.name); });
 
-double largest_channel(RgbD d) {
-    return std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)});
-}
-
 // The steepest edge along each axis, walked by brute force: over the lattice's own nodes, or over
 // the 1D table's entries where there is one.
 double steepest_edge(const Lut& lut) {
@@ -44,7 +40,7 @@ double steepest_edge(const Lut& lut) {
                 RgbD last = value(axis, 0, u, v);
                 for (int i = 1; i < steps; ++i) {
                     const RgbD next = value(axis, i, u, v);
-                    most = std::max(most, largest_channel(next - last) * (steps - 1));
+                    most = std::max(most, largest_magnitude(next - last) * (steps - 1));
                     last = next;
                 }
             }

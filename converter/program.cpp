@@ -1,13 +1,34 @@
 #include "converter/program.h"
 
 #include "converter/command.h"
+#include "converter/report.h"
 #include "lutlib/error.h"
 
 #include <cstdio>
 #include <exception>
+#include <sstream>
 
 namespace converter {
 namespace {
+
+// The words of a command line that did not parse, or of the help that it asked for.
+int answer(const CLI::App& app, const CLI::ParseError& error) {
+    std::ostringstream out, err;
+    const int code = app.exit(error, out, err);
+    print(out.str(), "");
+    std::fputs(err.str().c_str(), stderr);
+    return code == 0 ? ok : bad_usage;
+}
+
+// Returns an ExitCode. Throws lutlib::Error.
+int parse_and_run(CLI::App& app, const Run& run, int argc, const char* const* argv) {
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return answer(app, error);
+    }
+    return run();
+}
 
 int complain(const char* message, int code) {
     std::fprintf(stderr, "lutconv: %s\n", message);
@@ -29,10 +50,7 @@ int run_program(int argc, const char* const* argv) {
         verb->final_callback([&run, chosen = command.declare(*verb)] { run = chosen; });
     }
     try {
-        app.parse(argc, argv);
-        return run();
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? ok : bad_usage;
+        return parse_and_run(app, run, argc, argv);
     } catch (const lutlib::UsageError& error) {
         return complain(error.what(), bad_usage);
     } catch (const lutlib::Error& error) {

@@ -1,13 +1,15 @@
 #include "converter/report.h"
 
+#include "lutlib/error.h"
 #include "lutlib/io/bake_report.h"
-
 #include "lutlib/io/file.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <cerrno>
 #include <cstdio>
+#include <system_error>
 
 namespace converter {
 
@@ -29,8 +31,12 @@ std::string loss_text(const lutlib::Loss& loss) {
 }
 
 void print(const std::string& text, const std::string& output) {
-    std::FILE* const stream = output == lutlib::io::standard_stream ? stderr : stdout;
-    std::fputs(text.c_str(), stream);
+    if (output == lutlib::io::standard_stream) {
+        std::fputs(text.c_str(), stderr);
+    } else if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
+        throw lutlib::Error("cannot write standard output: " +
+                            std::generic_category().message(errno));
+    }
 }
 
 void print(const nlohmann::ordered_json& json, const std::string& output) {

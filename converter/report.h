@@ -20,6 +20,7 @@ std::string to_text(const lutlib::ErrorStats& stats);
 std::string loss_text(const lutlib::Loss& loss);
 
 /// Prints to standard output, or to standard error when standard output carries `output` ("-").
+/// Throws Error where standard output cannot take it.
 void print(const std::string& text, const std::string& output);
 void print(const nlohmann::ordered_json& json, const std::string& output);
 

@@ -10,6 +10,13 @@
 namespace converter_test {
 namespace {
 
+std::string quoted(const std::string& path) {
+    std::string out(1, '\'');
+    out += path;
+    out += '\'';
+    return out;
+}
+
 // Runs lutconv in a shell and gives the exit code. `redirections` follow its arguments.
 int in_shell(const std::string& arguments, const std::string& redirections) {
     const int status = std::system(("'" LUTCONV "' " + arguments + " " + redirections).c_str());
@@ -23,9 +30,26 @@ TEST(Streams, that_are_closed_do_not_end_in_the_files_that_are_written) {
     ASSERT_EQ(lutconv({"bake", look, "-o", open}).exit_code, 0);
     for (const char* streams :
          {"<&- >&-", "<&- >&- 2>&-", ">&- 2>/dev/null", "<&- 2>&- >/dev/null"}) {
-        EXPECT_EQ(in_shell("bake '" + look + "' -o '" + closed + "'", streams), 0) << streams;
+        EXPECT_EQ(in_shell("bake " + quoted(look) + " -o " + quoted(closed), streams), 0)
+            << streams;
         EXPECT_TRUE(contents(closed) == contents(open)) << streams;
     }
+}
+
+TEST(Streams, that_are_full_are_an_error_and_not_silence) {
+    const Folder folder;
+    const std::string look = quoted(folder.write("a.cube", saturated_cube(5)));
+    const std::string err = folder.path("err"), to_err = "2>" + quoted(err);
+    for (const std::string& arguments :
+         {"info " + look, "info --json " + look, "eval " + look + " 1 1 1", "check " + look,
+          "compare " + look + " identity", std::string("--help"), std::string("bake --help"),
+          "convert " + look + " -o -"}) {
+        EXPECT_EQ(in_shell(arguments, ">/dev/full " + to_err), 2) << arguments;
+        EXPECT_NE(contents(err).find("standard output: "), std::string::npos) << contents(err);
+        EXPECT_NE(contents(err).find("No space left on device"), std::string::npos);
+    }
+    EXPECT_EQ(in_shell("--help " + to_err, "| head -1 >/dev/null"), 0);
+    EXPECT_EQ(contents(err), "");
 }
 
 } // namespace

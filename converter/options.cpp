@@ -12,7 +12,6 @@
 
 #include <fmt/core.h>
 
-#include <cstdio>
 #include <memory>
 
 namespace converter {
@@ -29,7 +28,8 @@ std::string listed(const Rows& rows) {
 
 void complain_of(const std::vector<lutlib::Loss>& losses, const std::string& name) {
     for (const lutlib::Loss& loss : losses) {
-        std::fputs(("lutconv: " + name + ": lost: " + loss_text(loss) + '\n').c_str(), stderr);
+        print("lutconv: " + one_line(name) + ": lost: " + loss_text(loss) + '\n',
+              std::string(lutlib::io::standard_stream));
     }
 }
 

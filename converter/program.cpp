@@ -3,6 +3,7 @@
 #include "converter/command.h"
 #include "converter/report.h"
 #include "lutlib/error.h"
+#include "lutlib/io/file.h"
 
 #include <cstdio>
 #include <exception>
@@ -16,7 +17,7 @@ int answer(const CLI::App& app, const CLI::ParseError& error) {
     std::ostringstream out, err;
     const int code = app.exit(error, out, err);
     print(out.str(), "");
-    std::fputs(err.str().c_str(), stderr);
+    print(err.str(), std::string(lutlib::io::standard_stream));
     return code == 0 ? ok : bad_usage;
 }
 
@@ -31,7 +32,7 @@ int parse_and_run(CLI::App& app, const Run& run, int argc, const char* const* ar
 }
 
 int complain(const char* message, int code) {
-    std::fprintf(stderr, "lutconv: %s\n", message);
+    std::fprintf(stderr, "lutconv: %s\n", one_line(message).c_str());
     return code;
 }
 

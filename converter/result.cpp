@@ -2,7 +2,6 @@
 
 #include "converter/options.h"
 #include "converter/report.h"
-#include "lutlib/io/file.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -71,8 +70,8 @@ void write_and_report(const Result& result, bool json, nlohmann::ordered_json ex
         print(out, result.output);
         return;
     }
-    std::string text = fmt::format("{} <- {}\n  {}\n", lutlib::io::output_name(result.output),
-                                   result.made_of, tables_text(lut));
+    std::string text = fmt::format("{} <- {}\n  {}\n", output_text(result.output), result.made_of,
+                                   tables_text(lut));
     for (const std::string& note : result.notes) {
         text += "  " + note + "\n";
     }

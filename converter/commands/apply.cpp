@@ -81,8 +81,8 @@ void print_report(const Options& o, const Report& r) {
               o.output);
         return;
     }
-    std::string text = fmt::format("{} -> {}\n  {}x{} pixels, {}\n", io::input_name(o.picture),
-                                   io::output_name(o.output), r.width, r.height, r.depth->name);
+    std::string text = fmt::format("{} -> {}\n  {}x{} pixels, {}\n", input_text(o.picture),
+                                   output_text(o.output), r.width, r.height, r.depth->name);
     const auto share = [&](std::size_t count, const char* what) {
         return count == 0
                    ? ""

@@ -158,8 +158,8 @@ int run(const Options& o) {
         }
         print(json, o.output);
     } else {
-        print(bake_report(lutlib::io::input_name(o.input), lutlib::io::output_name(o.output),
-                          filled.bake, look.domain, error) +
+        print(bake_report(input_text(o.input), output_text(o.output), filled.bake, look.domain,
+                          error) +
                   (filled.result.count > 0 ? fit_text(filled) : "") +
                   (budgeted ? budget_text(o, *budgeted) : "") +
                   (explanation ? to_text(*explanation) : ""),

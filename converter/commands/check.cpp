@@ -123,9 +123,8 @@ int run(const Options& o) {
     }
     const lutlib::Lut lut = read_to_check(o.input);
     lutlib::Health health = examine(lut);
-    std::string text =
-        fmt::format("{}: {}, input {}\n{}", io::input_name(o.input), io::shape_of(lut),
-                    domain_text(lut.domain()), findings_text(health));
+    std::string text = fmt::format("{}: {}, input {}\n{}", input_text(o.input), io::shape_of(lut),
+                                   domain_text(lut.domain()), findings_text(health));
     nlohmann::ordered_json json{{"input", o.input}};
     json.update(findings_json(health));
     lutlib::Repaired repaired{lut, {}};
@@ -133,7 +132,7 @@ int run(const Options& o) {
         repaired = repair(lut, o.repairs);
         write_look(repaired.lut, o.output);
         health = examine(repaired.lut);
-        text += fmt::format("{}\n{}{}", io::output_name(o.output), repair_text(repaired),
+        text += fmt::format("{}\n{}{}", output_text(o.output), repair_text(repaired),
                             findings_text(health));
         json["output"] = o.output;
         json["repairs"] = repair_json(repaired);

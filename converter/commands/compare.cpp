@@ -6,7 +6,6 @@
 #include "converter/report.h"
 #include "converter/result.h"
 #include "lutlib/error.h"
-#include "lutlib/io/file.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -60,9 +59,8 @@ int run(const Options& o) {
         print(out, "");
         return ok;
     }
-    print(fmt::format("{} against {}, {} colours over {}\n{}", lutlib::io::input_name(o.a),
-                      lutlib::io::input_name(o.b), inputs.size(), domain_text(domain),
-                      to_text(d, "  ")),
+    print(fmt::format("{} against {}, {} colours over {}\n{}", input_text(o.a), input_text(o.b),
+                      inputs.size(), domain_text(domain), to_text(d, "  ")),
           "");
     return ok;
 }

@@ -2,9 +2,9 @@
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/recipe_options.h"
+#include "converter/report.h"
 #include "converter/result.h"
 #include "lutlib/error.h"
-#include "lutlib/io/file.h"
 #include "lutlib/resample/combine.h"
 
 #include <fmt/core.h>
@@ -30,7 +30,7 @@ int run(const Options& o) {
     std::string order;
     for (const std::string& path : o.inputs) {
         looks.push_back(read_look(path));
-        order += (order.empty() ? "" : ", then ") + lutlib::io::input_name(path);
+        order += (order.empty() ? "" : ", then ") + input_text(path);
     }
     std::vector<const lutlib::Lut*> chain;
     for (const lutlib::Lut& look : looks) {

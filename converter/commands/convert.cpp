@@ -74,9 +74,9 @@ nlohmann::ordered_json as_json(const Options& o, const io::FileFormat& format,
 }
 
 std::string as_text(const Options& o, const io::FileFormat& format, const io::Encoded& file) {
-    std::string out = fmt::format("{} -> {}\n  {}\n  {}, input {}\n", io::input_name(o.input),
-                                  io::output_name(o.output), format.label, io::shape_of(file.lut),
-                                  domain_text(file.lut.domain()));
+    std::string out =
+        fmt::format("{} -> {}\n  {}\n  {}, input {}\n", input_text(o.input), output_text(o.output),
+                    format.label, io::shape_of(file.lut), domain_text(file.lut.domain()));
     for (const lutlib::Loss& loss : file.losses) {
         out += "  lost: " + loss_text(loss) + '\n';
     }

@@ -3,6 +3,7 @@
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/recipe_options.h"
+#include "converter/report.h"
 #include "converter/result.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
@@ -61,7 +62,7 @@ lutlib::Recipe assemble(const Options& o, std::string& base) {
 
 std::string made_of(const Options& o, const lutlib::Recipe& recipe) {
     const std::string base = o.input.empty() ? o.recipe : o.input;
-    return fmt::format("{}, {} operator{}", base, recipe.operations.size(),
+    return fmt::format("{}, {} operator{}", input_text(base), recipe.operations.size(),
                        recipe.operations.size() == 1 ? "" : "s");
 }
 

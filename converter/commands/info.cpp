@@ -3,7 +3,6 @@
 #include "converter/options.h"
 #include "converter/report.h"
 #include "lutlib/interpolation/interpolation.h"
-#include "lutlib/io/file.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -81,9 +80,9 @@ int run(const std::string& path, bool json) {
         print(out, "");
         return ok;
     }
-    std::string out = lutlib::io::input_name(path) + "\n";
+    std::string out = input_text(path) + "\n";
     if (!lut.title.empty()) {
-        out += "  title: " + lut.title + "\n";
+        out += "  title: " + one_line(lut.title) + "\n";
     }
     if (lut.shaper) {
         out += table_text("shaper", lut.shaper->size(), lut.shaper->domain, lut.shaper->entries);
@@ -93,7 +92,7 @@ int run(const std::string& path, bool json) {
     }
     out += "  distance from the identity: " + to_text(moves) + "\n";
     for (const std::string& comment : lut.comments) {
-        out += "  # " + comment + "\n";
+        out += "  # " + one_line(comment) + "\n";
     }
     print(out, "");
     return ok;

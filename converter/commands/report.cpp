@@ -122,7 +122,7 @@ int run(const Options& o) {
     const Report report = o.suite.empty() ? report_on_look(o) : report_on_suite();
     io::write_file(o.output, report.html);
     if (!o.json.empty()) {
-        io::write_file(o.json, report.json.dump(2) + "\n");
+        io::write_file(o.json, json_text(report.json));
     }
     if (!o.csv.empty()) {
         io::write_file(o.csv, report.csv);

@@ -67,7 +67,7 @@ void write_and_report(const Result& result, bool json, nlohmann::ordered_json ex
                                    {"shaper_size", lut.shaper ? lut.shaper->size() : 0}};
         out.update(extra);
         out["error"] = to_json(error);
-        print(out, result.output);
+        print(out, result.shown);
         return;
     }
     std::string text = fmt::format("{} <- {}\n  {}\n", output_text(result.output), result.made_of,
@@ -77,7 +77,7 @@ void write_and_report(const Result& result, bool json, nlohmann::ordered_json ex
     }
     text += fmt::format("  error of the LUT against that, {} colours\n{}", error.absolute.count,
                         to_text(error, "    "));
-    print(text, result.output);
+    print(text, result.shown);
 }
 
 } // namespace converter

@@ -34,8 +34,9 @@ int run(const Options& o) {
     const lutlib::Lut lut = blend(a, b, o.amount, o.made.sampling.sampling(), method);
     const std::string made_of =
         fmt::format("{} and {:.4g} of {}", input_text(o.a), o.amount, input_text(o.b));
-    write_and_report({lut, o.made.output, made_of, mixture(a, b, o.amount, method), encoding, {}},
-                     o.made.json, {{"a", o.a}, {"b", o.b}, {"amount", o.amount}});
+    write_and_report(
+        {lut, o.made.output, o.made.output, made_of, mixture(a, b, o.amount, method), encoding, {}},
+        o.made.json, {{"a", o.a}, {"b", o.b}, {"amount", o.amount}});
     return ok;
 }
 

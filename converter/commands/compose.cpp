@@ -44,8 +44,9 @@ int run(const Options& o) {
                                     "domain and are clamped to it",
                                     100 * clamped));
     }
-    write_and_report({lut, o.made.output, order, composition(chain, method), encoding, notes},
-                     o.made.json, {{"inputs", o.inputs}, {"clamped_share", clamped}});
+    write_and_report(
+        {lut, o.made.output, o.made.output, order, composition(chain, method), encoding, notes},
+        o.made.json, {{"inputs", o.inputs}, {"clamped_share", clamped}});
     return ok;
 }
 

@@ -5,6 +5,7 @@
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
+#include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/recipe_file.h"
@@ -13,6 +14,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <memory>
 
 namespace converter {
@@ -73,6 +75,8 @@ int run(const Options& o) {
     if (o.input.empty() && o.recipe.empty()) {
         throw lutlib::UsageError("nothing to edit: give a LUT, the word identity, or --recipe");
     }
+    const std::array outputs{o.output, o.save_recipe};
+    const std::string shown = standard_output_of(outputs);
     std::string base;
     const lutlib::Recipe recipe = assemble(o, base);
     if (!o.save_recipe.empty()) {
@@ -83,6 +87,7 @@ int run(const Options& o) {
         write_and_report(
             {lut,
              o.output,
+             shown,
              made_of(o, recipe),
              [exact = lutlib::Edit(recipe)](std::span<lutlib::RgbD> colours) { exact(colours); },
              recipe.output_encoding(),

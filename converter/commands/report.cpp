@@ -4,6 +4,7 @@
 #include "converter/options.h"
 #include "converter/recipe_options.h"
 #include "converter/survey_page.h"
+#include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/recipe_file.h"
@@ -14,6 +15,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -119,6 +121,8 @@ int run(const Options& o) {
     if (!(o.promise > 0)) {
         throw lutlib::UsageError("--max-delta-e must be above 0");
     }
+    const std::array outputs{o.output, o.json, o.csv};
+    const std::string shown = standard_output_of(outputs);
     const Report report = o.suite.empty() ? report_on_look(o) : report_on_suite();
     io::write_file(o.output, report.html);
     if (!o.json.empty()) {
@@ -127,7 +131,7 @@ int run(const Options& o) {
     if (!o.csv.empty()) {
         io::write_file(o.csv, report.csv);
     }
-    print(report.words, o.output);
+    print(report.words, shown);
     return ok;
 }
 

@@ -23,8 +23,9 @@ int run(const Options& o) {
     const lutlib::Lut look = read_look(o.input);
     const lutlib::Lut lut = resample(look, o.made.sampling.sampling(), method);
     const std::string name = input_text(o.input);
-    write_and_report({lut, o.made.output, name, transform_of(look, method), encoding, {}},
-                     o.made.json, {{"input", o.input}});
+    write_and_report(
+        {lut, o.made.output, o.made.output, name, transform_of(look, method), encoding, {}},
+        o.made.json, {{"input", o.input}});
     return ok;
 }
 

@@ -4,11 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include <cstdlib>
 #include <sys/wait.h>
 
 namespace converter_test {
 namespace {
+
+using nlohmann::json;
 
 std::string quoted(const std::string& path) {
     std::string out(1, '\'');
@@ -50,6 +54,27 @@ TEST(Streams, that_are_full_are_an_error_and_not_silence) {
     }
     EXPECT_EQ(in_shell("--help " + to_err, "| head -1 >/dev/null"), 0);
     EXPECT_EQ(contents(err), "");
+}
+
+TEST(Streams, that_carry_an_output_carry_nothing_else) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(5)),
+                      page = folder.path("r.html");
+    const auto json_of = [](const std::vector<std::string>& arguments) {
+        const Result result = lutconv(arguments);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_NE(result.err, "") << "where is the report?";
+        EXPECT_TRUE(json::accept(result.out)) << result.out;
+    };
+    json_of({"report", look, "--sizes", "2", "-o", page, "--json", "-"});
+    json_of({"edit", look, "-o", folder.path("x.cube"), "--save-recipe", "-"});
+    json_of({"edit", look, "-o", folder.path("x.cube"), "--save-recipe", "-", "--json"});
+    const Result csv = lutconv({"report", look, "--sizes", "2", "-o", page, "--csv", "-"});
+    EXPECT_EQ(csv.out.find("combinations"), std::string::npos) << csv.out;
+    EXPECT_NE(csv.err.find("combinations"), std::string::npos) << csv.err;
+    EXPECT_EQ(lutconv({"report", look, "-o", "-", "--json", "-"}).exit_code, 3);
+    EXPECT_EQ(lutconv({"report", look, "-o", page, "--csv", "-", "--json", "-"}).exit_code, 3);
+    EXPECT_EQ(lutconv({"edit", look, "-o", "-", "--save-recipe", "-"}).exit_code, 3);
 }
 
 } // namespace

@@ -1,11 +1,14 @@
 #include "converter/recipe_options.h"
 
+#include "converter/options.h"
 #include "lutlib/error.h"
+#include "lutlib/io/recipe_file.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <map>
+#include <memory>
 
 namespace converter {
 namespace {
@@ -162,6 +165,16 @@ void NewLutOptions::declare(CLI::App& app) {
 
 const lutlib::Encoding& NewLutOptions::results() const {
     return encoding_of(encoding, "--encoding");
+}
+
+lutlib::Recipe recipe_of(const std::string& bytes, const std::string& path) {
+    if (lutlib::io::is_recipe(bytes)) {
+        return lutlib::io::recipe_from(bytes, path, read_lut);
+    }
+    lutlib::Recipe recipe;
+    recipe.base = path;
+    recipe.base_lut = std::make_shared<const lutlib::Lut>(look_from(bytes, path));
+    return recipe;
 }
 
 const lutlib::Encoding& encoding_of(const std::string& name, const std::string& flag) {

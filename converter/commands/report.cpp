@@ -1,13 +1,11 @@
 // lutconv report: what every way of keeping a look costs in error, time and bytes.
 #include "converter/report.h"
 #include "converter/command.h"
-#include "converter/options.h"
 #include "converter/recipe_options.h"
 #include "converter/survey_page.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
-#include "lutlib/io/recipe_file.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -70,18 +68,8 @@ struct Report {
     nlohmann::ordered_json json;
 };
 
-// A recipe file with its base, or a LUT of any kind as the base of an empty recipe.
-lutlib::Recipe recipe_of(const std::string& path) {
-    if (path != io::standard_stream && io::is_recipe(io::read_file(path))) {
-        return io::read_recipe(path, read_lut);
-    }
-    lutlib::Recipe recipe;
-    io::set_base(recipe, path, read_lut);
-    return recipe;
-}
-
 Report report_on_look(const Options& o) {
-    lutlib::Recipe recipe = recipe_of(o.input);
+    lutlib::Recipe recipe = recipe_of(io::read_file(o.input), o.input);
     if (!o.input_encoding.empty()) {
         recipe.input = &encoding_of(o.input_encoding, "--input-encoding");
     }

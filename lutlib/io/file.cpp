@@ -82,6 +82,46 @@ std::string temporary_name(const std::string& target) {
     return directory_of(target) + "/." + stem + "." + tag + ".tmp" + extension;
 }
 
+constexpr const char* empty_file = "the file is empty";
+
+// What can be read from: a file, a device or a pipe, but no directory.
+class Input {
+  public:
+    explicit Input(const std::string& path)
+        : name_(input_name(path)),
+          file_(path == standard_stream ? STDIN_FILENO
+                                        : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+        struct stat info {};
+        if (file_.get() < 0 || ::fstat(file_.get(), &info) != 0) {
+            fail("cannot open the file", name_, errno);
+        }
+        if (S_ISDIR(info.st_mode)) {
+            throw Error("this is a directory; name a file", {name_, 0, {}});
+        }
+        announced_ = S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) : 0;
+    }
+
+    const std::string& name() const { return name_; }
+    std::size_t announced() const { return announced_; }
+
+    /// Some of the next bytes; 0 at the end.
+    std::size_t read(char* to, std::size_t most) const {
+        ssize_t got = 0;
+        do {
+            got = ::read(file_.get(), to, most);
+        } while (got < 0 && errno == EINTR);
+        if (got < 0) {
+            fail("cannot read the file", name_, errno);
+        }
+        return static_cast<std::size_t>(got);
+    }
+
+  private:
+    std::string name_;
+    Descriptor file_;
+    std::size_t announced_ = 0;
+};
+
 // Devices, pipes and sockets have no old content to protect and cannot be renamed over.
 bool is_special(const std::string& path) {
     struct stat info {};
@@ -117,47 +157,40 @@ std::string extension_of(std::string_view path) {
 }
 
 std::string read_file(const std::string& path, std::size_t max_bytes) {
-    const std::string name = input_name(path);
-    const Descriptor file(path == standard_stream ? STDIN_FILENO
-                                                  : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    struct stat info {};
-    if (file.get() < 0 || ::fstat(file.get(), &info) != 0) {
-        fail("cannot open the file", name, errno);
-    }
-    if (S_ISDIR(info.st_mode)) {
-        throw Error("this is a directory; name a file", {name, 0, {}});
-    }
-    const auto announced = S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) : 0;
-    if (announced > max_bytes) {
-        too_large(name, max_bytes);
+    const Input file(path);
+    if (file.announced() > max_bytes) {
+        too_large(file.name(), max_bytes);
     }
     // One byte more than announced, so that the end shows without growing. Pipes announce nothing.
-    std::string bytes(std::max<std::size_t>(announced + 1, 4096), '\0');
+    std::string bytes(std::max<std::size_t>(file.announced() + 1, 4096), '\0');
     std::size_t length = 0;
-    while (true) {
+    while (const std::size_t got = file.read(bytes.data() + length, bytes.size() - length)) {
+        length += got;
+        if (length > max_bytes) {
+            too_large(file.name(), max_bytes);
+        }
         if (length == bytes.size()) {
             bytes.resize(length * 2);
         }
-        const ssize_t got = ::read(file.get(), bytes.data() + length, bytes.size() - length);
-        if (got < 0) {
-            if (errno == EINTR) {
-                continue;
-            }
-            fail("cannot read the file", name, errno);
-        }
-        if (got == 0) {
-            break;
-        }
-        length += static_cast<std::size_t>(got);
-        if (length > max_bytes) {
-            too_large(name, max_bytes);
-        }
     }
     if (length == 0) {
-        throw Error("the file is empty", {name, 0, {}});
+        throw Error(empty_file, {file.name(), 0, {}});
     }
     bytes.resize(length);
     return bytes;
+}
+
+std::optional<std::string> head_of_regular_file(const std::string& path, std::size_t bytes) {
+    if (path == standard_stream || is_special(path)) {
+        return std::nullopt;
+    }
+    const Input file(path);
+    std::string head(bytes, '\0');
+    head.resize(file.read(head.data(), bytes));
+    if (head.empty()) {
+        throw Error(empty_file, {file.name(), 0, {}});
+    }
+    return head;
 }
 
 PendingFile::PendingFile(const std::string& target) : target_(follow_links(target)) {

@@ -6,6 +6,7 @@
 #include "lutlib/limits.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,11 @@ inline constexpr std::string_view standard_stream = "-";
 /// Every byte of a file, or of standard input for `-`. Throws Error for a file that is missing,
 /// unreadable, a directory, empty or longer than `max_bytes`, before that much is allocated.
 std::string read_file(const std::string& path, std::size_t max_bytes = limits::max_file_bytes);
+
+/// The first bytes of a regular file, for libraries that then read it from its path themselves.
+/// Nothing of pipes and devices, whose bytes can be read but once. Throws Error as read_file()
+/// does.
+std::optional<std::string> head_of_regular_file(const std::string& path, std::size_t bytes);
 
 /// Replaces `path` by `bytes` at once, or writes them to standard output for `-`. A new file gets
 /// the permissions of the umask, a replaced one keeps its own, a symbolic link stays a link.

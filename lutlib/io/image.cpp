@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 
 namespace lutlib::io {
 namespace {
@@ -63,13 +62,6 @@ CodeImage to_codes(const FloatImage& image, const ImageWriteOptions& options) {
     return out;
 }
 
-bool starts_as_png(const std::string& path) {
-    std::array<char, 8> head{};
-    std::ifstream file(path, std::ios::binary);
-    file.read(head.data(), head.size());
-    return is_png({head.data(), static_cast<std::size_t>(file.gcount())});
-}
-
 } // namespace
 
 std::span<const DepthInfo> depths() {
@@ -98,10 +90,11 @@ FloatImage decode_image(std::string_view bytes, const std::string& extension,
 }
 
 FloatImage read_image(const std::string& path) {
-    if (path == standard_stream || starts_as_png(path)) {
-        return decode_image(read_file(path), {}, input_name(path));
-    }
-    return oiio().read(path, path);
+    constexpr std::size_t enough_to_tell_png = 8;
+    const auto head = head_of_regular_file(path, enough_to_tell_png);
+    return head && !is_png(*head)
+               ? oiio().read(path, path)
+               : decode_image(read_file(path), extension_of(path), input_name(path));
 }
 
 void write_image(const std::string& path, const FloatImage& image,

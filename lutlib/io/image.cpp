@@ -62,6 +62,10 @@ CodeImage to_codes(const FloatImage& image, const ImageWriteOptions& options) {
     return out;
 }
 
+bool is_png_name(const std::string& path) {
+    return path == standard_stream || extension_of(path) == "png";
+}
+
 } // namespace
 
 std::span<const DepthInfo> depths() {
@@ -97,9 +101,43 @@ FloatImage read_image(const std::string& path) {
                : decode_image(read_file(path), extension_of(path), input_name(path));
 }
 
+std::vector<Depth> depths_of(const std::string& path) {
+    if (is_png_name(path)) {
+        return {Depth::uint8, Depth::uint16};
+    }
+    if (!oiio().writes(path)) {
+        throw UsageError("no picture that can be written has this extension; there are png, exr, "
+                         "tif, jpg, hdr and others",
+                         {path, 0, {}});
+    }
+    std::vector<Depth> out;
+    const PendingFile trial(path);
+    for (const DepthInfo& row : table) {
+        const Depth written = oiio().written_depth(trial.path(), path, row.depth);
+        if (std::find(out.begin(), out.end(), written) == out.end()) {
+            out.push_back(written);
+        }
+    }
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+Depth nearest_depth(Depth depth, std::span<const Depth> held) {
+    // Half holds every 8-bit code apart, 16-bit codes need float.
+    constexpr std::array<std::array<Depth, 4>, 4> by_loss{{
+        {Depth::uint8, Depth::uint16, Depth::half, Depth::float32},
+        {Depth::uint16, Depth::float32, Depth::half, Depth::uint8},
+        {Depth::half, Depth::float32, Depth::uint16, Depth::uint8},
+        {Depth::float32, Depth::half, Depth::uint16, Depth::uint8},
+    }};
+    const auto& row = *std::find_if(by_loss.begin(), by_loss.end(),
+                                    [depth](const auto& r) { return r.front() == depth; });
+    return *std::find_first_of(row.begin(), row.end(), held.begin(), held.end());
+}
+
 void write_image(const std::string& path, const FloatImage& image,
                  const ImageWriteOptions& options) {
-    if (path == standard_stream || extension_of(path) == "png") {
+    if (is_png_name(path)) {
         write_file(path, write_png(to_codes(image, options)));
         return;
     }

@@ -5,6 +5,8 @@
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 
+#include <fmt/core.h>
+
 #include <cstdio>
 #include <exception>
 #include <sstream>
@@ -21,8 +23,24 @@ int answer(const CLI::App& app, const CLI::ParseError& error) {
     return code == 0 ? ok : bad_usage;
 }
 
+// CLI11 would only say that a verb is missing.
+void require_verb(int argc, const char* const* argv) {
+    const std::string_view word = argc > 1 ? argv[1] : "-";
+    std::string verbs;
+    for (const Command& command : commands()) {
+        if (command.name == word) {
+            return;
+        }
+        verbs += (verbs.empty() ? "" : ", ") + std::string(command.name);
+    }
+    if (!word.starts_with('-')) {
+        throw lutlib::UsageError(fmt::format("there is no verb '{}'; there are {}", word, verbs));
+    }
+}
+
 // Returns an ExitCode. Throws lutlib::Error.
 int parse_and_run(CLI::App& app, const Run& run, int argc, const char* const* argv) {
+    require_verb(argc, argv);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -3,6 +3,7 @@
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/report.h"
+#include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/image.h"
@@ -11,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 namespace converter {
@@ -93,9 +95,7 @@ void print_report(const Options& o, const Report& r) {
 }
 
 int run(const Options& o) {
-    if (o.lut == io::standard_stream && o.picture == io::standard_stream) {
-        throw lutlib::UsageError("the LUT and the picture cannot both be standard input");
-    }
+    require_one_standard_input(std::array{o.lut, o.picture});
     const std::vector<io::Depth> held = io::depths_of(o.output);
     choose_depth(o.depth, held, held.front());
     const lutlib::Lut lut = read_look(o.lut);

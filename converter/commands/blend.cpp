@@ -4,12 +4,14 @@
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
+#include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/resample/combine.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -27,6 +29,7 @@ int run(const Options& o) {
         throw lutlib::UsageError("--amount must be a number from -100 to 100; 0 is the first look, "
                                  "1 the second");
     }
+    require_one_standard_input(std::array{o.a, o.b});
     const lutlib::Encoding& encoding = o.made.results();
     const lutlib::ResamplingMethod& method = o.made.method.get();
     const lutlib::Lut a = o.a == "identity" ? lutlib::Lut{} : read_look(o.a);

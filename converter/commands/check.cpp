@@ -3,6 +3,7 @@
 #include "converter/explain.h"
 #include "converter/options.h"
 #include "converter/report.h"
+#include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
 #include "lutlib/health/health.h"
@@ -177,7 +178,7 @@ Run declare_check(CLI::App& app) {
     app.add_flag("--explain", o->explain, "say what the look does not need; convert leaves it out");
     app.add_option("--tolerance", o->tolerance,
                    "with --explain: the largest difference of a channel that counts as none")
-        ->check(CLI::NonNegativeNumber)
+        ->check(zero_or_more())
         ->capture_default_str();
     app.add_flag("--json", o->json, "print the figures as JSON");
     app.footer(check_list());

@@ -5,12 +5,14 @@
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
+#include "converter/usage.h"
 #include "lutlib/error.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 namespace converter {
@@ -37,6 +39,7 @@ int run(const Options& o) {
     if (o.samples < 1 || o.samples > 100000000) {
         throw lutlib::UsageError("--samples must be a number from 1 to 100000000");
     }
+    require_one_standard_input(std::array{o.a, o.b});
     const lutlib::Encoding& encoding = encoding_of(o.encoding, "--encoding");
     const lutlib::Interpolation how = o.interpolation.get();
     const auto opened = [how](const std::string& name) {
@@ -46,8 +49,7 @@ int run(const Options& o) {
     const Look a = opened(o.a), b = opened(o.b);
     lutlib::Domain domain = united(a.domain, b.domain);
     if (!o.domain.empty()) {
-        domain = {{o.domain[0], o.domain[0], o.domain[0]}, {o.domain[1], o.domain[1], o.domain[1]}};
-        lutlib::check_domain(domain);
+        domain = domain_of(o.domain);
     }
     constexpr int lattice = 17;
     const std::vector<lutlib::Rgb> inputs = samples_over(domain, lattice, o.samples);

@@ -4,6 +4,7 @@
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
+#include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/resample/combine.h"
 
@@ -24,6 +25,7 @@ int run(const Options& o) {
     if (o.inputs.size() < 2) {
         throw lutlib::UsageError("compose takes two looks or more, the first to apply first");
     }
+    require_one_standard_input(o.inputs);
     const lutlib::Encoding& encoding = o.made.results();
     const lutlib::ResamplingMethod& method = o.made.method.get();
     std::vector<lutlib::Lut> looks;

@@ -3,6 +3,7 @@
 #include "converter/explain.h"
 #include "converter/options.h"
 #include "converter/report.h"
+#include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/io/describe.h"
 #include "lutlib/io/file.h"
@@ -121,9 +122,10 @@ Run declare_convert(CLI::App& app) {
     app.add_option("--from", o->from, "the input's format (default: recognised)");
     app.add_option("--format", o->format, "the output's format (default: by its extension)");
     app.add_option("--size", o->save.size,
-                   "nodes a side of the cube (default: the input's, or 65 where one is made)");
+                   "nodes a side of the cube (default: the input's, or 65 where one is made)")
+        ->check(cube_sizes());
     app.add_option("--bits", o->save.bits, "8 or 16 bits a sample of a picture")
-        ->check(CLI::IsMember({8, 16}))
+        ->check(picture_bits())
         ->capture_default_str();
     app.add_option("--title", o->save.title, "title to write instead of the input's");
     app.add_flag("--strict", o->strict, "write nothing when anything would be lost");

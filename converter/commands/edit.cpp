@@ -83,11 +83,8 @@ int run(const Options& o) {
     if (o.input.empty() && o.recipe.empty()) {
         throw lutlib::UsageError("nothing to edit: give a LUT, the word identity, or --recipe");
     }
-    if (o.input == io::standard_stream && o.recipe == io::standard_stream) {
-        throw lutlib::UsageError("the LUT and the recipe cannot both be standard input");
-    }
-    const std::array outputs{o.output, o.save_recipe};
-    const std::string shown = standard_output_of(outputs);
+    require_one_standard_input(std::array{o.input, o.recipe});
+    const std::string shown = standard_output_of(std::array{o.output, o.save_recipe});
     std::string base;
     const lutlib::Recipe recipe = assemble(o, base);
     if (!o.save_recipe.empty()) {

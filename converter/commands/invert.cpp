@@ -5,6 +5,7 @@
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
+#include "converter/usage.h"
 #include "lutlib/metrics/compare.h"
 
 #include <fmt/core.h>
@@ -62,8 +63,7 @@ int run(const Options& o) {
         options.size = o.size;
     }
     if (!o.domain.empty()) {
-        options.domain = lutlib::Domain{{o.domain[0], o.domain[0], o.domain[0]},
-                                        {o.domain[1], o.domain[1], o.domain[1]}};
+        options.domain = domain_of(o.domain);
     }
     const lutlib::Lut look = read_look(o.input);
     const lutlib::Inversion inversion = invert(look, options);
@@ -100,7 +100,8 @@ Run declare_invert(CLI::App& app) {
     const auto o = std::make_shared<Options>();
     app.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input")->required();
     app.add_option("-o,--output", o->output, "the inverse, or - for standard output")->required();
-    app.add_option("--size", o->size, "nodes a side of the inverse (default: the look's)");
+    app.add_option("--size", o->size, "nodes a side of the inverse (default: the look's)")
+        ->check(cube_sizes());
     app.add_option("--domain", o->domain,
                    "colours to invert: minimum and maximum (default: 0..1, widened to the look's)")
         ->expected(2);

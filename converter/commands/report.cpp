@@ -12,7 +12,6 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -81,7 +80,6 @@ Report report_on_look(const Options& o) {
     settings.promise = o.promise;
     if (!o.sizes.empty()) {
         settings.sizes = o.sizes;
-        std::for_each(o.sizes.begin(), o.sizes.end(), lutlib::check_cube_size);
     }
     const lutlib::Survey survey = lutlib::survey(
         recipe, settings, [&](double share, const std::string& doing) { bar.draw(share, doing); });
@@ -106,11 +104,7 @@ int run(const Options& o) {
     if (!o.suite.empty() && o.suite != "stiff") {
         throw lutlib::UsageError("there is no suite '" + o.suite + "'; there is stiff");
     }
-    if (!(o.promise > 0)) {
-        throw lutlib::UsageError("--max-delta-e must be above 0");
-    }
-    const std::array outputs{o.output, o.json, o.csv};
-    const std::string shown = standard_output_of(outputs);
+    const std::string shown = standard_output_of(std::array{o.output, o.json, o.csv});
     const Report report = o.suite.empty() ? report_on_look(o) : report_on_suite();
     io::write_file(o.output, report.html);
     if (!o.json.empty()) {
@@ -133,8 +127,10 @@ Run declare_report(CLI::App& app) {
     app.add_option("--json", o->json, "every figure as JSON, into this file");
     app.add_option("--csv", o->csv, "every figure as CSV, into this file");
     app.add_option("--sizes", o->sizes,
-                   "only these lattice sizes (default: 8 16 17 25 32 33 49 64 65)");
+                   "only these lattice sizes (default: 8 16 17 25 32 33 49 64 65)")
+        ->check(cube_sizes());
     app.add_option("--max-delta-e", o->promise, "what the recommendation must keep, in dE2000")
+        ->check(above_zero())
         ->capture_default_str();
     app.add_option("--input-encoding", o->input_encoding,
                    "what the look's input is: " + encoding_names());

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <climits>
-#include <cstdlib>
 #include <fcntl.h>
-#include <memory>
+#include <filesystem>
 #include <random>
 #include <sys/stat.h>
 #include <system_error>
@@ -55,10 +53,19 @@ void write_all(int fd, std::string_view bytes, const std::string& name) {
 }
 
 // The file that a chain of symbolic links leads to, so that a rename replaces it and not the link.
+// It need not exist.
 std::string follow_links(const std::string& path) {
-    const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr),
-                                                           &std::free);
-    return real ? std::string(real.get()) : path;
+    constexpr int longest_chain = 40; // Linux's own limit
+    std::filesystem::path at = path;
+    for (int i = 0; i <= longest_chain; ++i) {
+        std::error_code no_link;
+        const std::filesystem::path to = std::filesystem::read_symlink(at, no_link);
+        if (no_link) {
+            return at.string();
+        }
+        at = at.parent_path() / to;
+    }
+    fail("cannot follow the symbolic link", path, ELOOP);
 }
 
 std::string directory_of(const std::string& path) {
@@ -193,7 +200,8 @@ std::optional<std::string> head_of_regular_file(const std::string& path, std::si
     return head;
 }
 
-PendingFile::PendingFile(const std::string& target) : target_(follow_links(target)) {
+PendingFile::PendingFile(const std::string& target)
+    : target_(follow_links(target)), path_(temporary_name(target_)), removed_(path_) {
     struct stat info {};
     const bool exists = ::stat(target_.c_str(), &info) == 0;
     if (exists && S_ISDIR(info.st_mode)) {
@@ -203,12 +211,10 @@ PendingFile::PendingFile(const std::string& target) : target_(follow_links(targe
     if (exists && ::access(target_.c_str(), W_OK) != 0) {
         fail("cannot replace the file", target, errno);
     }
-    std::string name = temporary_name(target_);
-    const Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    const Descriptor file(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (file.get() < 0) {
         fail("cannot create a file in " + directory_of(target_), target, errno);
     }
-    path_ = std::move(name);
     if (exists && ::fchmod(file.get(), info.st_mode & 0777) != 0) {
         const int reason = errno;
         ::unlink(path_.c_str());
@@ -217,7 +223,7 @@ PendingFile::PendingFile(const std::string& target) : target_(follow_links(targe
 }
 
 PendingFile::~PendingFile() {
-    if (!path_.empty()) {
+    if (!committed_) {
         ::unlink(path_.c_str());
     }
 }
@@ -227,7 +233,7 @@ void PendingFile::commit() {
     if (::rename(path_.c_str(), target_.c_str()) != 0) {
         fail("cannot move the new file into place", target_, errno);
     }
-    path_.clear();
+    committed_ = true;
 }
 
 void write_file(const std::string& path, std::string_view bytes) {

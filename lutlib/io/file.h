@@ -3,6 +3,7 @@
 // is the old file or the whole new one.
 #pragma once
 
+#include "lutlib/io/cleanup.h"
 #include "lutlib/limits.h"
 
 #include <cstddef>
@@ -37,7 +38,7 @@ std::string extension_of(std::string_view path);
 
 /// The same for a library that insists on writing to a path itself: it writes to path(), which lies
 /// beside the target and has its extension, and commit() moves that file over the target. Without
-/// commit() the destructor removes it.
+/// commit() the destructor or a signal removes it.
 class PendingFile {
   public:
     /// Creates the empty temporary file. `target` must not be `-`. Throws Error.
@@ -53,6 +54,8 @@ class PendingFile {
   private:
     std::string target_; ///< with symbolic links followed
     std::string path_;
+    RemovedBySignals removed_;
+    bool committed_ = false;
 };
 
 } // namespace lutlib::io

@@ -3,7 +3,6 @@
 #include "converter/report.h"
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
-#include "lutlib/io/bake_report.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/recipe_file.h"
@@ -120,10 +119,6 @@ void write_look(const lutlib::Lut& lut, const std::string& path) {
             ? (best_dialect(lut) == lutlib::CubeDialect::resolve ? "cube-resolve" : "cube")
             : "";
     complain_of(lutlib::io::write_lut(path, lut, {}, format).losses, lutlib::io::output_name(path));
-}
-
-std::string domain_text(const lutlib::Domain& domain) {
-    return lutlib::io::domain_text(domain);
 }
 
 } // namespace converter

@@ -2,6 +2,7 @@
 
 #include "converter/options.h"
 #include "converter/report.h"
+#include "lutlib/io/bake_report.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -25,8 +26,8 @@ std::string to_text(const lutlib::WorstColour& worst) {
 }
 
 std::string tables_text(const lutlib::Lut& lut) {
-    std::string out =
-        fmt::format("{} nodes a side, input {}", lut.cube->size, domain_text(lut.domain()));
+    std::string out = fmt::format("{} nodes a side, input {}", lut.cube->size,
+                                  lutlib::io::domain_text(lut.domain()));
     if (lut.shaper) {
         out += fmt::format(", a 1D table of {} before them", lut.shaper->size());
     }

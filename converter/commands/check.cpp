@@ -8,6 +8,7 @@
 #include "lutlib/formats/cube.h"
 #include "lutlib/health/health.h"
 #include "lutlib/health/repair.h"
+#include "lutlib/io/bake_report.h"
 #include "lutlib/io/describe.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
@@ -125,7 +126,7 @@ int run(const Options& o) {
     const lutlib::Lut lut = read_to_check(o.input);
     lutlib::Health health = examine(lut);
     std::string text = fmt::format("{}: {}, input {}\n{}", input_text(o.input), io::shape_of(lut),
-                                   domain_text(lut.domain()), findings_text(health));
+                                   io::domain_text(lut.domain()), findings_text(health));
     nlohmann::ordered_json json{{"input", o.input}};
     json.update(findings_json(health));
     lutlib::Repaired repaired{lut, {}};

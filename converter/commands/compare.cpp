@@ -7,6 +7,7 @@
 #include "converter/result.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
+#include "lutlib/io/bake_report.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -62,7 +63,7 @@ int run(const Options& o) {
         return ok;
     }
     print(fmt::format("{} against {}, {} colours over {}\n{}", input_text(o.a), input_text(o.b),
-                      inputs.size(), domain_text(domain), to_text(d, "  ")),
+                      inputs.size(), lutlib::io::domain_text(domain), to_text(d, "  ")),
           "");
     return ok;
 }

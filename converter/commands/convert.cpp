@@ -5,6 +5,7 @@
 #include "converter/report.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
+#include "lutlib/io/bake_report.h"
 #include "lutlib/io/describe.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/fit_format.h"
@@ -70,14 +71,14 @@ nlohmann::ordered_json as_json(const Options& o, const io::FileFormat& format,
             {"output", io::output_name(o.output)},
             {"format", format.name},
             {"holds", io::shape_of(file.lut)},
-            {"domain", domain_text(file.lut.domain())},
+            {"domain", io::domain_text(file.lut.domain())},
             {"losses", losses}};
 }
 
 std::string as_text(const Options& o, const io::FileFormat& format, const io::Encoded& file) {
     std::string out =
         fmt::format("{} -> {}\n  {}\n  {}, input {}\n", input_text(o.input), output_text(o.output),
-                    format.label, io::shape_of(file.lut), domain_text(file.lut.domain()));
+                    format.label, io::shape_of(file.lut), io::domain_text(file.lut.domain()));
     for (const lutlib::Loss& loss : file.losses) {
         out += "  lost: " + loss_text(loss) + '\n';
     }

@@ -3,6 +3,7 @@
 #include "converter/options.h"
 #include "converter/report.h"
 #include "lutlib/interpolation/interpolation.h"
+#include "lutlib/io/bake_report.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -59,8 +60,9 @@ std::string table_text(const char* what, int size, const lutlib::Domain& d,
     const Extent e = extent_of(values);
     return fmt::format("  {}: {} {}, input {}, output {:.6g}..{:.6g}, {:.6g}..{:.6g}, "
                        "{:.6g}..{:.6g}{}\n",
-                       what, size, what[0] == 's' ? "entries" : "nodes a side", domain_text(d),
-                       e.low.r, e.high.r, e.low.g, e.high.g, e.low.b, e.high.b,
+                       what, size, what[0] == 's' ? "entries" : "nodes a side",
+                       lutlib::io::domain_text(d), e.low.r, e.high.r, e.low.g, e.high.g, e.low.b,
+                       e.high.b,
                        e.outside ? fmt::format(", {} values outside 0..1", e.outside) : "");
 }
 

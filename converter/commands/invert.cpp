@@ -6,6 +6,7 @@
 #include "converter/report.h"
 #include "converter/result.h"
 #include "converter/usage.h"
+#include "lutlib/io/bake_report.h"
 #include "lutlib/metrics/compare.h"
 
 #include <fmt/core.h>
@@ -81,9 +82,10 @@ int run(const Options& o) {
               o.output);
         return ok;
     }
-    std::string text = fmt::format("{} <- inverse of {}\n  {} nodes a side, input {}\n",
-                                   output_text(o.output), input_text(o.input),
-                                   inversion.lut.cube->size, domain_text(inversion.lut.domain()));
+    std::string text =
+        fmt::format("{} <- inverse of {}\n  {} nodes a side, input {}\n", output_text(o.output),
+                    input_text(o.input), inversion.lut.cube->size,
+                    lutlib::io::domain_text(inversion.lut.domain()));
     text += region_text("no input gives these, so they got the nearest that can be given",
                         "distance", inversion.out_of_gamut, inversion.nodes);
     text += region_text("folded: several inputs give these, so they got the nearest of them",

@@ -106,13 +106,15 @@ int run(const Options& o) {
     }
     const std::string shown = standard_output_of(std::array{o.output, o.json, o.csv});
     const Report report = o.suite.empty() ? report_on_look(o) : report_on_suite();
-    io::write_file(o.output, report.html);
+    const std::string figures = json_text(report.json);
+    std::vector<io::FileToWrite> files{{o.output, report.html}};
     if (!o.json.empty()) {
-        io::write_file(o.json, json_text(report.json));
+        files.push_back({o.json, figures});
     }
     if (!o.csv.empty()) {
-        io::write_file(o.csv, report.csv);
+        files.push_back({o.csv, report.csv});
     }
+    io::write_files(files);
     print(report.words, shown);
     return ok;
 }

@@ -3,13 +3,16 @@
 #include "lutlib/error.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
+#include <list>
 #include <random>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <vector>
 
 namespace lutlib::io {
 namespace {
@@ -50,6 +53,15 @@ void write_all(int fd, std::string_view bytes, const std::string& name) {
         }
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
+}
+
+// `name` is what messages call the file at `path`.
+void open_and_write(const std::string& path, std::string_view bytes, const std::string& name) {
+    const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (file.get() < 0) {
+        fail("cannot open the file for writing", name, errno);
+    }
+    write_all(file.get(), bytes, name);
 }
 
 // The file that a chain of symbolic links leads to, so that a rename replaces it and not the link.
@@ -236,29 +248,30 @@ void PendingFile::commit() {
     committed_ = true;
 }
 
+void write_files(std::span<const FileToWrite> files) {
+    std::list<PendingFile> pending;
+    std::vector<const FileToWrite*> in_place;
+    for (const FileToWrite& file : files) {
+        if (file.path == standard_stream || is_special(file.path)) {
+            in_place.push_back(&file);
+        } else {
+            open_and_write(pending.emplace_back(file.path).path(), file.bytes, file.path);
+        }
+    }
+    for (const FileToWrite* const file : in_place) {
+        if (file->path == standard_stream) {
+            write_all(STDOUT_FILENO, file->bytes, output_name(file->path));
+        } else {
+            open_and_write(file->path, file->bytes, file->path);
+        }
+    }
+    for (PendingFile& file : pending) {
+        file.commit();
+    }
+}
+
 void write_file(const std::string& path, std::string_view bytes) {
-    const std::string name = output_name(path);
-    if (path == standard_stream) {
-        write_all(STDOUT_FILENO, bytes, name);
-        return;
-    }
-    if (is_special(path)) {
-        const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-        if (file.get() < 0) {
-            fail("cannot open the file for writing", name, errno);
-        }
-        write_all(file.get(), bytes, name);
-        return;
-    }
-    PendingFile pending(path);
-    {
-        const Descriptor file(::open(pending.path().c_str(), O_WRONLY | O_CLOEXEC));
-        if (file.get() < 0) {
-            fail("cannot open the file for writing", name, errno);
-        }
-        write_all(file.get(), bytes, name);
-    }
-    pending.commit();
+    write_files(std::array{FileToWrite{path, bytes}});
 }
 
 } // namespace lutlib::io

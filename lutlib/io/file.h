@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -28,6 +29,13 @@ std::optional<std::string> head_of_regular_file(const std::string& path, std::si
 /// the permissions of the umask, a replaced one keeps its own, a symbolic link stays a link.
 /// Devices and pipes are written in place. Throws Error; the old file is then unchanged.
 void write_file(const std::string& path, std::string_view bytes);
+
+/// The same of several files of one run: none is replaced before all are written.
+struct FileToWrite {
+    std::string path;
+    std::string_view bytes;
+};
+void write_files(std::span<const FileToWrite> files);
 
 /// What messages call a path: itself, or "standard input" / "standard output" for `-`.
 std::string input_name(const std::string& path);

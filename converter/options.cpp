@@ -3,7 +3,6 @@
 #include "converter/report.h"
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
-#include "lutlib/io/bake_report.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/recipe_file.h"
@@ -12,7 +11,6 @@
 
 #include <fmt/core.h>
 
-#include <cstdio>
 #include <memory>
 
 namespace converter {
@@ -29,7 +27,8 @@ std::string listed(const Rows& rows) {
 
 void complain_of(const std::vector<lutlib::Loss>& losses, const std::string& name) {
     for (const lutlib::Loss& loss : losses) {
-        std::fputs(("lutconv: " + name + ": lost: " + loss_text(loss) + '\n').c_str(), stderr);
+        print("lutconv: " + one_line(name) + ": lost: " + loss_text(loss) + '\n',
+              std::string(lutlib::io::standard_stream));
     }
 }
 
@@ -120,10 +119,6 @@ void write_look(const lutlib::Lut& lut, const std::string& path) {
             ? (best_dialect(lut) == lutlib::CubeDialect::resolve ? "cube-resolve" : "cube")
             : "";
     complain_of(lutlib::io::write_lut(path, lut, {}, format).losses, lutlib::io::output_name(path));
-}
-
-std::string domain_text(const lutlib::Domain& domain) {
-    return lutlib::io::domain_text(domain);
 }
 
 } // namespace converter

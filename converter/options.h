@@ -61,7 +61,4 @@ Look open_look(const std::string& path, lutlib::Interpolation how);
 /// cannot hold goes to standard error.
 void write_look(const lutlib::Lut& lut, const std::string& path);
 
-/// "0..1", or "0..4, -1..1, 0..1" where the channels differ.
-std::string domain_text(const lutlib::Domain& domain);
-
 } // namespace converter

@@ -1,16 +1,56 @@
 #include "converter/program.h"
 
 #include "converter/command.h"
+#include "converter/report.h"
 #include "lutlib/error.h"
+#include "lutlib/io/file.h"
+
+#include <fmt/core.h>
 
 #include <cstdio>
 #include <exception>
+#include <sstream>
 
 namespace converter {
 namespace {
 
+// The words of a command line that did not parse, or of the help that it asked for.
+int answer(const CLI::App& app, const CLI::ParseError& error) {
+    std::ostringstream out, err;
+    const int code = app.exit(error, out, err);
+    print(out.str(), "");
+    print(err.str(), std::string(lutlib::io::standard_stream));
+    return code == 0 ? ok : bad_usage;
+}
+
+// CLI11 would only say that a verb is missing.
+void require_verb(int argc, const char* const* argv) {
+    const std::string_view word = argc > 1 ? argv[1] : "-";
+    std::string verbs;
+    for (const Command& command : commands()) {
+        if (command.name == word) {
+            return;
+        }
+        verbs += (verbs.empty() ? "" : ", ") + std::string(command.name);
+    }
+    if (!word.starts_with('-')) {
+        throw lutlib::UsageError(fmt::format("there is no verb '{}'; there are {}", word, verbs));
+    }
+}
+
+// Returns an ExitCode. Throws lutlib::Error.
+int parse_and_run(CLI::App& app, const Run& run, int argc, const char* const* argv) {
+    require_verb(argc, argv);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return answer(app, error);
+    }
+    return run();
+}
+
 int complain(const char* message, int code) {
-    std::fprintf(stderr, "lutconv: %s\n", message);
+    std::fprintf(stderr, "lutconv: %s\n", one_line(message).c_str());
     return code;
 }
 
@@ -29,10 +69,7 @@ int run_program(int argc, const char* const* argv) {
         verb->final_callback([&run, chosen = command.declare(*verb)] { run = chosen; });
     }
     try {
-        app.parse(argc, argv);
-        return run();
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? ok : bad_usage;
+        return parse_and_run(app, run, argc, argv);
     } catch (const lutlib::UsageError& error) {
         return complain(error.what(), bad_usage);
     } catch (const lutlib::Error& error) {

@@ -1,11 +1,15 @@
 #include "converter/recipe_options.h"
 
+#include "converter/options.h"
+#include "converter/usage.h"
 #include "lutlib/error.h"
+#include "lutlib/io/recipe_file.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <map>
+#include <memory>
 
 namespace converter {
 namespace {
@@ -88,24 +92,21 @@ std::vector<Operation> OperatorFlags::operations() const {
 
 void SamplingOptions::declare(CLI::App& app, bool recipe) {
     recipe_ = recipe;
-    app.add_option("--size", size_, "nodes a side of the result");
+    app.add_option("--size", size_, "nodes a side of the result")->check(cube_sizes());
     app.add_option("--domain", domain_, "input range of the result: minimum and maximum")
         ->expected(2);
     app.add_option("--shaper", shaper_,
                    fmt::format("1D table before the cube: none, base, {}or the curve of one of {}",
                                recipe ? "tone, " : "", encoding_names()));
-    app.add_option("--shaper-size", shaper_size_, "entries of the 1D table");
+    app.add_option("--shaper-size", shaper_size_, "entries of the 1D table")->check(shaper_sizes());
 }
 
 void SamplingOptions::apply_to(lutlib::BakeSettings& settings) const {
     if (size_) {
-        lutlib::check_cube_size(size_);
         settings.size = size_;
     }
     if (!domain_.empty()) {
-        const float low = domain_[0], high = domain_[1];
-        settings.domain = lutlib::Domain{{low, low, low}, {high, high, high}};
-        lutlib::check_domain(*settings.domain);
+        settings.domain = domain_of(domain_);
     }
     if (!shaper_.empty()) {
         if (shaper_ != "none" && shaper_ != "base" && !(recipe_ && shaper_ == "tone")) {
@@ -114,7 +115,10 @@ void SamplingOptions::apply_to(lutlib::BakeSettings& settings) const {
         settings.shaper = shaper_;
     }
     if (shaper_size_) {
-        lutlib::check_shaper_size(shaper_size_);
+        if (settings.shaper.empty() || settings.shaper == "none" || settings.shaper == "base") {
+            throw lutlib::UsageError(
+                "--shaper-size needs a --shaper that makes a table; none and base make none");
+        }
         settings.shaper_size = shaper_size_;
     }
 }
@@ -162,6 +166,16 @@ void NewLutOptions::declare(CLI::App& app) {
 
 const lutlib::Encoding& NewLutOptions::results() const {
     return encoding_of(encoding, "--encoding");
+}
+
+lutlib::Recipe recipe_of(const std::string& bytes, const std::string& path) {
+    if (lutlib::io::is_recipe(bytes)) {
+        return lutlib::io::recipe_from(bytes, path, read_lut);
+    }
+    lutlib::Recipe recipe;
+    recipe.base = path;
+    recipe.base_lut = std::make_shared<const lutlib::Lut>(look_from(bytes, path));
+    return recipe;
 }
 
 const lutlib::Encoding& encoding_of(const std::string& name, const std::string& flag) {

@@ -69,6 +69,10 @@ struct NewLutOptions {
     bool json = false;
 };
 
+/// A recipe with its base, or a LUT of any kind as the base of an empty recipe; by the content of
+/// the bytes that have been read from `path`.
+lutlib::Recipe recipe_of(const std::string& bytes, const std::string& path);
+
 /// A row of lutlib::encodings(). Throws UsageError naming the flag.
 const lutlib::Encoding& encoding_of(const std::string& name, const std::string& flag);
 /// The names of all rows, for help.

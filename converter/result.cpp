@@ -2,7 +2,7 @@
 
 #include "converter/options.h"
 #include "converter/report.h"
-#include "lutlib/io/file.h"
+#include "lutlib/io/bake_report.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -26,8 +26,8 @@ std::string to_text(const lutlib::WorstColour& worst) {
 }
 
 std::string tables_text(const lutlib::Lut& lut) {
-    std::string out =
-        fmt::format("{} nodes a side, input {}", lut.cube->size, domain_text(lut.domain()));
+    std::string out = fmt::format("{} nodes a side, input {}", lut.cube->size,
+                                  lutlib::io::domain_text(lut.domain()));
     if (lut.shaper) {
         out += fmt::format(", a 1D table of {} before them", lut.shaper->size());
     }
@@ -68,17 +68,17 @@ void write_and_report(const Result& result, bool json, nlohmann::ordered_json ex
                                    {"shaper_size", lut.shaper ? lut.shaper->size() : 0}};
         out.update(extra);
         out["error"] = to_json(error);
-        print(out, result.output);
+        print(out, result.shown);
         return;
     }
-    std::string text = fmt::format("{} <- {}\n  {}\n", lutlib::io::output_name(result.output),
-                                   result.made_of, tables_text(lut));
+    std::string text = fmt::format("{} <- {}\n  {}\n", output_text(result.output), result.made_of,
+                                   tables_text(lut));
     for (const std::string& note : result.notes) {
         text += "  " + note + "\n";
     }
     text += fmt::format("  error of the LUT against that, {} colours\n{}", error.absolute.count,
                         to_text(error, "    "));
-    print(text, result.output);
+    print(text, result.shown);
 }
 
 } // namespace converter

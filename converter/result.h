@@ -14,6 +14,8 @@ namespace converter {
 struct Result {
     const lutlib::Lut& lut;
     std::string output;
+    std::string
+        shown; ///< the output that print() must not mix with: this one or another of the run
     std::string made_of; ///< "a.cube, then b.cube"
     /// What the LUT stands for, over its domain.
     lutlib::Transform exact;

@@ -3,6 +3,7 @@
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/report.h"
+#include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/image.h"
@@ -11,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 namespace converter {
@@ -31,29 +33,26 @@ struct Report {
     const io::DepthInfo* depth = nullptr;
 };
 
-// The picture's own depth, as far as the file type has it: PNG stores integers, EXR floats.
-io::Depth usual_depth(const io::FloatImage& image, const std::string& output) {
-    const std::string extension = io::extension_of(output);
-    const bool integer = io::info_of(image.depth).integer;
-    if ((extension == "png" || output == io::standard_stream) && !integer) {
-        return io::Depth::uint16;
+std::string names_of(std::span<const io::Depth> depths) {
+    std::string out;
+    for (const io::Depth depth : depths) {
+        out += (out.empty() ? "" : ", ") + std::string(io::info_of(depth).name);
     }
-    if (extension == "exr" && integer) {
-        // Half holds every 8-bit code apart, 16-bit codes need float.
-        return image.depth == io::Depth::uint8 ? io::Depth::half : io::Depth::float32;
-    }
-    return image.depth;
+    return out;
 }
 
-io::Depth depth_named(const std::string& name) {
-    std::string names;
-    for (const io::DepthInfo& row : io::depths()) {
-        if (row.name == name) {
-            return row.depth;
-        }
-        names += (names.empty() ? "" : ", ") + std::string(row.name);
+// The depth that was asked for, which the file type must hold, else the nearest to the picture's.
+io::Depth choose_depth(const std::string& name, std::span<const io::Depth> held, io::Depth usual) {
+    if (name.empty()) {
+        return io::nearest_depth(usual, held);
     }
-    throw lutlib::UsageError("there is no depth '" + name + "'; there are " + names);
+    const auto row = std::find_if(held.begin(), held.end(),
+                                  [&](io::Depth depth) { return io::info_of(depth).name == name; });
+    if (row == held.end()) {
+        throw lutlib::UsageError("--depth '" + name + "' is none that this type of file holds; " +
+                                 "it holds " + names_of(held));
+    }
+    return *row;
 }
 
 Report apply(const lutlib::Lut& lut, lutlib::Interpolation how, io::FloatImage& image,
@@ -81,8 +80,8 @@ void print_report(const Options& o, const Report& r) {
               o.output);
         return;
     }
-    std::string text = fmt::format("{} -> {}\n  {}x{} pixels, {}\n", io::input_name(o.picture),
-                                   io::output_name(o.output), r.width, r.height, r.depth->name);
+    std::string text = fmt::format("{} -> {}\n  {}x{} pixels, {}\n", input_text(o.picture),
+                                   output_text(o.output), r.width, r.height, r.depth->name);
     const auto share = [&](std::size_t count, const char* what) {
         return count == 0
                    ? ""
@@ -96,12 +95,12 @@ void print_report(const Options& o, const Report& r) {
 }
 
 int run(const Options& o) {
-    if (o.lut == io::standard_stream && o.picture == io::standard_stream) {
-        throw lutlib::UsageError("the LUT and the picture cannot both be standard input");
-    }
+    require_one_standard_input(std::array{o.lut, o.picture});
+    const std::vector<io::Depth> held = io::depths_of(o.output);
+    choose_depth(o.depth, held, held.front());
     const lutlib::Lut lut = read_look(o.lut);
     io::FloatImage image = io::read_image(o.picture);
-    const io::Depth depth = o.depth.empty() ? usual_depth(image, o.output) : depth_named(o.depth);
+    const io::Depth depth = choose_depth(o.depth, held, image.depth);
     const Report report = apply(lut, o.interpolation.get(), image, depth);
     io::write_image(o.output, image, {depth, image.alpha, {{"Source", io::input_name(o.picture)}}});
     print_report(o, report);
@@ -119,7 +118,8 @@ Run declare_apply(CLI::App& app) {
                    "the picture to write, or - for a PNG to standard output")
         ->required();
     app.add_option("--depth", o->depth,
-                   "uint8, uint16, half or float (default: the picture's own)");
+                   "uint8, uint16, half or float, as far as the file type holds it (default: the "
+                   "nearest to the picture's own)");
     o->interpolation.declare(app, "of the LUT's cube");
     app.add_flag("--json", o->json, "print the figures as JSON");
     return [o] { return run(*o); };

@@ -4,6 +4,7 @@
 #include "converter/explain.h"
 #include "converter/options.h"
 #include "converter/report.h"
+#include "converter/usage.h"
 #include "lutlib/engine/budget.h"
 #include "lutlib/error.h"
 #include "lutlib/io/bake_report.h"
@@ -123,9 +124,7 @@ int run(const Options& o) {
     if (o.explain && o.input == lutlib::io::standard_stream) {
         throw lutlib::UsageError("--explain needs a file, not standard input");
     }
-    if (o.max_delta_e < 0) {
-        throw lutlib::UsageError("--max-delta-e must be above 0");
-    }
+    require_png_name(o.output, "bake");
     const Look look = open_look(o.input, o.interpolation.get());
     std::optional<BudgetBake> budgeted;
     FilledBake filled;
@@ -165,8 +164,8 @@ int run(const Options& o) {
         }
         print(json, o.output);
     } else {
-        print(bake_report(lutlib::io::input_name(o.input), lutlib::io::output_name(o.output),
-                          filled.bake, look.domain, error) +
+        print(bake_report(input_text(o.input), output_text(o.output), filled.bake, look.domain,
+                          error) +
                   (filled.result.count > 0 ? fit_text(filled) : "") +
                   (is_beyond_fitting(o, filled) ? "  not fitted: " + lutlib::fit_limit_text() + "\n"
                                                 : "") +
@@ -191,8 +190,9 @@ Run declare_bake(CLI::App& app) {
     app.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input")->required();
     app.add_option("-o,--output", o->output, "the PNG, or - for standard output")->required();
     o->engine.declare(app, "piccolo");
-    app.add_option("--size", o->size, "nodes a side (default: the engine's)");
-    app.add_option("--bits", o->bits, "8 or 16 bits a sample (default: the engine's)");
+    app.add_option("--size", o->size, "nodes a side (default: the engine's)")->check(cube_sizes());
+    app.add_option("--bits", o->bits, "8 or 16 bits a sample (default: the engine's)")
+        ->check(picture_bits());
     o->interpolation.declare(app, "how the look is read between its own nodes");
     app.add_flag("--fit", o->fit,
                  fmt::format("choose the nodes so that the engine's lookup comes nearest to the "
@@ -200,9 +200,10 @@ Run declare_bake(CLI::App& app) {
                              "and beyond {} nodes a side",
                              lutlib::largest_fitted_size));
     app.add_option(
-        "--max-delta-e", o->max_delta_e,
-        "take the smallest combination of size, bits and fit that the engine accepts and "
-        "that stays within this dE2000; writes nothing, with exit code 1, when none does");
+           "--max-delta-e", o->max_delta_e,
+           "take the smallest combination of size, bits and fit that the engine accepts and "
+           "that stays within this dE2000; writes nothing, with exit code 1, when none does")
+        ->check(above_zero());
     app.add_flag("--explain", o->explain, "say what of the look no picture would need");
     app.add_flag("--json", o->json, "print the figures as JSON");
     return [o] { return run(*o); };

@@ -2,14 +2,16 @@
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/recipe_options.h"
+#include "converter/report.h"
 #include "converter/result.h"
+#include "converter/usage.h"
 #include "lutlib/error.h"
-#include "lutlib/io/file.h"
 #include "lutlib/resample/combine.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -27,15 +29,17 @@ int run(const Options& o) {
         throw lutlib::UsageError("--amount must be a number from -100 to 100; 0 is the first look, "
                                  "1 the second");
     }
+    require_one_standard_input(std::array{o.a, o.b});
     const lutlib::Encoding& encoding = o.made.results();
     const lutlib::ResamplingMethod& method = o.made.method.get();
     const lutlib::Lut a = o.a == "identity" ? lutlib::Lut{} : read_look(o.a);
     const lutlib::Lut b = o.b == "identity" ? lutlib::Lut{} : read_look(o.b);
     const lutlib::Lut lut = blend(a, b, o.amount, o.made.sampling.sampling(), method);
-    const std::string made_of = fmt::format("{} and {:.4g} of {}", lutlib::io::input_name(o.a),
-                                            o.amount, lutlib::io::input_name(o.b));
-    write_and_report({lut, o.made.output, made_of, mixture(a, b, o.amount, method), encoding, {}},
-                     o.made.json, {{"a", o.a}, {"b", o.b}, {"amount", o.amount}});
+    const std::string made_of =
+        fmt::format("{} and {:.4g} of {}", input_text(o.a), o.amount, input_text(o.b));
+    write_and_report(
+        {lut, o.made.output, o.made.output, made_of, mixture(a, b, o.amount, method), encoding, {}},
+        o.made.json, {{"a", o.a}, {"b", o.b}, {"amount", o.amount}});
     return ok;
 }
 

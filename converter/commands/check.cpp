@@ -3,10 +3,12 @@
 #include "converter/explain.h"
 #include "converter/options.h"
 #include "converter/report.h"
+#include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
 #include "lutlib/health/health.h"
 #include "lutlib/health/repair.h"
+#include "lutlib/io/bake_report.h"
 #include "lutlib/io/describe.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
@@ -123,9 +125,8 @@ int run(const Options& o) {
     }
     const lutlib::Lut lut = read_to_check(o.input);
     lutlib::Health health = examine(lut);
-    std::string text =
-        fmt::format("{}: {}, input {}\n{}", io::input_name(o.input), io::shape_of(lut),
-                    domain_text(lut.domain()), findings_text(health));
+    std::string text = fmt::format("{}: {}, input {}\n{}", input_text(o.input), io::shape_of(lut),
+                                   io::domain_text(lut.domain()), findings_text(health));
     nlohmann::ordered_json json{{"input", o.input}};
     json.update(findings_json(health));
     lutlib::Repaired repaired{lut, {}};
@@ -133,7 +134,7 @@ int run(const Options& o) {
         repaired = repair(lut, o.repairs);
         write_look(repaired.lut, o.output);
         health = examine(repaired.lut);
-        text += fmt::format("{}\n{}{}", io::output_name(o.output), repair_text(repaired),
+        text += fmt::format("{}\n{}{}", output_text(o.output), repair_text(repaired),
                             findings_text(health));
         json["output"] = o.output;
         json["repairs"] = repair_json(repaired);
@@ -178,7 +179,7 @@ Run declare_check(CLI::App& app) {
     app.add_flag("--explain", o->explain, "say what the look does not need; convert leaves it out");
     app.add_option("--tolerance", o->tolerance,
                    "with --explain: the largest difference of a channel that counts as none")
-        ->check(CLI::NonNegativeNumber)
+        ->check(zero_or_more())
         ->capture_default_str();
     app.add_flag("--json", o->json, "print the figures as JSON");
     app.footer(check_list());

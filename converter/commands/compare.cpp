@@ -5,13 +5,15 @@
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
+#include "converter/usage.h"
 #include "lutlib/error.h"
-#include "lutlib/io/file.h"
+#include "lutlib/io/bake_report.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 namespace converter {
@@ -38,6 +40,7 @@ int run(const Options& o) {
     if (o.samples < 1 || o.samples > 100000000) {
         throw lutlib::UsageError("--samples must be a number from 1 to 100000000");
     }
+    require_one_standard_input(std::array{o.a, o.b});
     const lutlib::Encoding& encoding = encoding_of(o.encoding, "--encoding");
     const lutlib::Interpolation how = o.interpolation.get();
     const auto opened = [how](const std::string& name) {
@@ -47,8 +50,7 @@ int run(const Options& o) {
     const Look a = opened(o.a), b = opened(o.b);
     lutlib::Domain domain = united(a.domain, b.domain);
     if (!o.domain.empty()) {
-        domain = {{o.domain[0], o.domain[0], o.domain[0]}, {o.domain[1], o.domain[1], o.domain[1]}};
-        lutlib::check_domain(domain);
+        domain = domain_of(o.domain);
     }
     constexpr int lattice = 17;
     const std::vector<lutlib::Rgb> inputs = samples_over(domain, lattice, o.samples);
@@ -60,9 +62,8 @@ int run(const Options& o) {
         print(out, "");
         return ok;
     }
-    print(fmt::format("{} against {}, {} colours over {}\n{}", lutlib::io::input_name(o.a),
-                      lutlib::io::input_name(o.b), inputs.size(), domain_text(domain),
-                      to_text(d, "  ")),
+    print(fmt::format("{} against {}, {} colours over {}\n{}", input_text(o.a), input_text(o.b),
+                      inputs.size(), lutlib::io::domain_text(domain), to_text(d, "  ")),
           "");
     return ok;
 }

@@ -2,9 +2,10 @@
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/recipe_options.h"
+#include "converter/report.h"
 #include "converter/result.h"
+#include "converter/usage.h"
 #include "lutlib/error.h"
-#include "lutlib/io/file.h"
 #include "lutlib/resample/combine.h"
 
 #include <fmt/core.h>
@@ -24,13 +25,14 @@ int run(const Options& o) {
     if (o.inputs.size() < 2) {
         throw lutlib::UsageError("compose takes two looks or more, the first to apply first");
     }
+    require_one_standard_input(o.inputs);
     const lutlib::Encoding& encoding = o.made.results();
     const lutlib::ResamplingMethod& method = o.made.method.get();
     std::vector<lutlib::Lut> looks;
     std::string order;
     for (const std::string& path : o.inputs) {
         looks.push_back(read_look(path));
-        order += (order.empty() ? "" : ", then ") + lutlib::io::input_name(path);
+        order += (order.empty() ? "" : ", then ") + input_text(path);
     }
     std::vector<const lutlib::Lut*> chain;
     for (const lutlib::Lut& look : looks) {
@@ -44,8 +46,9 @@ int run(const Options& o) {
                                     "domain and are clamped to it",
                                     100 * clamped));
     }
-    write_and_report({lut, o.made.output, order, composition(chain, method), encoding, notes},
-                     o.made.json, {{"inputs", o.inputs}, {"clamped_share", clamped}});
+    write_and_report(
+        {lut, o.made.output, o.made.output, order, composition(chain, method), encoding, notes},
+        o.made.json, {{"inputs", o.inputs}, {"clamped_share", clamped}});
     return ok;
 }
 

@@ -3,7 +3,9 @@
 #include "converter/explain.h"
 #include "converter/options.h"
 #include "converter/report.h"
+#include "converter/usage.h"
 #include "lutlib/error.h"
+#include "lutlib/io/bake_report.h"
 #include "lutlib/io/describe.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/fit_format.h"
@@ -70,14 +72,14 @@ nlohmann::ordered_json as_json(const Options& o, const io::FileFormat& format,
             {"output", io::output_name(o.output)},
             {"format", format.name},
             {"holds", io::shape_of(file.lut)},
-            {"domain", domain_text(file.lut.domain())},
+            {"domain", io::domain_text(file.lut.domain())},
             {"losses", losses}};
 }
 
 std::string as_text(const Options& o, const io::FileFormat& format, const io::Encoded& file) {
-    std::string out = fmt::format("{} -> {}\n  {}\n  {}, input {}\n", io::input_name(o.input),
-                                  io::output_name(o.output), format.label, io::shape_of(file.lut),
-                                  domain_text(file.lut.domain()));
+    std::string out =
+        fmt::format("{} -> {}\n  {}\n  {}, input {}\n", input_text(o.input), output_text(o.output),
+                    format.label, io::shape_of(file.lut), io::domain_text(file.lut.domain()));
     for (const lutlib::Loss& loss : file.losses) {
         out += "  lost: " + loss_text(loss) + '\n';
     }
@@ -127,9 +129,10 @@ Run declare_convert(CLI::App& app) {
         ->capture_default_str();
     app.add_option("--format", o->format, "the output's format (default: by its extension)");
     app.add_option("--size", o->save.size,
-                   "nodes a side of the cube (default: the input's, or 65 where one is made)");
+                   "nodes a side of the cube (default: the input's, or 65 where one is made)")
+        ->check(cube_sizes());
     app.add_option("--bits", o->save.bits, "8 or 16 bits a sample of a picture")
-        ->check(CLI::IsMember({8, 16}))
+        ->check(picture_bits())
         ->capture_default_str();
     app.add_option("--title", o->save.title, "title to write instead of the input's");
     app.add_flag("--strict", o->strict, "write nothing when anything would be lost");

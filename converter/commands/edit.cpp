@@ -3,7 +3,9 @@
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/recipe_options.h"
+#include "converter/report.h"
 #include "converter/result.h"
+#include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/recipe_file.h"
@@ -12,6 +14,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <memory>
 
 namespace converter {
@@ -26,22 +29,30 @@ struct Options {
     bool json = false;
 };
 
-// The recipe file, then IN as its base, then the flags.
+// The recipe file, then LUT as its base, then the flags. `base`: where the base lies.
 lutlib::Recipe assemble(const Options& o, std::string& base) {
     lutlib::Recipe recipe;
-    const bool input_is_recipe = io::extension_of(o.input) == "json";
-    if (input_is_recipe && !o.recipe.empty()) {
-        throw lutlib::UsageError("there are two recipes, '" + o.input + "' and '" + o.recipe +
-                                 "'; edit one");
+    if (!o.recipe.empty()) {
+        recipe = io::read_recipe(o.recipe, read_lut);
+        base = io::base_path(recipe, o.recipe);
     }
-    const std::string& path = input_is_recipe ? o.input : o.recipe;
-    if (!path.empty()) {
-        recipe = io::read_recipe(path, read_lut);
-        base = io::base_path(recipe, path);
+    if (!o.input.empty() && o.input != "identity") {
+        const std::string bytes = io::read_file(o.input);
+        const bool is_recipe = io::is_recipe(bytes);
+        if (is_recipe && !o.recipe.empty()) {
+            throw lutlib::UsageError("there are two recipes, '" + o.input + "' and '" + o.recipe +
+                                     "'; edit one");
+        }
+        lutlib::Recipe read = recipe_of(bytes, o.input);
+        base = is_recipe ? io::base_path(read, o.input) : o.input;
+        if (is_recipe) {
+            recipe = std::move(read);
+        } else {
+            recipe.base_lut = read.base_lut;
+        }
     }
-    if (!o.input.empty() && !input_is_recipe && o.input != "identity") {
-        io::set_base(recipe, o.input, read_lut);
-        base = o.input;
+    if (!o.save_recipe.empty() && base == io::standard_stream) {
+        throw lutlib::UsageError("--save-recipe needs the LUT as a file, not standard input");
     }
     if (!o.input_encoding.empty()) {
         recipe.input = &encoding_of(o.input_encoding, "--input-encoding");
@@ -61,7 +72,7 @@ lutlib::Recipe assemble(const Options& o, std::string& base) {
 
 std::string made_of(const Options& o, const lutlib::Recipe& recipe) {
     const std::string base = o.input.empty() ? o.recipe : o.input;
-    return fmt::format("{}, {} operator{}", base, recipe.operations.size(),
+    return fmt::format("{}, {} operator{}", input_text(base), recipe.operations.size(),
                        recipe.operations.size() == 1 ? "" : "s");
 }
 
@@ -72,6 +83,8 @@ int run(const Options& o) {
     if (o.input.empty() && o.recipe.empty()) {
         throw lutlib::UsageError("nothing to edit: give a LUT, the word identity, or --recipe");
     }
+    require_one_standard_input(std::array{o.input, o.recipe});
+    const std::string shown = standard_output_of(std::array{o.output, o.save_recipe});
     std::string base;
     const lutlib::Recipe recipe = assemble(o, base);
     if (!o.save_recipe.empty()) {
@@ -82,6 +95,7 @@ int run(const Options& o) {
         write_and_report(
             {lut,
              o.output,
+             shown,
              made_of(o, recipe),
              [exact = lutlib::Edit(recipe)](std::span<lutlib::RgbD> colours) { exact(colours); },
              recipe.output_encoding(),
@@ -95,7 +109,8 @@ int run(const Options& o) {
 
 Run declare_edit(CLI::App& app) {
     const auto o = std::make_shared<Options>();
-    app.add_option("LUT", o->input, "a LUT or recipe file to edit, or the word identity");
+    app.add_option("LUT", o->input,
+                   "a LUT or recipe file to edit, - for standard input, or the word identity");
     app.add_option("-o,--output", o->output, "the baked LUT, or - for standard output");
     app.add_option("--recipe", o->recipe, "operators to start from");
     app.add_option("--save-recipe", o->save_recipe, "write the operators and their base here");

@@ -31,7 +31,7 @@ float number(std::string_view word, const lutlib::Where& where) {
     const lutlib::NumberStatus status = lutlib::parse_float(word, value);
     if (status == lutlib::NumberStatus::not_finite) {
         const bool nan = word.find_first_of("nN") < word.find_first_of("iI");
-        const bool negative = word.front() == '-';
+        const bool negative = word.starts_with('-');
         return nan ? std::numeric_limits<float>::quiet_NaN()
                    : (negative ? -1.0F : 1.0F) * std::numeric_limits<float>::infinity();
     }
@@ -41,7 +41,19 @@ float number(std::string_view word, const lutlib::Where& where) {
     return value;
 }
 
+bool is_number(std::string_view word) {
+    float ignored = 0;
+    return lutlib::parse_float(word, ignored) != lutlib::NumberStatus::not_a_number;
+}
+
 std::vector<Rgb> from_arguments(const std::vector<std::string>& words) {
+    for (const std::string& word : words) {
+        if (word.starts_with('-') && !is_number(word)) {
+            throw lutlib::UsageError("there is no flag '" + word +
+                                     "'; eval takes --interpolation "
+                                     "and --json");
+        }
+    }
     if (words.size() % 3 != 0) {
         throw lutlib::UsageError("colours are given as R G B; " + std::to_string(words.size()) +
                                  " numbers are no whole number of colours");
@@ -109,7 +121,15 @@ Run declare_eval(CLI::App& app) {
     // Not a positional option: negative numbers would be taken for flags.
     app.allow_extras();
     app.footer("R G B...: colours; without any, lines of three numbers from standard input");
-    return [o, &app] { return run(*o, app.remaining()); };
+    // CLI11 gives what follows a bare -- to the program itself.
+    CLI::App& program = *app.get_parent();
+    app.parse_complete_callback([&program] { program.allow_extras(); });
+    return [o, &app, &program] {
+        std::vector<std::string> words = app.remaining();
+        const std::vector<std::string> more = program.remaining();
+        words.insert(words.end(), more.begin(), more.end());
+        return run(*o, words);
+    };
 }
 
 } // namespace converter

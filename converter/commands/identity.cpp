@@ -1,7 +1,9 @@
 // lutconv identity: a LUT that changes nothing, as a file of any kind or an engine's picture.
 #include "converter/command.h"
 #include "converter/options.h"
+#include "converter/usage.h"
 #include "lutlib/engine/bake.h"
+#include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/lut_picture.h"
@@ -21,12 +23,16 @@ constexpr int usual_size = 33;
 
 std::string bytes_of(const Options& o) {
     if (lutlib::io::extension_of(o.output) == "png" || o.engine.given()) {
+        require_png_name(o.output, "--engine");
         const lutlib::Engine& engine =
             o.engine.given() ? o.engine.get() : *lutlib::engine_named("piccolo");
         const lutlib::Bake picture = lutlib::bake([](lutlib::RgbD in) { return in; }, engine,
                                                   o.size ? o.size : engine.default_size,
                                                   o.bits ? o.bits : engine.default_bits);
         return lutlib::io::picture_bytes(picture, {"identity", "Identity", {}});
+    }
+    if (o.bits) {
+        throw lutlib::UsageError("--bits is of pictures: name a .png or an --engine");
     }
     lutlib::Lut lut;
     lut.cube = lutlib::identity_cube(o.size ? o.size : usual_size);
@@ -41,8 +47,9 @@ Run declare_identity(CLI::App& app) {
     app.add_option("-o,--output", o->output,
                    "a LUT file of any extension, or - for a .cube to standard output")
         ->required();
-    app.add_option("--size", o->size, "nodes a side (default: the engine's, or 33)");
-    app.add_option("--bits", o->bits, "8 or 16 bits a sample of a picture");
+    app.add_option("--size", o->size, "nodes a side (default: the engine's, or 33)")
+        ->check(cube_sizes());
+    app.add_option("--bits", o->bits, "8 or 16 bits a sample of a picture")->check(picture_bits());
     o->engine.declare(app, "");
     return [o] {
         lutlib::io::write_file(o->output, bytes_of(*o));

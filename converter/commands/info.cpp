@@ -3,7 +3,7 @@
 #include "converter/options.h"
 #include "converter/report.h"
 #include "lutlib/interpolation/interpolation.h"
-#include "lutlib/io/file.h"
+#include "lutlib/io/bake_report.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -60,8 +60,9 @@ std::string table_text(const char* what, int size, const lutlib::Domain& d,
     const Extent e = extent_of(values);
     return fmt::format("  {}: {} {}, input {}, output {:.6g}..{:.6g}, {:.6g}..{:.6g}, "
                        "{:.6g}..{:.6g}{}\n",
-                       what, size, what[0] == 's' ? "entries" : "nodes a side", domain_text(d),
-                       e.low.r, e.high.r, e.low.g, e.high.g, e.low.b, e.high.b,
+                       what, size, what[0] == 's' ? "entries" : "nodes a side",
+                       lutlib::io::domain_text(d), e.low.r, e.high.r, e.low.g, e.high.g, e.low.b,
+                       e.high.b,
                        e.outside ? fmt::format(", {} values outside 0..1", e.outside) : "");
 }
 
@@ -81,9 +82,9 @@ int run(const std::string& path, bool json) {
         print(out, "");
         return ok;
     }
-    std::string out = lutlib::io::input_name(path) + "\n";
+    std::string out = input_text(path) + "\n";
     if (!lut.title.empty()) {
-        out += "  title: " + lut.title + "\n";
+        out += "  title: " + one_line(lut.title) + "\n";
     }
     if (lut.shaper) {
         out += table_text("shaper", lut.shaper->size(), lut.shaper->domain, lut.shaper->entries);
@@ -93,7 +94,7 @@ int run(const std::string& path, bool json) {
     }
     out += "  distance from the identity: " + to_text(moves) + "\n";
     for (const std::string& comment : lut.comments) {
-        out += "  # " + comment + "\n";
+        out += "  # " + one_line(comment) + "\n";
     }
     print(out, "");
     return ok;

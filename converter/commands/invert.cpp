@@ -5,7 +5,8 @@
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
-#include "lutlib/io/file.h"
+#include "converter/usage.h"
+#include "lutlib/io/bake_report.h"
 #include "lutlib/metrics/compare.h"
 
 #include <fmt/core.h>
@@ -63,8 +64,7 @@ int run(const Options& o) {
         options.size = o.size;
     }
     if (!o.domain.empty()) {
-        options.domain = lutlib::Domain{{o.domain[0], o.domain[0], o.domain[0]},
-                                        {o.domain[1], o.domain[1], o.domain[1]}};
+        options.domain = domain_of(o.domain);
     }
     const lutlib::Lut look = read_look(o.input);
     const lutlib::Inversion inversion = invert(look, options);
@@ -83,9 +83,9 @@ int run(const Options& o) {
         return ok;
     }
     std::string text =
-        fmt::format("{} <- inverse of {}\n  {} nodes a side, input {}\n",
-                    lutlib::io::output_name(o.output), lutlib::io::input_name(o.input),
-                    inversion.lut.cube->size, domain_text(inversion.lut.domain()));
+        fmt::format("{} <- inverse of {}\n  {} nodes a side, input {}\n", output_text(o.output),
+                    input_text(o.input), inversion.lut.cube->size,
+                    lutlib::io::domain_text(inversion.lut.domain()));
     text += region_text("no input gives these, so they got the nearest that can be given",
                         "distance", inversion.out_of_gamut, inversion.nodes);
     text += region_text("folded: several inputs give these, so they got the nearest of them",
@@ -102,7 +102,8 @@ Run declare_invert(CLI::App& app) {
     const auto o = std::make_shared<Options>();
     app.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input")->required();
     app.add_option("-o,--output", o->output, "the inverse, or - for standard output")->required();
-    app.add_option("--size", o->size, "nodes a side of the inverse (default: the look's)");
+    app.add_option("--size", o->size, "nodes a side of the inverse (default: the look's)")
+        ->check(cube_sizes());
     app.add_option("--domain", o->domain,
                    "colours to invert: minimum and maximum (default: 0..1, widened to the look's)")
         ->expected(2);

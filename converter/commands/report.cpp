@@ -1,19 +1,18 @@
 // lutconv report: what every way of keeping a look costs in error, time and bytes.
 #include "converter/report.h"
 #include "converter/command.h"
-#include "converter/options.h"
 #include "converter/recipe_options.h"
 #include "converter/survey_page.h"
+#include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
-#include "lutlib/io/recipe_file.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <unistd.h>
 
-#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -68,18 +67,8 @@ struct Report {
     nlohmann::ordered_json json;
 };
 
-// A recipe file with its base, or a LUT of any kind as the base of an empty recipe.
-lutlib::Recipe recipe_of(const std::string& path) {
-    if (path != io::standard_stream && io::is_recipe(io::read_file(path))) {
-        return io::read_recipe(path, read_lut);
-    }
-    lutlib::Recipe recipe;
-    io::set_base(recipe, path, read_lut);
-    return recipe;
-}
-
 Report report_on_look(const Options& o) {
-    lutlib::Recipe recipe = recipe_of(o.input);
+    lutlib::Recipe recipe = recipe_of(io::read_file(o.input), o.input);
     if (!o.input_encoding.empty()) {
         recipe.input = &encoding_of(o.input_encoding, "--input-encoding");
     }
@@ -91,7 +80,6 @@ Report report_on_look(const Options& o) {
     settings.promise = o.promise;
     if (!o.sizes.empty()) {
         settings.sizes = o.sizes;
-        std::for_each(o.sizes.begin(), o.sizes.end(), lutlib::check_cube_size);
     }
     const lutlib::Survey survey = lutlib::survey(
         recipe, settings, [&](double share, const std::string& doing) { bar.draw(share, doing); });
@@ -116,18 +104,18 @@ int run(const Options& o) {
     if (!o.suite.empty() && o.suite != "stiff") {
         throw lutlib::UsageError("there is no suite '" + o.suite + "'; there is stiff");
     }
-    if (!(o.promise > 0)) {
-        throw lutlib::UsageError("--max-delta-e must be above 0");
-    }
+    const std::string shown = standard_output_of(std::array{o.output, o.json, o.csv});
     const Report report = o.suite.empty() ? report_on_look(o) : report_on_suite();
-    io::write_file(o.output, report.html);
+    const std::string figures = json_text(report.json);
+    std::vector<io::FileToWrite> files{{o.output, report.html}};
     if (!o.json.empty()) {
-        io::write_file(o.json, report.json.dump(2) + "\n");
+        files.push_back({o.json, figures});
     }
     if (!o.csv.empty()) {
-        io::write_file(o.csv, report.csv);
+        files.push_back({o.csv, report.csv});
     }
-    print(report.words, o.output);
+    io::write_files(files);
+    print(report.words, shown);
     return ok;
 }
 
@@ -141,8 +129,10 @@ Run declare_report(CLI::App& app) {
     app.add_option("--json", o->json, "every figure as JSON, into this file");
     app.add_option("--csv", o->csv, "every figure as CSV, into this file");
     app.add_option("--sizes", o->sizes,
-                   "only these lattice sizes (default: 8 16 17 25 32 33 49 64 65)");
+                   "only these lattice sizes (default: 8 16 17 25 32 33 49 64 65)")
+        ->check(cube_sizes());
     app.add_option("--max-delta-e", o->promise, "what the recommendation must keep, in dE2000")
+        ->check(above_zero())
         ->capture_default_str();
     app.add_option("--input-encoding", o->input_encoding,
                    "what the look's input is: " + encoding_names());

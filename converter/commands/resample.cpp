@@ -2,8 +2,8 @@
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/recipe_options.h"
+#include "converter/report.h"
 #include "converter/result.h"
-#include "lutlib/io/file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -22,9 +22,10 @@ int run(const Options& o) {
     const lutlib::ResamplingMethod& method = o.made.method.get();
     const lutlib::Lut look = read_look(o.input);
     const lutlib::Lut lut = resample(look, o.made.sampling.sampling(), method);
-    const std::string name = lutlib::io::input_name(o.input);
-    write_and_report({lut, o.made.output, name, transform_of(look, method), encoding, {}},
-                     o.made.json, {{"input", o.input}});
+    const std::string name = input_text(o.input);
+    write_and_report(
+        {lut, o.made.output, o.made.output, name, transform_of(look, method), encoding, {}},
+        o.made.json, {{"input", o.input}});
     return ok;
 }
 

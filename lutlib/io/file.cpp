@@ -3,15 +3,16 @@
 #include "lutlib/error.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
-#include <climits>
-#include <cstdlib>
 #include <fcntl.h>
-#include <memory>
+#include <filesystem>
+#include <list>
 #include <random>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <vector>
 
 namespace lutlib::io {
 namespace {
@@ -54,11 +55,29 @@ void write_all(int fd, std::string_view bytes, const std::string& name) {
     }
 }
 
+// `name` is what messages call the file at `path`.
+void open_and_write(const std::string& path, std::string_view bytes, const std::string& name) {
+    const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (file.get() < 0) {
+        fail("cannot open the file for writing", name, errno);
+    }
+    write_all(file.get(), bytes, name);
+}
+
 // The file that a chain of symbolic links leads to, so that a rename replaces it and not the link.
+// It need not exist.
 std::string follow_links(const std::string& path) {
-    const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr),
-                                                           &std::free);
-    return real ? std::string(real.get()) : path;
+    constexpr int longest_chain = 40; // Linux's own limit
+    std::filesystem::path at = path;
+    for (int i = 0; i <= longest_chain; ++i) {
+        std::error_code no_link;
+        const std::filesystem::path to = std::filesystem::read_symlink(at, no_link);
+        if (no_link) {
+            return at.string();
+        }
+        at = at.parent_path() / to;
+    }
+    fail("cannot follow the symbolic link", path, ELOOP);
 }
 
 std::string directory_of(const std::string& path) {
@@ -81,6 +100,46 @@ std::string temporary_name(const std::string& target) {
     const std::string stem = file.substr(0, std::min<std::size_t>(dot, 64));
     return directory_of(target) + "/." + stem + "." + tag + ".tmp" + extension;
 }
+
+constexpr const char* empty_file = "the file is empty";
+
+// What can be read from: a file, a device or a pipe, but no directory.
+class Input {
+  public:
+    explicit Input(const std::string& path)
+        : name_(input_name(path)),
+          file_(path == standard_stream ? STDIN_FILENO
+                                        : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+        struct stat info {};
+        if (file_.get() < 0 || ::fstat(file_.get(), &info) != 0) {
+            fail("cannot open the file", name_, errno);
+        }
+        if (S_ISDIR(info.st_mode)) {
+            throw Error("this is a directory; name a file", {name_, 0, {}});
+        }
+        announced_ = S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) : 0;
+    }
+
+    const std::string& name() const { return name_; }
+    std::size_t announced() const { return announced_; }
+
+    /// Some of the next bytes; 0 at the end.
+    std::size_t read(char* to, std::size_t most) const {
+        ssize_t got = 0;
+        do {
+            got = ::read(file_.get(), to, most);
+        } while (got < 0 && errno == EINTR);
+        if (got < 0) {
+            fail("cannot read the file", name_, errno);
+        }
+        return static_cast<std::size_t>(got);
+    }
+
+  private:
+    std::string name_;
+    Descriptor file_;
+    std::size_t announced_ = 0;
+};
 
 // Devices, pipes and sockets have no old content to protect and cannot be renamed over.
 bool is_special(const std::string& path) {
@@ -117,50 +176,44 @@ std::string extension_of(std::string_view path) {
 }
 
 std::string read_file(const std::string& path, std::size_t max_bytes) {
-    const std::string name = input_name(path);
-    const Descriptor file(path == standard_stream ? STDIN_FILENO
-                                                  : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    struct stat info {};
-    if (file.get() < 0 || ::fstat(file.get(), &info) != 0) {
-        fail("cannot open the file", name, errno);
-    }
-    if (S_ISDIR(info.st_mode)) {
-        throw Error("this is a directory; name a file", {name, 0, {}});
-    }
-    const auto announced = S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) : 0;
-    if (announced > max_bytes) {
-        too_large(name, max_bytes);
+    const Input file(path);
+    if (file.announced() > max_bytes) {
+        too_large(file.name(), max_bytes);
     }
     // One byte more than announced, so that the end shows without growing. Pipes announce nothing.
-    std::string bytes(std::max<std::size_t>(announced + 1, 4096), '\0');
+    std::string bytes(std::max<std::size_t>(file.announced() + 1, 4096), '\0');
     std::size_t length = 0;
-    while (true) {
+    while (const std::size_t got = file.read(bytes.data() + length, bytes.size() - length)) {
+        length += got;
+        if (length > max_bytes) {
+            too_large(file.name(), max_bytes);
+        }
         if (length == bytes.size()) {
             bytes.resize(length * 2);
         }
-        const ssize_t got = ::read(file.get(), bytes.data() + length, bytes.size() - length);
-        if (got < 0) {
-            if (errno == EINTR) {
-                continue;
-            }
-            fail("cannot read the file", name, errno);
-        }
-        if (got == 0) {
-            break;
-        }
-        length += static_cast<std::size_t>(got);
-        if (length > max_bytes) {
-            too_large(name, max_bytes);
-        }
     }
     if (length == 0) {
-        throw Error("the file is empty", {name, 0, {}});
+        throw Error(empty_file, {file.name(), 0, {}});
     }
     bytes.resize(length);
     return bytes;
 }
 
-PendingFile::PendingFile(const std::string& target) : target_(follow_links(target)) {
+std::optional<std::string> head_of_regular_file(const std::string& path, std::size_t bytes) {
+    if (path == standard_stream || is_special(path)) {
+        return std::nullopt;
+    }
+    const Input file(path);
+    std::string head(bytes, '\0');
+    head.resize(file.read(head.data(), bytes));
+    if (head.empty()) {
+        throw Error(empty_file, {file.name(), 0, {}});
+    }
+    return head;
+}
+
+PendingFile::PendingFile(const std::string& target)
+    : target_(follow_links(target)), path_(temporary_name(target_)), removed_(path_) {
     struct stat info {};
     const bool exists = ::stat(target_.c_str(), &info) == 0;
     if (exists && S_ISDIR(info.st_mode)) {
@@ -170,12 +223,10 @@ PendingFile::PendingFile(const std::string& target) : target_(follow_links(targe
     if (exists && ::access(target_.c_str(), W_OK) != 0) {
         fail("cannot replace the file", target, errno);
     }
-    std::string name = temporary_name(target_);
-    const Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    const Descriptor file(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (file.get() < 0) {
         fail("cannot create a file in " + directory_of(target_), target, errno);
     }
-    path_ = std::move(name);
     if (exists && ::fchmod(file.get(), info.st_mode & 0777) != 0) {
         const int reason = errno;
         ::unlink(path_.c_str());
@@ -184,7 +235,7 @@ PendingFile::PendingFile(const std::string& target) : target_(follow_links(targe
 }
 
 PendingFile::~PendingFile() {
-    if (!path_.empty()) {
+    if (!committed_) {
         ::unlink(path_.c_str());
     }
 }
@@ -194,32 +245,33 @@ void PendingFile::commit() {
     if (::rename(path_.c_str(), target_.c_str()) != 0) {
         fail("cannot move the new file into place", target_, errno);
     }
-    path_.clear();
+    committed_ = true;
+}
+
+void write_files(std::span<const FileToWrite> files) {
+    std::list<PendingFile> pending;
+    std::vector<const FileToWrite*> in_place;
+    for (const FileToWrite& file : files) {
+        if (file.path == standard_stream || is_special(file.path)) {
+            in_place.push_back(&file);
+        } else {
+            open_and_write(pending.emplace_back(file.path).path(), file.bytes, file.path);
+        }
+    }
+    for (const FileToWrite* const file : in_place) {
+        if (file->path == standard_stream) {
+            write_all(STDOUT_FILENO, file->bytes, output_name(file->path));
+        } else {
+            open_and_write(file->path, file->bytes, file->path);
+        }
+    }
+    for (PendingFile& file : pending) {
+        file.commit();
+    }
 }
 
 void write_file(const std::string& path, std::string_view bytes) {
-    const std::string name = output_name(path);
-    if (path == standard_stream) {
-        write_all(STDOUT_FILENO, bytes, name);
-        return;
-    }
-    if (is_special(path)) {
-        const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-        if (file.get() < 0) {
-            fail("cannot open the file for writing", name, errno);
-        }
-        write_all(file.get(), bytes, name);
-        return;
-    }
-    PendingFile pending(path);
-    {
-        const Descriptor file(::open(pending.path().c_str(), O_WRONLY | O_CLOEXEC));
-        if (file.get() < 0) {
-            fail("cannot open the file for writing", name, errno);
-        }
-        write_all(file.get(), bytes, name);
-    }
-    pending.commit();
+    write_files(std::array{FileToWrite{path, bytes}});
 }
 
 } // namespace lutlib::io

@@ -3,9 +3,12 @@
 // is the old file or the whole new one.
 #pragma once
 
+#include "lutlib/io/cleanup.h"
 #include "lutlib/limits.h"
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,10 +20,22 @@ inline constexpr std::string_view standard_stream = "-";
 /// unreadable, a directory, empty or longer than `max_bytes`, before that much is allocated.
 std::string read_file(const std::string& path, std::size_t max_bytes = limits::max_file_bytes);
 
+/// The first bytes of a regular file, for libraries that then read it from its path themselves.
+/// Nothing of pipes and devices, whose bytes can be read but once. Throws Error as read_file()
+/// does.
+std::optional<std::string> head_of_regular_file(const std::string& path, std::size_t bytes);
+
 /// Replaces `path` by `bytes` at once, or writes them to standard output for `-`. A new file gets
 /// the permissions of the umask, a replaced one keeps its own, a symbolic link stays a link.
 /// Devices and pipes are written in place. Throws Error; the old file is then unchanged.
 void write_file(const std::string& path, std::string_view bytes);
+
+/// The same of several files of one run: none is replaced before all are written.
+struct FileToWrite {
+    std::string path;
+    std::string_view bytes;
+};
+void write_files(std::span<const FileToWrite> files);
 
 /// What messages call a path: itself, or "standard input" / "standard output" for `-`.
 std::string input_name(const std::string& path);
@@ -31,7 +46,7 @@ std::string extension_of(std::string_view path);
 
 /// The same for a library that insists on writing to a path itself: it writes to path(), which lies
 /// beside the target and has its extension, and commit() moves that file over the target. Without
-/// commit() the destructor removes it.
+/// commit() the destructor or a signal removes it.
 class PendingFile {
   public:
     /// Creates the empty temporary file. `target` must not be `-`. Throws Error.
@@ -47,6 +62,8 @@ class PendingFile {
   private:
     std::string target_; ///< with symbolic links followed
     std::string path_;
+    RemovedBySignals removed_;
+    bool committed_ = false;
 };
 
 } // namespace lutlib::io

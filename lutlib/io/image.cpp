@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 
 namespace lutlib::io {
 namespace {
@@ -63,11 +62,8 @@ CodeImage to_codes(const FloatImage& image, const ImageWriteOptions& options) {
     return out;
 }
 
-bool starts_as_png(const std::string& path) {
-    std::array<char, 8> head{};
-    std::ifstream file(path, std::ios::binary);
-    file.read(head.data(), head.size());
-    return is_png({head.data(), static_cast<std::size_t>(file.gcount())});
+bool is_png_name(const std::string& path) {
+    return path == standard_stream || extension_of(path) == "png";
 }
 
 } // namespace
@@ -98,15 +94,50 @@ FloatImage decode_image(std::string_view bytes, const std::string& extension,
 }
 
 FloatImage read_image(const std::string& path) {
-    if (path == standard_stream || starts_as_png(path)) {
-        return decode_image(read_file(path), {}, input_name(path));
+    constexpr std::size_t enough_to_tell_png = 8;
+    const auto head = head_of_regular_file(path, enough_to_tell_png);
+    return head && !is_png(*head)
+               ? oiio().read(path, path)
+               : decode_image(read_file(path), extension_of(path), input_name(path));
+}
+
+std::vector<Depth> depths_of(const std::string& path) {
+    if (is_png_name(path)) {
+        return {Depth::uint8, Depth::uint16};
     }
-    return oiio().read(path, path);
+    if (!oiio().writes(path)) {
+        throw UsageError("no picture that can be written has this extension; there are png, exr, "
+                         "tif, jpg, hdr and others",
+                         {path, 0, {}});
+    }
+    std::vector<Depth> out;
+    const PendingFile trial(path);
+    for (const DepthInfo& row : table) {
+        const Depth written = oiio().written_depth(trial.path(), path, row.depth);
+        if (std::find(out.begin(), out.end(), written) == out.end()) {
+            out.push_back(written);
+        }
+    }
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+Depth nearest_depth(Depth depth, std::span<const Depth> held) {
+    // Half holds every 8-bit code apart, 16-bit codes need float.
+    constexpr std::array<std::array<Depth, 4>, 4> by_loss{{
+        {Depth::uint8, Depth::uint16, Depth::half, Depth::float32},
+        {Depth::uint16, Depth::float32, Depth::half, Depth::uint8},
+        {Depth::half, Depth::float32, Depth::uint16, Depth::uint8},
+        {Depth::float32, Depth::half, Depth::uint16, Depth::uint8},
+    }};
+    const auto& row = *std::find_if(by_loss.begin(), by_loss.end(),
+                                    [depth](const auto& r) { return r.front() == depth; });
+    return *std::find_first_of(row.begin(), row.end(), held.begin(), held.end());
 }
 
 void write_image(const std::string& path, const FloatImage& image,
                  const ImageWriteOptions& options) {
-    if (path == standard_stream || extension_of(path) == "png") {
+    if (is_png_name(path)) {
         write_file(path, write_png(to_codes(image, options)));
         return;
     }

@@ -38,10 +38,17 @@ FloatImage decode_image(std::string_view bytes, const std::string& extension,
                         const std::string& file);
 
 struct ImageWriteOptions {
-    Depth depth = Depth::half; ///< the nearest that the file type has is taken
+    Depth depth = Depth::half; ///< one of depths_of()
     bool alpha = false;
     std::vector<std::pair<std::string, std::string>> text; ///< kept in PNG files
 };
+
+/// The depths that a picture of the extension of `path` can have, by trial; `-` is a PNG. Throws
+/// UsageError when no picture of this type can be written, Error when nothing can be beside `path`.
+std::vector<Depth> depths_of(const std::string& path);
+
+/// The one of `held` that loses least of a picture of this depth.
+Depth nearest_depth(Depth depth, std::span<const Depth> held);
 
 /// Writes atomically; the file type is the extension's. Integer samples are clamped to 0..1 (NaN to
 /// 0) and rounded to nearest. `-` writes a PNG to standard output. Throws Error.

@@ -13,6 +13,11 @@ class Oiio {
     virtual std::string version() const = 0;
     /// `file` names the picture at `path` in errors.
     virtual FloatImage read(const std::string& path, const std::string& file) const = 0;
+    /// Whether a picture of the extension of `path` can be written, whatever its depth.
+    virtual bool writes(const std::string& path) const = 0;
+    /// The depth that a picture written to `path` with this depth then has; tried out on `path`.
+    virtual Depth written_depth(const std::string& path, const std::string& file,
+                                Depth depth) const = 0;
     /// Writes to `path` itself. `file` as above.
     virtual void write(const std::string& path, const std::string& file, const FloatImage& image,
                        const ImageWriteOptions& options) const = 0;

@@ -2,9 +2,11 @@
 
 #include "lutlib/error.h"
 
+#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 
 namespace lutlib::io {
 namespace {
@@ -14,14 +16,23 @@ void remove_folder(const std::string& folder) {
     std::filesystem::remove_all(folder, ignored);
 }
 
+std::string new_folder() {
+    std::error_code error;
+    std::string folder = (std::filesystem::temp_directory_path(error) / "lutlib-XXXXXX").string();
+    if (error || !::mkdtemp(folder.data())) {
+        const int reason = error ? error.value() : errno;
+        throw Error("cannot create a folder for temporary files; TMPDIR can name a writable place "
+                    "for it: " +
+                    std::generic_category().message(reason));
+    }
+    return folder;
+}
+
 } // namespace
 
 TemporaryFile::TemporaryFile(std::string_view bytes, const std::string& extension)
-    : folder_((std::filesystem::temp_directory_path() / "lutlib-XXXXXX").string()) {
-    if (!::mkdtemp(folder_.data())) {
-        throw Error("cannot create a temporary folder; is TMPDIR writable?", {folder_, 0, {}});
-    }
-    path_ = folder_ + "/input" + (extension.empty() ? "" : "." + extension);
+    : folder_(new_folder()), path_(folder_ + "/input" + (extension.empty() ? "" : "." + extension)),
+      folder_removed_(folder_), file_removed_(path_) {
     std::ofstream file(path_, std::ios::binary);
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     if (!file.flush()) {

@@ -1,12 +1,14 @@
 // Bytes as a file with a chosen extension, for libraries that read only from a path.
 #pragma once
 
+#include "lutlib/io/cleanup.h"
+
 #include <string>
 #include <string_view>
 
 namespace lutlib::io {
 
-/// Lies in a folder of its own; both are removed with the object.
+/// Lies in a folder of its own; both are removed with the object, or by a signal.
 class TemporaryFile {
   public:
     /// Throws Error when it cannot be written.
@@ -19,6 +21,7 @@ class TemporaryFile {
 
   private:
     std::string folder_, path_;
+    RemovedBySignals folder_removed_, file_removed_;
 };
 
 } // namespace lutlib::io

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdlib>
+#include <filesystem>
 
 namespace converter_test {
 namespace {
@@ -177,6 +178,41 @@ TEST(Apply, counts_pixels_outside_the_domain_and_clamped_ones) {
     EXPECT_GT(figures["pixels_outside_domain"], 128);
     EXPECT_GT(figures["pixels_clamped"], 100);
     EXPECT_LE(figures["pixels_clamped"], 256);
+}
+
+TEST(Apply, writes_a_depth_that_the_file_type_holds_and_says_the_truth_of_it) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(5));
+    const std::string floats = folder.path("a.exr"), codes = folder.path("a.png");
+    io::write_image(floats, ramp(0, 1), {io::Depth::half, false, {}});
+    io::write_image(codes, ramp(0, 1), {io::Depth::uint8, false, {}});
+    const auto depth_said = [&](const std::string& in, const std::string& out,
+                                const std::string& depth) {
+        std::vector<std::string> words{"apply", look, in, "-o", folder.path(out), "--json"};
+        if (!depth.empty()) {
+            words.insert(words.end(), {"--depth", depth});
+        }
+        const Result result = lutconv(words);
+        if (result.exit_code != 0) {
+            EXPECT_FALSE(std::filesystem::exists(folder.path(out)));
+            return std::to_string(result.exit_code) + result.err.substr(result.err.rfind(';'));
+        }
+        const std::string said = json::parse(result.out)["depth"];
+        EXPECT_EQ(io::info_of(io::read_image(folder.path(out)).depth).name, said);
+        std::filesystem::remove(folder.path(out));
+        return said;
+    };
+    EXPECT_EQ(depth_said(floats, "x.jpg", ""), "uint8");
+    EXPECT_EQ(depth_said(floats, "x.png", ""), "uint16");
+    EXPECT_EQ(depth_said(floats, "x.tif", ""), "float");
+    EXPECT_EQ(depth_said(codes, "x.hdr", ""), "float");
+    EXPECT_EQ(depth_said(codes, "x.exr", ""), "half");
+    EXPECT_EQ(depth_said(floats, "x.png", "uint8"), "uint8");
+    EXPECT_EQ(depth_said(floats, "x.png", "half"), "3; it holds uint8, uint16\n");
+    EXPECT_EQ(depth_said(codes, "x.exr", "uint8"), "3; it holds half, float\n");
+    EXPECT_EQ(depth_said(codes, "x.jpg", "float"), "3; it holds uint8\n");
+    EXPECT_EQ(depth_said(codes, "x.xyz", "").substr(0, 1), "3");
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.cube", "a.exr", "a.png"}));
 }
 
 TEST(Apply, leaves_the_old_picture_when_the_input_is_bad) {

@@ -99,6 +99,34 @@ TEST(Edit, refuses_bad_values_and_bad_recipes_with_the_reason) {
     EXPECT_FALSE(std::filesystem::exists(folder.path("x.cube")));
 }
 
+TEST(Edit, knows_a_recipe_by_its_content_also_on_standard_input) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(5)), out = folder.path("o.cube");
+    const std::string recipe = folder.path("r.json"), page = folder.path("r.html");
+    run({"edit", look, "-o", folder.path("meant.cube"), "--exposure", "1", "--save-recipe",
+         recipe});
+    json document = json::parse(contents(recipe));
+    document["base"] = look;
+    const std::string text = document.dump(2);
+    const std::string plain = folder.write("recipe", text);
+    for (const std::string& path : {std::string("-"), plain}) {
+        const Result edited = lutconv({"edit", path, "-o", out}, text);
+        EXPECT_EQ(edited.exit_code, 0) << edited.err;
+        EXPECT_TRUE(contents(out) == contents(folder.path("meant.cube")));
+        const Result report = lutconv({"report", path, "--sizes", "2", "-o", page}, text);
+        EXPECT_EQ(report.exit_code, 0) << report.err;
+    }
+    EXPECT_EQ(lutconv({"edit", "-", "-o", out, "--save-recipe", recipe}, text).exit_code, 0);
+    EXPECT_EQ(json::parse(contents(recipe))["base"], "a.cube");
+    EXPECT_EQ(lutconv({"edit", "-", "--recipe", plain, "-o", out}, text).exit_code, 3);
+    EXPECT_EQ(lutconv({"edit", "-", "--recipe", "-", "-o", out}, text).exit_code, 3);
+    const std::string cube = saturated_cube(5);
+    EXPECT_EQ(lutconv({"edit", "-", "-o", out}, cube).exit_code, 0);
+    EXPECT_EQ(lutconv({"report", "-", "--sizes", "2", "-o", page}, cube).exit_code, 0);
+    // A recipe cannot name a LUT that is gone with the pipe.
+    EXPECT_EQ(lutconv({"edit", "-", "--save-recipe", recipe}, cube).exit_code, 3);
+}
+
 TEST(Resample, compose_blend_and_invert_report_their_errors) {
     const Folder folder;
     const std::string look = folder.write("a.cube", saturated_cube(9));

@@ -97,6 +97,19 @@ TEST(Report, plots_the_stiff_suite) {
     EXPECT_EQ(count(contents(page), "data-row=\""), 3 * figures["rows"].size());
 }
 
+TEST(Report, writes_all_of_its_files_or_none) {
+    const Folder folder;
+    const std::string look = folder.write("look.cube", saturated_cube(3));
+    const std::string page = folder.path("r.html"), csv = folder.path("r.csv");
+    for (const std::string& figures : {std::string("/dev/full"), folder.path("none/r.json")}) {
+        const Result result =
+            lutconv({"report", look, "--sizes", "2", "-o", page, "--csv", csv, "--json", figures});
+        EXPECT_EQ(result.exit_code, 2);
+        EXPECT_NE(result.err.find(figures), std::string::npos) << result.err;
+        EXPECT_EQ(folder.names(), std::vector<std::string>{"look.cube"});
+    }
+}
+
 TEST(Report, wants_a_look_or_a_suite) {
     EXPECT_EQ(lutconv({"report", "-o", "-"}).exit_code, 3);
     EXPECT_EQ(lutconv({"report", "--suite", "soft", "-o", "-"}).exit_code, 3);

@@ -1,11 +1,13 @@
 #include "lutlib/io/file.h"
 
 #include "lutlib/error.h"
+#include "lutlib/io/temporary_file.h"
 #include "tests/io/scratch.h"
 
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sys/stat.h>
@@ -90,6 +92,20 @@ TEST(WriteFile, writes_through_a_symbolic_link) {
     EXPECT_EQ(read_file(folder.file("real")), "new");
 }
 
+TEST(WriteFile, writes_where_a_dangling_link_points_and_refuses_a_circle) {
+    const ScratchFolder folder;
+    fs::create_directory(folder.file("sub"));
+    fs::create_symlink("sub/second", folder.file("first"));
+    fs::create_symlink("../real", folder.file("sub/second"));
+    write_file(folder.file("first"), "new");
+    EXPECT_TRUE(fs::is_symlink(folder.file("first")));
+    EXPECT_TRUE(fs::is_symlink(folder.file("sub/second")));
+    EXPECT_EQ(read_file(folder.file("real")), "new");
+    fs::create_symlink("circle", folder.file("circle"));
+    EXPECT_THROW(write_file(folder.file("circle"), "x"), Error);
+    EXPECT_TRUE(fs::is_symlink(folder.file("circle")));
+}
+
 TEST(WriteFile, accepts_the_longest_name_that_the_file_system_allows) {
     const ScratchFolder folder;
     const std::string path = folder.file(std::string(250, 'n') + ".cube");
@@ -119,6 +135,64 @@ TEST(PendingFile, is_removed_when_it_is_not_committed) {
     }
     EXPECT_EQ(folder.count(), 1U);
     EXPECT_EQ(read_file(folder.file("x.exr")), "old");
+}
+
+TEST(PendingFile, and_temporary_files_go_with_a_program_that_a_signal_ends) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        const ScratchFolder folder;
+        const pid_t child = ::fork();
+        ASSERT_GE(child, 0);
+        if (child == 0) {
+            ::setenv("TMPDIR", folder.path().c_str(), 1);
+            const PendingFile pending(folder.file("x.exr"));
+            const TemporaryFile temporary("bytes", "exr");
+            // Tells the test that all is there.
+            put(folder.file("ready"), "");
+            while (true) {
+                ::pause();
+            }
+        }
+        for (int wait = 0; !fs::exists(folder.file("ready")) && wait < 10000; ++wait) {
+            ::usleep(1000);
+        }
+        EXPECT_EQ(folder.count(), 3U);
+        ASSERT_EQ(::kill(child, signal), 0);
+        int status = 0;
+        ASSERT_EQ(::waitpid(child, &status, 0), child);
+        EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << signal;
+        EXPECT_EQ(folder.count(), 1U) << signal;
+    }
+}
+
+TEST(PendingFile, leaves_ignored_signals_ignored) {
+    const ScratchFolder folder;
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        ::signal(SIGHUP, SIG_IGN);
+        PendingFile pending(folder.file("x"));
+        ::raise(SIGHUP);
+        pending.commit();
+        ::_exit(0);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status));
+    EXPECT_TRUE(fs::exists(folder.file("x")));
+}
+
+TEST(TemporaryFile, says_what_to_do_where_there_is_no_place_for_it) {
+    const char* const before = std::getenv("TMPDIR");
+    const std::string kept = before ? before : "";
+    ::setenv("TMPDIR", "/nonexistent", 1);
+    std::string text;
+    try {
+        const TemporaryFile file("bytes", "exr");
+    } catch (const Error& e) {
+        text = e.what();
+    }
+    before ? ::setenv("TMPDIR", kept.c_str(), 1) : ::unsetenv("TMPDIR");
+    EXPECT_NE(text.find("TMPDIR can name a writable place"), std::string::npos) << text;
 }
 
 TEST(ExtensionOf, is_lower_case_and_only_of_the_file_name) {

@@ -9,7 +9,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <limits>
+#include <sys/stat.h>
+#include <thread>
 
 namespace lutlib::io {
 namespace {
@@ -124,7 +127,8 @@ TEST(Image, from_memory_is_told_by_its_content) {
 TEST(Image, errors_are_one_line_that_names_the_file) {
     const ScratchFolder folder;
     write_file(folder.file("bad.exr"), "not a picture");
-    write_file(folder.file("old.exr"), "old");
+    write_file(folder.file("bad.png"), "\x89PNG\r\n\x1a\nno more");
+    write_file(folder.file("empty.exr"), "");
     const auto message = [](const auto& action) {
         try {
             action();
@@ -133,7 +137,7 @@ TEST(Image, errors_are_one_line_that_names_the_file) {
         }
         return std::string("no error");
     };
-    for (const std::string name : {"bad.exr", "none.exr"}) {
+    for (const std::string name : {"bad.exr", "none.exr", "bad.png", "empty.exr"}) {
         const std::string path = folder.file(name);
         const std::string text = message([&] { read_image(path); });
         EXPECT_EQ(text.rfind(path + ": ", 0), 0U) << text;
@@ -142,7 +146,28 @@ TEST(Image, errors_are_one_line_that_names_the_file) {
     const std::string unknown = folder.file("x.unknown");
     const std::string text = message([&] { write_image(unknown, ramp(false), {}); });
     EXPECT_EQ(text.rfind(unknown + ": ", 0), 0U) << text;
-    EXPECT_EQ(folder.count(), 2U) << "a temporary file was left";
+    EXPECT_EQ(message([] { read_image("/dev/null"); }), "/dev/null: the file is empty");
+    EXPECT_EQ(message([&] { read_image(folder.file("empty.exr")); }),
+              folder.file("empty.exr") + ": the file is empty");
+    EXPECT_EQ(message([&] { read_image(folder.file("none.exr")); }),
+              folder.file("none.exr") + ": cannot open the file: No such file or directory");
+    EXPECT_EQ(message([&] { read_image(folder.path().string()); }),
+              folder.path().string() + ": this is a directory; name a file");
+    EXPECT_EQ(folder.count(), 3U) << "a temporary file was left";
+}
+
+TEST(Image, comes_through_a_pipe_that_is_read_but_once) {
+    const ScratchFolder folder;
+    for (const std::string extension : {"png", "exr"}) {
+        const std::string path = folder.file("x." + extension), pipe = folder.file(extension);
+        write_image(path, ramp(true), {Depth::uint16, true, {}});
+        ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+        std::thread writer([&] { std::ofstream(pipe, std::ios::binary) << read_file(path); });
+        const FloatImage piped = read_image(pipe);
+        writer.join();
+        EXPECT_EQ(piped.rgba, read_image(path).rgba);
+        EXPECT_EQ(piped.depth, read_image(path).depth);
+    }
 }
 
 TEST(Image, a_cut_exr_is_an_error) {

@@ -120,6 +120,27 @@ class Library final : public Oiio {
         return image;
     }
 
+    bool writes(const std::string& path) const override {
+        const bool known = OIIO::ImageOutput::create(path) != nullptr;
+        OIIO::geterror(); // else it is printed when the program ends
+        return known;
+    }
+
+    Depth written_depth(const std::string& path, const std::string& file,
+                        Depth depth) const override {
+        // Large enough for every type; JPEG 2000 wants several resolutions.
+        FloatImage image;
+        image.width = image.height = 64;
+        image.rgba.assign(64 * 64 * 4, 0.0F);
+        write(path, file, image, {depth, false, {}});
+        // What the library says of a file that it writes is not always what it then wrote.
+        const auto written = OIIO::ImageInput::open(path);
+        if (!written) {
+            fail("cannot read back a picture of this type", OIIO::geterror(), path, file);
+        }
+        return depth_of(written->spec().format);
+    }
+
     void write(const std::string& path, const std::string& file, const FloatImage& image,
                const ImageWriteOptions& options) const override {
         const auto output = OIIO::ImageOutput::create(path);

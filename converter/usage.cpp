@@ -1,0 +1,87 @@
+#include "converter/usage.h"
+
+#include "lutlib/error.h"
+#include "lutlib/io/file.h"
+#include "lutlib/limits.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace converter {
+namespace {
+
+namespace limits = lutlib::limits;
+using lutlib::UsageError;
+
+// CLI11's own ranges take NaN for a member.
+CLI::Validator number_that(bool (*fits)(double), const std::string& words) {
+    return CLI::Validator(
+        [fits, words](const std::string& text) {
+            double value = 0;
+            const bool good =
+                CLI::detail::lexical_cast(text, value) && std::isfinite(value) && fits(value);
+            return good ? std::string() : fmt::format("'{}' is not {}", text, words);
+        },
+        words);
+}
+
+std::ptrdiff_t standard_streams(std::span<const std::string> paths) {
+    return std::count(paths.begin(), paths.end(), lutlib::io::standard_stream);
+}
+
+} // namespace
+
+CLI::Validator cube_sizes() {
+    return CLI::Range(limits::min_cube_size, limits::max_cube_size);
+}
+
+CLI::Validator shaper_sizes() {
+    return CLI::Range(limits::min_shaper_size, limits::max_shaper_size);
+}
+
+CLI::Validator picture_bits() {
+    return CLI::IsMember({8, 16});
+}
+
+CLI::Validator above_zero() {
+    return number_that([](double x) { return x > 0; }, "a number above 0");
+}
+
+CLI::Validator zero_or_more() {
+    return number_that([](double x) { return x >= 0; }, "a number of 0 or more");
+}
+
+lutlib::Domain domain_of(const std::vector<float>& ends) {
+    const float low = ends[0], high = ends[1];
+    if (!(low < high) || !std::isfinite(high - low)) {
+        throw UsageError(fmt::format(
+            "--domain takes a minimum and a maximum above it, not {} and {}", low, high));
+    }
+    return {{low, low, low}, {high, high, high}};
+}
+
+void require_png_name(const std::string& path, const std::string& what) {
+    const std::string extension = lutlib::io::extension_of(path);
+    if (path != lutlib::io::standard_stream && !extension.empty() && extension != "png") {
+        throw UsageError(what + " writes a PNG, which -o '" + path +
+                         "' does not say; convert writes other files");
+    }
+}
+
+void require_one_standard_input(std::span<const std::string> inputs) {
+    if (standard_streams(inputs) > 1) {
+        throw UsageError("only one input can be standard input; name files for the rest");
+    }
+}
+
+std::string standard_output_of(std::span<const std::string> outputs) {
+    const auto count = standard_streams(outputs);
+    if (count > 1) {
+        throw UsageError("only one output can be standard output; name files for the rest");
+    }
+    return count > 0 ? std::string(lutlib::io::standard_stream) : std::string();
+}
+
+} // namespace converter

@@ -1,0 +1,22 @@
+// Files that must not outlive the program, also when a signal ends it.
+#pragma once
+
+#include <string>
+
+namespace lutlib::io {
+
+/// While it lives, a signal that ends the program (from the keyboard, kill, a closed terminal, a
+/// limit) removes the file or the empty folder at `path`. What else handles the signal then still
+/// does. Nothing helps against SIGKILL.
+class RemovedBySignals {
+  public:
+    explicit RemovedBySignals(const std::string& path);
+    ~RemovedBySignals();
+    RemovedBySignals(const RemovedBySignals&) = delete;
+    RemovedBySignals& operator=(const RemovedBySignals&) = delete;
+
+  private:
+    int slot_;
+};
+
+} // namespace lutlib::io

@@ -1,0 +1,115 @@
+// What a command line may not ask for: exit code 3, before anything is read or written, in words
+// that name the option and what it takes.
+#include "tests/converter/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace converter_test {
+namespace {
+
+struct Row {
+    std::vector<std::string> arguments; ///< LOOK and OUT stand for paths
+    std::string said;
+};
+
+const std::vector<Row>& rows() {
+    static const std::vector<Row> table{
+        {{"bake", "LOOK", "-o", "OUT.png", "--size", "257"}, "--size: Value 257 not in range 2 to"},
+        {{"bake", "LOOK", "-o", "OUT.png", "--size", "-3"}, "--size: Value -3 not in range 2 to"},
+        {{"bake", "LOOK", "-o", "OUT.png", "--size", "0"}, "--size: Value 0 not in range 2 to 256"},
+        {{"bake", "LOOK", "-o", "OUT.png", "--bits", "0"}, "--bits: 0 not in {8,16}"},
+        {{"bake", "LOOK", "-o", "OUT.png", "--bits", "9"}, "--bits: 9 not in {8,16}"},
+        {{"bake", "LOOK", "-o", "OUT.png", "--max-delta-e", "0"},
+         "--max-delta-e: '0' is not a number above 0"},
+        {{"bake", "LOOK", "-o", "OUT.png", "--max-delta-e", "nan"},
+         "--max-delta-e: 'nan' is not a number above 0"},
+        {{"bake", "LOOK", "-o", "OUT.cube"}, "bake writes a PNG, which -o "},
+        {{"bake", "LOOK", "-o", "OUT.jpg"}, "bake writes a PNG, which -o "},
+        {{"check", "LOOK", "--explain", "--tolerance", "nan"},
+         "--tolerance: 'nan' is not a number of 0 or more"},
+        {{"compare", "LOOK", "LOOK", "--samples", "0"}, "--samples must be a number from 1"},
+        {{"compare", "LOOK", "LOOK", "--domain", "1", "0"},
+         "--domain takes a minimum and a maximum above it, not 1 and 0"},
+        {{"invert", "LOOK", "-o", "OUT.cube", "--domain", "0", "inf"}, "--domain takes a minimum"},
+        {{"invert", "LOOK", "-o", "OUT.cube", "--size", "0"}, "--size: Value 0 not in range"},
+        {{"convert", "LOOK", "-o", "OUT.cube", "--size", "0"}, "--size: Value 0 not in range"},
+        {{"resample", "LOOK", "-o", "OUT.cube", "--domain", "1", "0"}, "--domain takes a minimum"},
+        {{"resample", "LOOK", "-o", "OUT.cube", "--size", "0"}, "--size: Value 0 not in range"},
+        {{"resample", "LOOK", "-o", "OUT.cube", "--shaper", "srgb", "--shaper-size", "1"},
+         "--shaper-size: Value 1 not in range 2 to 65536"},
+        {{"resample", "LOOK", "-o", "OUT.cube", "--shaper-size", "9"},
+         "--shaper-size needs a --shaper"},
+        {{"edit", "LOOK", "-o", "OUT.cube", "--shaper-size", "9"},
+         "--shaper-size needs a --shaper"},
+        {{"edit", "LOOK", "-o", "OUT.cube", "--shaper", "none", "--shaper-size", "9"},
+         "--shaper-size needs a --shaper"},
+        {{"report", "LOOK", "-o", "OUT.html", "--sizes", "8", "1"},
+         "--sizes: Value 1 not in range"},
+        {{"report", "LOOK", "-o", "OUT.html", "--max-delta-e", "nan"}, "--max-delta-e: 'nan'"},
+        {{"identity", "-o", "OUT.cube", "--bits", "9"}, "--bits: 9 not in {8,16}"},
+        {{"identity", "-o", "OUT.cube", "--bits", "8"}, "--bits is of pictures"},
+        {{"identity", "-o", "OUT.cube", "--size", "0"}, "--size: Value 0 not in range"},
+        {{"identity", "-o", "OUT.cube", "--engine", "unity"}, "--engine writes a PNG, which -o "},
+        {{"compose", "-", "LOOK", "-", "-o", "OUT.cube"}, "only one input can be standard input"},
+        {{"blend", "-", "-", "-o", "OUT.cube"}, "only one input can be standard input"},
+        {{"compare", "-", "-"}, "only one input can be standard input"},
+        {{"foo"}, "there is no verb 'foo'; there are bake, verify, "},
+        {{"foo", "--help"}, "there is no verb 'foo'; there are bake, verify, "},
+        {{"eval", "LOOK", "--nope", "1", "2", "3"}, "there is no flag '--nope'"},
+        {{"eval", "LOOK", "1", "2", "3", "-x"}, "there is no flag '-x'"},
+        {{"info", "LOOK", "--", "1"}, "not expected: 1"},
+    };
+    return table;
+}
+
+TEST(Usage, that_is_bad_exits_with_3_and_names_the_option_and_what_it_takes) {
+    const Folder folder;
+    const std::string look = folder.write("look.cube", saturated_cube(3));
+    for (const Row& row : rows()) {
+        std::vector<std::string> words = row.arguments;
+        std::string line;
+        for (std::string& word : words) {
+            line.append(word).append(" ");
+            if (word == "LOOK") {
+                word = look;
+            } else if (word.starts_with("OUT")) {
+                word = folder.path(word);
+            }
+        }
+        const Result result = lutconv(words);
+        EXPECT_EQ(result.exit_code, 3) << line;
+        EXPECT_NE(result.err.find(row.said), std::string::npos) << line << '\n' << result.err;
+        EXPECT_EQ(result.out, "") << line;
+    }
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"look.cube"});
+}
+
+TEST(Usage, that_is_good_stays_so) {
+    const Folder folder;
+    const std::string look = folder.write("look.cube", saturated_cube(3));
+    const std::string wide = folder.write(
+        "wide.cube", "LUT_1D_SIZE 2\nDOMAIN_MIN -3 -3 -3\nDOMAIN_MAX 2 2 2\n-3 -3 -3\n2 2 2\n");
+    EXPECT_EQ(lutconv({"eval", wide, "--", "-1", "-2", "-3"}).out, "-1 -2 -3\n");
+    EXPECT_EQ(lutconv({"eval", wide, "-1", "-2", "--", "-3"}).out, "-1 -2 -3\n");
+    EXPECT_EQ(
+        lutconv({"eval", wide, "--interpolation", "nearest", "--json", "--", "-1", "-2", "-3"})
+            .exit_code,
+        0);
+    EXPECT_EQ(lutconv({"bake", look, "-o", folder.path("strip")}).exit_code, 0);
+    EXPECT_EQ(lutconv({"bake", look, "-o", folder.path("x.PNG")}).exit_code, 0);
+    EXPECT_EQ(lutconv({"bake", look, "-o", "/dev/null"}).exit_code, 0);
+    EXPECT_EQ(lutconv({"resample", look, "-o", folder.path("x.cube"), "--domain", "-1", "2",
+                       "--shaper", "srgb", "--shaper-size", "9"})
+                  .exit_code,
+              0);
+    const std::string recipe =
+        folder.write("r.json", R"({"schema_version": 1, "bake": {"shaper": "tone", "size": 4}})");
+    EXPECT_EQ(
+        lutconv({"edit", recipe, "-o", folder.path("x.cube"), "--shaper-size", "9"}).exit_code, 0);
+    EXPECT_NE(contents(folder.path("x.cube")).find("LUT_1D_SIZE 9"), std::string::npos);
+}
+
+} // namespace
+} // namespace converter_test

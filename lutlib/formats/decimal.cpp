@@ -208,7 +208,7 @@ std::size_t parse_short_row(const char* p, Rgb& out) {
                        blue = short_decimal(p + b + 1, c - b - 1);
     out = {red.value, green.value, blue.value};
     const bool carriage = p[c] == '\r';
-    const bool separated = (blank(p[a]) & blank(p[b])) & (p[c + carriage] == '\n');
+    const bool separated = blank(p[a]) && blank(p[b]) && p[c + carriage] == '\n';
     return separated && (red.wrong | green.wrong | blue.wrong) == 0 ? c + carriage + 1 : 0;
 }
 

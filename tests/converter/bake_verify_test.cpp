@@ -72,6 +72,21 @@ TEST_P(BakeEngine, fits_what_verify_finds_no_worse_than_point_samples) {
     EXPECT_EQ(verified.out.find("the lattice is fitted") != std::string::npos, figures["fitted"]);
 }
 
+TEST(Verify, finds_the_damage_in_a_fitted_lattice) {
+    const Folder folder;
+    const std::string look = folder.write("look.cube", saturated_cube(17));
+    const std::string picture = folder.path("strip.png");
+    ASSERT_EQ(lutconv({"bake", look, "-o", picture, "--size", "9", "--fit"}).exit_code, 0);
+    lutlib::io::CodeImage image = lutlib::io::read_png(contents(picture), "strip.png");
+    for (int c = 0; c < 3; ++c) {
+        image.at(40, 4, c) = c == 1 ? 0 : 255;
+    }
+    folder.write("strip.png", write_png(image));
+    const Result result = lutconv({"verify", picture, "--against", look, "--samples", "2000"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.out.find("at 40,4"), std::string::npos) << result.out;
+}
+
 TEST(Bake, keeps_a_promise_with_the_smallest_lattice_that_can) {
     const Folder folder;
     const std::string look = folder.write("look.cube", saturated_cube(17));

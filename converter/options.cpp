@@ -1,5 +1,6 @@
 #include "converter/options.h"
 
+#include "converter/reference.h"
 #include "converter/report.h"
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
@@ -7,11 +8,14 @@
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/recipe_file.h"
+#include "lutlib/metrics/samples.h"
 #include "lutlib/recipe/bake_recipe.h"
 #include "lutlib/recipe/edit.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -37,6 +41,37 @@ lutlib::Lut lut_from(const std::string& bytes, const std::string& path) {
     lutlib::io::Reading reading = lutlib::io::decode_lut(bytes, lutlib::io::input_name(path));
     complain_of(reading.losses, reading.lut.provenance);
     return std::move(reading.lut);
+}
+
+// A file that OpenColorIO reads, from its own evaluation where a table of ours says less: operators
+// and curves behind a cube, which a table only samples, and cubes that name their interpolation.
+// Null where our reading says the same.
+std::shared_ptr<const lutlib::io::OcioTransform> evaluation(const std::string& bytes,
+                                                            const std::string& path,
+                                                            const lutlib::io::Reading& reading,
+                                                            lutlib::Interpolation how) {
+    if (!is_opencolorios(bytes, path) ||
+        (how == lutlib::Interpolation::nearest && reading.losses.empty())) {
+        return nullptr;
+    }
+    auto transform = in_opencolorio(bytes, path, how);
+    constexpr double float_rounding = 1e-6;
+    std::vector<lutlib::Rgb> colors = lutlib::sample_colors(9, {.random = 2000});
+    const std::vector<lutlib::Rgb> inputs = colors;
+    transform->apply(colors);
+    bool same = reading.losses.empty();
+    for (std::size_t i = 0; same && i < inputs.size(); ++i) {
+        const lutlib::RgbD ours = evaluate_exact(reading.lut, to_double(inputs[i]), how);
+        same = largest_magnitude(ours - to_double(colors[i])) <=
+               float_rounding * std::max(1.0, largest_magnitude(ours));
+    }
+    return same ? nullptr : transform;
+}
+
+// Of the losses of a reading those that OpenColorIO's own evaluation has as well.
+std::vector<lutlib::Loss> beyond_sampling(std::vector<lutlib::Loss> losses) {
+    std::erase_if(losses, [](const lutlib::Loss& loss) { return loss.unit != "corrections"; });
+    return losses;
 }
 
 } // namespace
@@ -109,9 +144,22 @@ Look open_look(const std::string& path, lutlib::Interpolation how) {
         return {[edit = lutlib::Edit(recipe)](lutlib::RgbD in) { return edit(in); },
                 recipe.bake.domain.value_or(usual), recipe.title};
     }
-    const auto lut = std::make_shared<const lutlib::Lut>(lut_from(bytes, path));
-    return {[lut, how](lutlib::RgbD in) { return evaluate_exact(*lut, in, how); }, lut->domain(),
-            lut->title};
+    const std::string name = lutlib::io::input_name(path);
+    lutlib::io::Reading reading = lutlib::io::decode_lut(bytes, name);
+    const lutlib::Domain domain = reading.lut.domain();
+    const std::string title = reading.lut.title;
+    if (const auto transform = evaluation(bytes, path, reading, how)) {
+        complain_of(beyond_sampling(std::move(reading.losses)), name);
+        return {[transform](lutlib::RgbD in) {
+                    lutlib::Rgb color = to_float(in);
+                    transform->apply({&color, 1});
+                    return to_double(color);
+                },
+                domain, title};
+    }
+    complain_of(reading.losses, name);
+    const auto lut = std::make_shared<const lutlib::Lut>(std::move(reading.lut));
+    return {[lut, how](lutlib::RgbD in) { return evaluate_exact(*lut, in, how); }, domain, title};
 }
 
 void write_look(const lutlib::Lut& lut, const std::string& path) {

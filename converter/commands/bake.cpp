@@ -142,7 +142,7 @@ int run(const Options& o) {
     std::optional<Explanation> explanation;
     if (o.explain) {
         // What changes less than half a code is not seen in the picture.
-        explanation = explain(read_look(o.input), 0.5 / filled.bake.picture.maximum());
+        explanation = explain(read_look(o.input, {}, {}).lut, 0.5 / filled.bake.picture.maximum());
         explanation->kept = "the engine reads a lattice of this size whatever the look is";
     }
     if (o.json) {

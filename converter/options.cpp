@@ -5,9 +5,11 @@
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
 #include "lutlib/io/bake_report.h"
+#include "lutlib/io/describe.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/recipe_file.h"
+#include "lutlib/metrics/compare.h"
 #include "lutlib/metrics/samples.h"
 #include "lutlib/recipe/bake_recipe.h"
 #include "lutlib/recipe/edit.h"
@@ -41,6 +43,28 @@ lutlib::Lut lut_from(const std::string& bytes, const std::string& path) {
     lutlib::io::Reading reading = lutlib::io::decode_lut(bytes, lutlib::io::input_name(path));
     complain_of(reading.losses, reading.lut.provenance);
     return std::move(reading.lut);
+}
+
+// A recipe as a table, with what lies between the table's nodes measured.
+lutlib::io::Reading baked(const lutlib::Recipe& recipe) {
+    // Tables hold floats.
+    constexpr double float_rounding = 2e-6;
+    constexpr int finest_lattice = 33, spread_colours = 20000;
+    lutlib::io::Reading out{bake_recipe(recipe), {}};
+    const lutlib::Edit edit(recipe);
+    const int lattice =
+        out.lut.cube ? std::min(out.lut.cube->size, finest_lattice) : finest_lattice;
+    const lutlib::Difference d =
+        compare([&edit](std::span<lutlib::RgbD> colours) { edit(colours); },
+                transform_of(out.lut, lutlib::Interpolation::tetrahedral),
+                samples_over(out.lut.domain(), lattice, spread_colours), lutlib::srgb());
+    if (d.absolute.max > float_rounding * std::max(1.0, largest_magnitude(d.worst.a))) {
+        out.losses.push_back({"recipe sampled onto " + lutlib::io::shape_of(out.lut) +
+                                  " over the input " + domain_text(out.lut.domain()) +
+                                  ", largest error",
+                              d.absolute.max, ""});
+    }
+    return out;
 }
 
 // A file that OpenColorIO reads, from its own evaluation where a table of ours says less: operators
@@ -125,7 +149,7 @@ lutlib::io::Reading read_look(const std::string& path, const lutlib::io::ReadOpt
                               const std::string& format) {
     const std::string bytes = lutlib::io::read_file(path);
     if (format.empty() && lutlib::io::is_recipe(bytes)) {
-        return {bake_recipe(lutlib::io::recipe_from(bytes, path, read_lut)), {}};
+        return baked(lutlib::io::recipe_from(bytes, path, read_lut));
     }
     return lutlib::io::decode_lut(bytes, lutlib::io::input_name(path), options, format);
 }

@@ -194,5 +194,33 @@ TEST(Verify, evaluates_nearest_itself_because_opencolorio_cannot) {
     EXPECT_NE(other.out.find("read with nearest interpolation"), std::string::npos) << other.out;
 }
 
+TEST(Recipe, is_a_loss_as_a_table_and_exact_to_eval) {
+    const Folder folder;
+    const std::string recipe = std::string(SAMPLE_LOOKS) + "/log_to_display.json";
+    const std::string table = folder.path("r.cube");
+    const Result strict = lutconv({"convert", recipe, "-o", table, "--strict"});
+    EXPECT_EQ(strict.exit_code, 2);
+    EXPECT_NE(strict.err.find("recipe sampled onto"), std::string::npos) << strict.err;
+    EXPECT_FALSE(std::filesystem::exists(table));
+
+    const json said = json::parse(lutconv({"convert", recipe, "-o", table, "--json"}).out);
+    const json measured = json::parse(lutconv({"compare", recipe, table, "--json"}).out);
+    const double loss = said["losses"][0]["figure"], largest = measured["absolute"]["max"];
+    EXPECT_GT(loss, 0.8 * largest);
+    EXPECT_LT(loss, 1.2 * largest);
+
+    const Result exact = lutconv({"eval", recipe, "0.1", "0.2", "0.3"});
+    EXPECT_EQ(exact.err, "");
+    EXPECT_NE(exact.out, lutconv({"eval", table, "0.1", "0.2", "0.3"}).out);
+}
+
+TEST(Recipe, is_no_loss_where_a_table_says_it_all) {
+    const Folder folder;
+    const std::string recipe =
+        folder.write("same.json", "{\"schema_version\": 1, \"operators\": []}");
+    const Result strict = lutconv({"convert", recipe, "-o", folder.path("r.cube"), "--strict"});
+    EXPECT_EQ(strict.exit_code, 0) << strict.err;
+}
+
 } // namespace
 } // namespace converter_test

@@ -115,10 +115,22 @@ std::string texels_text(const lutlib::TexelCheck& t) {
 
 std::string diagnosis_text(const lutlib::Verification& result) {
     if (!result.diagnosis) {
-        return "  why: no known mistake explains it; is it a bake of another look?\n";
+        return fmt::format("  why: no known mistake explains it; is it a bake of another look? "
+                           "(nearest: {}, {:.1f} % of the texels)\n",
+                           result.nearest.words, 100 * result.nearest.explained);
     }
-    return fmt::format("  why: {} (explains {:.1f} % of the texels)\n", result.diagnosis->words,
-                       100 * result.diagnosis->explained);
+    const double explained = result.diagnosis->explained;
+    return fmt::format(
+        "  why: {}{}\n", result.diagnosis->words,
+        explained > 0 ? fmt::format(" (explains {:.1f} % of the texels)", 100 * explained) : "");
+}
+
+nlohmann::ordered_json diagnosis_json(const lutlib::Diagnosis& diagnosis) {
+    nlohmann::ordered_json out{{"words", diagnosis.words}};
+    if (diagnosis.explained > 0) {
+        out["explained"] = diagnosis.explained;
+    }
+    return out;
 }
 
 std::string fitted_text(const lutlib::FittedCheck& check) {
@@ -196,8 +208,9 @@ nlohmann::ordered_json as_json(const Options& o, const Subject& s, const Verdict
                          {"max_difference_codes", t.max_difference},
                          {"mean_difference_codes", t.mean_difference}};
         if (v.result->diagnosis) {
-            out["diagnosis"] = {{"words", v.result->diagnosis->words},
-                                {"explained", v.result->diagnosis->explained}};
+            out["diagnosis"] = diagnosis_json(*v.result->diagnosis);
+        } else if (t.wrong > 0 && !v.fitted) {
+            out["nearest"] = diagnosis_json(v.result->nearest);
         }
         out["lookup"] = {{"absolute_error", to_json(lookup.absolute)},
                          {"delta_e_2000", to_json(lookup.delta_e)},

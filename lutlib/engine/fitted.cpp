@@ -10,8 +10,13 @@
 namespace lutlib {
 namespace {
 
-// One step of 8 bits; a lookup may be worse than the new fit's by so much.
+// Around a texel that differs from the new fit, the lookup may be worse than that fit's by a share
+// of the error that is there anyway and one step of 8 bits. Fits that differ by rounding alone
+// exceed that in a few texels of a large lattice (10 of 262,144, by 1.4 steps), so there it takes
+// more of them, or more steps.
 constexpr double one_code = 1.0 / 255;
+constexpr double share_of_error = 0.25;
+constexpr double few = 1e-4, many_codes = 4 * one_code;
 // The same fit from an oracle in float and from one in double differs in up to a quarter of the
 // texels of 16 bits, by 8 codes, and of 8 bits in one of 150, mostly by one.
 constexpr int same_in_8_bits = 1, same_in_16_bits = 16;
@@ -53,44 +58,35 @@ std::vector<float> axis_inputs(const Engine& engine, int size) {
     return out;
 }
 
-// The largest error of the engine's lookup around each node.
-struct LocalErrors {
-    std::vector<double> picture, refit;
-
-    LocalErrors(const CodePicture& codes, const CodePicture& fit, const Engine& engine, int size,
-                const Oracle& oracle)
-        : picture(nodes_of(size).size()), refit(picture.size()) {
-        const Picture a = decoded(codes), b = decoded(fit);
-        const std::vector<float> axis = axis_inputs(engine, size);
-        for (const float blue : axis) {
-            std::vector<Rgb> inputs;
-            for (const float green : axis) {
-                for (const float red : axis) {
-                    inputs.push_back({red, green, blue});
-                }
+// The largest error of the engine's lookup of a picture around each node.
+std::vector<double> local_errors(const CodePicture& codes, const Engine& engine, int size,
+                                 const Oracle& oracle) {
+    const Picture picture = decoded(codes);
+    const std::vector<float> axis = axis_inputs(engine, size);
+    std::vector<double> out(nodes_of(size).size());
+    const auto place = [&](float in) { return engine.place(static_cast<double>(in), size); };
+    for (const float blue : axis) {
+        std::vector<Rgb> inputs;
+        for (const float green : axis) {
+            for (const float red : axis) {
+                inputs.push_back({red, green, blue});
             }
-            std::vector<Rgb> expected = inputs;
-            oracle(expected);
-            for (std::size_t i = 0; i < inputs.size(); ++i) {
-                const RgbD right = saturate(to_double(expected[i]));
-                const auto error = [&](const Picture& p) {
-                    return largest_magnitude(to_double(engine.lookup(p, size, inputs[i])) - right);
-                };
-                const auto place = [&](float in) {
-                    return engine.place(static_cast<double>(in), size);
-                };
-                const NodeWeights w =
-                    node_weights(engine.interpolation, size,
-                                 {place(inputs[i].r), place(inputs[i].g), place(inputs[i].b)});
-                const double of_picture = error(a), of_refit = error(b);
-                for (std::size_t k = 0; k < w.count; ++k) {
-                    picture[w.node[k]] = std::max(picture[w.node[k]], of_picture);
-                    refit[w.node[k]] = std::max(refit[w.node[k]], of_refit);
-                }
+        }
+        std::vector<Rgb> expected = inputs;
+        oracle(expected);
+        for (std::size_t i = 0; i < inputs.size(); ++i) {
+            const Rgb in = inputs[i];
+            const double error = largest_magnitude(to_double(engine.lookup(picture, size, in)) -
+                                                   saturate(to_double(expected[i])));
+            const NodeWeights w =
+                node_weights(engine.interpolation, size, {place(in.r), place(in.g), place(in.b)});
+            for (std::size_t k = 0; k < w.count; ++k) {
+                out[w.node[k]] = std::max(out[w.node[k]], error);
             }
         }
     }
-};
+    return out;
+}
 
 } // namespace
 
@@ -126,13 +122,18 @@ FittedCheck check_fitted(const CodePicture& picture, const Engine& engine, int s
     }
     out.texels = nodes.size();
     if (out.moved > 0) {
-        const LocalErrors local(picture, refit, engine, size, oracle);
+        const auto local = [&](const CodePicture& codes) {
+            return local_errors(codes, engine, size, oracle);
+        };
+        const std::vector<double> found = local(picture), fitted = local(refit);
         std::size_t harmful = 0, worst = 0;
+        double most_excess = 0;
         int most = 0;
         for (std::size_t i = 0; i < nodes.size(); ++i) {
-            const double excess = local.picture[i] - local.refit[i];
+            const double excess = found[i] - (1 + share_of_error) * fitted[i];
             if (distance[i] > same && excess > one_code) {
                 ++harmful;
+                most_excess = std::max(most_excess, excess);
                 // The damaged texel itself, before its neighbours.
                 if (distance[i] > most) {
                     most = distance[i];
@@ -140,7 +141,8 @@ FittedCheck check_fitted(const CodePicture& picture, const Engine& engine, int s
                 }
             }
         }
-        if (harmful > 0) {
+        const bool is_few = static_cast<double>(harmful) <= few * static_cast<double>(out.texels);
+        if (harmful > 0 && !(is_few && most_excess <= many_codes)) {
             const Pixel p = layout.pixel(size, nodes[worst].r, nodes[worst].g, nodes[worst].b);
             out.faults.push_back(
                 std::to_string(harmful) + " of " + std::to_string(out.texels) +
@@ -148,8 +150,7 @@ FittedCheck check_fitted(const CodePicture& picture, const Engine& engine, int s
                 "at " +
                 std::to_string(p.x) + "," + std::to_string(p.y) + " is off by " +
                 std::to_string(distance[worst]) + " codes, with errors of up to " +
-                figure(local.picture[worst]) + " around it where the fit has " +
-                figure(local.refit[worst]));
+                figure(found[worst]) + " around it where the fit has " + figure(fitted[worst]));
         }
     }
     const double mean = out.result.absolute.mean, right = out.refit.absolute.mean;

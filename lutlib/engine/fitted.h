@@ -10,8 +10,8 @@
 namespace lutlib {
 
 /// A fitted lattice's texels need not be the look's values, so they are held against a fit made
-/// anew. Where texels differ from it, the engine's lookup must be as good as that fit's: around
-/// each of them by the largest error, and over all colours by the mean.
+/// anew. Where texels differ from it, the engine's lookup must be about as good as that fit's:
+/// around each of them by the largest error, and over all colours by the mean.
 struct FittedCheck {
     LookupError result;        ///< of the picture, over the inputs
     LookupError refit;         ///< of the fit made anew

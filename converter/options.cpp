@@ -1,16 +1,24 @@
 #include "converter/options.h"
 
+#include "converter/reference.h"
 #include "converter/report.h"
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
+#include "lutlib/io/bake_report.h"
+#include "lutlib/io/describe.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/recipe_file.h"
+#include "lutlib/metrics/compare.h"
+#include "lutlib/metrics/samples.h"
 #include "lutlib/recipe/bake_recipe.h"
 #include "lutlib/recipe/edit.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <memory>
 
 namespace converter {
@@ -32,10 +40,72 @@ void complain_of(const std::vector<lutlib::Loss>& losses, const std::string& nam
     }
 }
 
+// Vendors' keywords may change what a table means.
+void complain_of_keywords(const lutlib::Lut& lut, const std::string& name) {
+    for (const std::string& line : lut.keywords) {
+        print("lutconv: " + one_line(name) + ": kept but not acted on: " + one_line(line) + '\n',
+              std::string(lutlib::io::standard_stream));
+    }
+}
+
 lutlib::Lut lut_from(const std::string& bytes, const std::string& path) {
     lutlib::io::Reading reading = lutlib::io::decode_lut(bytes, lutlib::io::input_name(path));
     complain_of(reading.losses, reading.lut.provenance);
+    complain_of_keywords(reading.lut, reading.lut.provenance);
     return std::move(reading.lut);
+}
+
+// A recipe as a table, with what lies between the table's nodes measured.
+lutlib::io::Reading baked(const lutlib::Recipe& recipe) {
+    // Tables hold floats.
+    constexpr double float_rounding = 2e-6;
+    constexpr int finest_lattice = 33, spread_colours = 20000;
+    lutlib::io::Reading out{bake_recipe(recipe), {}};
+    const lutlib::Edit edit(recipe);
+    const int lattice =
+        out.lut.cube ? std::min(out.lut.cube->size, finest_lattice) : finest_lattice;
+    const lutlib::Difference d =
+        compare([&edit](std::span<lutlib::RgbD> colours) { edit(colours); },
+                transform_of(out.lut, lutlib::Interpolation::tetrahedral),
+                samples_over(out.lut.domain(), lattice, spread_colours), lutlib::srgb());
+    if (d.absolute.max > float_rounding * std::max(1.0, largest_magnitude(d.worst.a))) {
+        out.losses.push_back({"recipe sampled onto " + lutlib::io::shape_of(out.lut) +
+                                  " over the input " + domain_text(out.lut.domain()) +
+                                  ", largest error",
+                              d.absolute.max, ""});
+    }
+    return out;
+}
+
+// A file that OpenColorIO reads, from its own evaluation where a table of ours says less: operators
+// and curves behind a cube, which a table only samples, and cubes that name their interpolation.
+// Null where our reading says the same.
+std::shared_ptr<const lutlib::io::OcioTransform> evaluation(const std::string& bytes,
+                                                            const std::string& path,
+                                                            const lutlib::io::Reading& reading,
+                                                            lutlib::Interpolation how) {
+    if (!is_opencolorios(bytes, path) ||
+        (how == lutlib::Interpolation::nearest && reading.losses.empty())) {
+        return nullptr;
+    }
+    auto transform = in_opencolorio(bytes, path, how);
+    constexpr double float_rounding = 1e-6;
+    std::vector<lutlib::Rgb> colors = lutlib::sample_colors(9, {.random = 2000});
+    const std::vector<lutlib::Rgb> inputs = colors;
+    transform->apply(colors);
+    bool same = reading.losses.empty();
+    for (std::size_t i = 0; same && i < inputs.size(); ++i) {
+        const lutlib::RgbD ours = evaluate_exact(reading.lut, to_double(inputs[i]), how);
+        same = largest_magnitude(ours - to_double(colors[i])) <=
+               float_rounding * std::max(1.0, largest_magnitude(ours));
+    }
+    return same ? nullptr : transform;
+}
+
+// Of the losses of a reading those that OpenColorIO's own evaluation has as well.
+std::vector<lutlib::Loss> beyond_sampling(std::vector<lutlib::Loss> losses) {
+    std::erase_if(losses, [](const lutlib::Loss& loss) { return loss.unit != "corrections"; });
+    return losses;
 }
 
 } // namespace
@@ -82,6 +152,7 @@ lutlib::Lut read_lut(const std::string& path) {
 lutlib::Lut read_look(const std::string& path) {
     lutlib::io::Reading reading = read_look(path, {}, {});
     complain_of(reading.losses, lutlib::io::input_name(path));
+    complain_of_keywords(reading.lut, lutlib::io::input_name(path));
     return std::move(reading.lut);
 }
 
@@ -89,7 +160,7 @@ lutlib::io::Reading read_look(const std::string& path, const lutlib::io::ReadOpt
                               const std::string& format) {
     const std::string bytes = lutlib::io::read_file(path);
     if (format.empty() && lutlib::io::is_recipe(bytes)) {
-        return {bake_recipe(lutlib::io::recipe_from(bytes, path, read_lut)), {}};
+        return baked(lutlib::io::recipe_from(bytes, path, read_lut));
     }
     return lutlib::io::decode_lut(bytes, lutlib::io::input_name(path), options, format);
 }
@@ -108,9 +179,23 @@ Look open_look(const std::string& path, lutlib::Interpolation how) {
         return {[edit = lutlib::Edit(recipe)](lutlib::RgbD in) { return edit(in); },
                 recipe.bake.domain.value_or(usual), recipe.title};
     }
-    const auto lut = std::make_shared<const lutlib::Lut>(lut_from(bytes, path));
-    return {[lut, how](lutlib::RgbD in) { return evaluate_exact(*lut, in, how); }, lut->domain(),
-            lut->title};
+    const std::string name = lutlib::io::input_name(path);
+    lutlib::io::Reading reading = lutlib::io::decode_lut(bytes, name);
+    const lutlib::Domain domain = reading.lut.domain();
+    const std::string title = reading.lut.title;
+    if (const auto transform = evaluation(bytes, path, reading, how)) {
+        complain_of(beyond_sampling(std::move(reading.losses)), name);
+        return {[transform](lutlib::RgbD in) {
+                    lutlib::Rgb color = to_float(in);
+                    transform->apply({&color, 1});
+                    return to_double(color);
+                },
+                domain, title};
+    }
+    complain_of(reading.losses, name);
+    complain_of_keywords(reading.lut, name);
+    const auto lut = std::make_shared<const lutlib::Lut>(std::move(reading.lut));
+    return {[lut, how](lutlib::RgbD in) { return evaluate_exact(*lut, in, how); }, domain, title};
 }
 
 void write_look(const lutlib::Lut& lut, const std::string& path) {

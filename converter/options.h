@@ -41,7 +41,7 @@ class InterpolationOption {
 /// OpenColorIO, which is loaded only for those. What the reading loses goes to standard error.
 lutlib::Lut read_lut(const std::string& path);
 
-/// The same, and a recipe, baked as its own settings say.
+/// The same, and a recipe, baked as its own settings say; what that loses is measured.
 lutlib::Lut read_look(const std::string& path);
 /// The same with the losses handed back; an empty `format` is recognised.
 lutlib::io::Reading read_look(const std::string& path, const lutlib::io::ReadOptions& options,
@@ -49,7 +49,9 @@ lutlib::io::Reading read_look(const std::string& path, const lutlib::io::ReadOpt
 /// The same of bytes that have been read from `path`.
 lutlib::Lut look_from(const std::string& bytes, const std::string& path);
 
-/// A look to be sampled: a recipe, evaluated exactly, or a LUT read through an interpolation.
+/// A look to be sampled, without a table in between that the file does not have: a recipe,
+/// evaluated exactly; a LUT read through an interpolation; or, of the formats that OpenColorIO
+/// reads, what is no LUT or names another interpolation, in OpenColorIO's own evaluation.
 struct Look {
     lutlib::ExactLook exact;
     lutlib::Domain domain;

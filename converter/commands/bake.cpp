@@ -44,7 +44,15 @@ std::string fit_text(const FilledBake& filled) {
     if (!filled.fitted) {
         return "  fitting does not help this look at this size; its nodes are point samples\n";
     }
-    return fmt::format("  fitted to the engine's lookup: mean error {:.4g} instead of {:.4g} "
+    const lutlib::BakeLoss& lost = filled.look_loss;
+    const std::string clamped =
+        lost.clamped_values == 0
+            ? ""
+            : fmt::format("  lost: {} of the look's own values at the nodes lie outside 0..1, by "
+                          "{:.4g} at most; the fit aims at the look held to 0..1\n",
+                          lost.clamped_values, lost.most_clamped);
+    return clamped +
+           fmt::format("  fitted to the engine's lookup: mean error {:.4g} instead of {:.4g} "
                        "({:.1f} % less), max {:.4g} instead of {:.4g}; over {} colours that the "
                        "fit has not seen\n",
                        after.mean, before.mean, 100 * (1 - after.mean / before.mean), after.max,
@@ -90,7 +98,10 @@ nlohmann::ordered_json as_json(const Options& o, const FilledBake& filled, const
 }
 
 nlohmann::ordered_json fit_json(const FilledBake& filled) {
-    return {{"point_sampled", to_json(filled.point_sampled)}, {"result", to_json(filled.result)}};
+    return {{"point_sampled", to_json(filled.point_sampled)},
+            {"result", to_json(filled.result)},
+            {"look_clamped_values", filled.look_loss.clamped_values},
+            {"look_most_clamped", filled.look_loss.most_clamped}};
 }
 
 nlohmann::ordered_json budget_json(const Options& o, const BudgetBake& found) {
@@ -145,7 +156,7 @@ int run(const Options& o) {
     std::optional<Explanation> explanation;
     if (o.explain) {
         // What changes less than half a code is not seen in the picture.
-        explanation = explain(read_look(o.input), 0.5 / filled.bake.picture.maximum());
+        explanation = explain(read_look(o.input, {}, {}).lut, 0.5 / filled.bake.picture.maximum());
         explanation->kept = "the engine reads a lattice of this size whatever the look is";
     }
     if (o.json) {

@@ -1,4 +1,4 @@
-// lutconv eval: colours through a LUT, nine significant digits.
+// lutconv eval: colours through a LUT or a recipe, nine significant digits.
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/report.h"
@@ -95,12 +95,12 @@ int run(const Options& o, const std::vector<std::string>& words) {
     if (o.lut == "-" && words.empty()) {
         throw lutlib::UsageError("the LUT and the colours cannot both come from standard input");
     }
-    const lutlib::Lut lut = read_look(o.lut);
+    const Look look = open_look(o.lut, o.interpolation.get());
     const std::vector<Rgb> inputs = words.empty() ? from_standard_input() : from_arguments(words);
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     std::string text;
     for (const Rgb& in : inputs) {
-        const Rgb out = to_float(evaluate_exact(lut, to_double(in), o.interpolation.get()));
+        const Rgb out = to_float(look.exact(to_double(in)));
         if (o.json) {
             list.push_back({{"in", {in.r, in.g, in.b}}, {"out", {out.r, out.g, out.b}}});
         } else {
@@ -115,7 +115,7 @@ int run(const Options& o, const std::vector<std::string>& words) {
 
 Run declare_eval(CLI::App& app) {
     const auto o = std::make_shared<Options>();
-    app.add_option("LUT", o->lut, "a LUT file, or - for standard input")->required();
+    app.add_option("LUT", o->lut, "a LUT or recipe file, or - for standard input")->required();
     o->interpolation.declare(app, "how the cube is read between its nodes");
     app.add_flag("--json", o->json, "print inputs and outputs as JSON");
     // Not a positional option: negative numbers would be taken for flags.

@@ -2,32 +2,27 @@
 #include "lutlib/engine/verify.h"
 #include "converter/command.h"
 #include "converter/options.h"
+#include "converter/reference.h"
 #include "converter/report.h"
-#include "lutlib/engine/recognise.h"
+#include "converter/subject.h"
+#include "lutlib/engine/fitted.h"
 #include "lutlib/error.h"
-#include "lutlib/formats/cube.h"
 #include "lutlib/io/file.h"
-#include "lutlib/io/formats.h"
 #include "lutlib/io/lut_picture.h"
-#include "lutlib/io/ocio.h"
-#include "lutlib/io/recipe_file.h"
-#include "lutlib/limits.h"
 #include "lutlib/metrics/samples.h"
-#include "lutlib/recipe/edit.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <map>
+#include <array>
 #include <memory>
+#include <optional>
 
 namespace converter {
 namespace {
 
 namespace io = lutlib::io;
-using lutlib::Engine;
-using lutlib::Oracle;
 
 struct Options {
     std::string picture, against;
@@ -37,87 +32,13 @@ struct Options {
     bool json = false;
 };
 
-// What the picture is, and each point in which it is not what the engine wants.
-struct Subject {
-    io::CodeImage image;
-    lutlib::CodePicture codes;
-    const Engine* engine = nullptr;
-    int size = 0; ///< 0 when the engine's layout has no such picture
-    std::vector<std::string> contract;
+struct Verdict {
+    std::string oracle,
+        refusal; ///< who said what is right; why it was not asked of the file itself
+    std::optional<lutlib::Verification> result; ///< unless the picture has no lattice
+    std::optional<lutlib::FittedCheck> fitted;
+    bool passed = false;
 };
-
-const Engine* engine_with_layout(std::string_view layout) {
-    const auto all = lutlib::engines();
-    const auto row =
-        std::find_if(all.begin(), all.end(), [&](const Engine& e) { return e.layout == layout; });
-    return row == all.end() ? nullptr : &*row;
-}
-
-// The engine that was asked for, else the one the bake recorded, else one with the layout that the
-// content shows.
-const Engine& choose_engine(const Options& o, const Subject& subject) {
-    if (o.engine.given()) {
-        return o.engine.get();
-    }
-    if (const auto name = io::text_entry(subject.image, "Engine")) {
-        if (const Engine* const engine = lutlib::engine_named(*name)) {
-            return *engine;
-        }
-    }
-    const lutlib::Recognition found =
-        recognise_one(decoded(subject.codes), io::input_name(o.picture));
-    return *engine_with_layout(found.layout->name);
-}
-
-int size_in_layout(const Engine& engine, const lutlib::CodePicture& codes) {
-    const lutlib::Layout& layout = *lutlib::layout_named(engine.layout);
-    const lutlib::PictureSize wanted{codes.width, codes.height};
-    for (int n = lutlib::limits::min_cube_size; n <= lutlib::limits::max_cube_size; ++n) {
-        if (layout.picture(n) == wanted) {
-            return n;
-        }
-    }
-    return 0;
-}
-
-void check_contract_of(Subject& s) {
-    const Engine& engine = *s.engine;
-    if (s.size == 0) {
-        std::string words = fmt::format("wrong size: {}x{} pixels are no {} picture", s.codes.width,
-                                        s.codes.height, engine.layout);
-        for (const lutlib::Recognition& reading : recognise(decoded(s.codes))) {
-            words +=
-                fmt::format("; they could be {} of size {}", reading.layout->name, reading.size);
-        }
-        s.contract.push_back(words);
-    } else {
-        try {
-            check_contract(engine, s.size, s.codes.bits);
-        } catch (const lutlib::UsageError& error) {
-            s.contract.push_back(error.message());
-        }
-    }
-    const bool wants_tag = engine.srgb_tag == lutlib::SrgbTag::present;
-    if (wants_tag != s.image.srgb_tag) {
-        s.contract.push_back(wants_tag ? "the sRGB tag is missing; the engine needs it"
-                                       : "it is tagged sRGB; the engine would decode the codes");
-    }
-    if (s.image.profile_tag || s.image.gamma_tag) {
-        s.contract.push_back(
-            "it carries a colour profile or gamma; a loader may convert the codes");
-    }
-}
-
-Subject open_subject(const Options& o) {
-    Subject s;
-    const std::string name = io::input_name(o.picture);
-    s.image = io::read_png(io::read_file(o.picture), name);
-    s.codes = io::code_picture(s.image);
-    s.engine = &choose_engine(o, s);
-    s.size = size_in_layout(*s.engine, s.codes);
-    check_contract_of(s);
-    return s;
-}
 
 lutlib::Interpolation baked_interpolation(const Options& o, const Subject& s) {
     const std::string name = io::text_entry(s.image, "Interpolation").value_or("");
@@ -126,72 +47,11 @@ lutlib::Interpolation baked_interpolation(const Options& o, const Subject& s) {
                : lutlib::interpolation_named(name).value_or(lutlib::Interpolation::tetrahedral);
 }
 
-// The look as OpenColorIO evaluates it: by its own parser wherever it can read the file, else from
-// our reading of it, with the reason. OpenColorIO knows no recipes; those are evaluated exactly, in
-// double, by lutlib.
-class Reference {
-  public:
-    explicit Reference(const std::string& path)
-        : name_(io::input_name(path)), bytes_(io::read_file(path)),
-          extension_(path == io::standard_stream ? "cube" : io::extension_of(path)) {
-        if (io::is_recipe(bytes_)) {
-            recipe_.emplace(io::recipe_from(bytes_, path, read_lut));
-        } else if (io::is_png(bytes_)) {
-            ours_ = io::decode_lut(bytes_, name_).lut;
-        }
-    }
-
-    Oracle oracle(lutlib::Interpolation how) {
-        if (recipe_) {
-            return [edit = *recipe_](std::vector<lutlib::Rgb>& colors) {
-                for (lutlib::Rgb& color : colors) {
-                    color = to_float(edit(to_double(color)));
-                }
-            };
-        }
-        std::shared_ptr<io::OcioTransform>& transform = transforms_[how];
-        if (!transform) {
-            transform = evaluator(how);
-        }
-        return [transform](std::vector<lutlib::Rgb>& colors) { transform->apply(colors); };
-    }
-
-    std::string name() const {
-        return recipe_ ? "the recipe, evaluated exactly" : "OpenColorIO " + io::ocio().version();
-    }
-
-    /// Whether an interpolation has a part in it.
-    bool is_table() const { return !recipe_; }
-
-    /// Why OpenColorIO could not read the file itself; empty when it could.
-    const std::string& refusal() const { return refusal_; }
-
-  private:
-    std::shared_ptr<io::OcioTransform> evaluator(lutlib::Interpolation how) {
-        const io::EvaluationOptions options{.interpolation = how};
-        if (!ours_) {
-            try {
-                return io::ocio().parse(bytes_, extension_, name_, options);
-            } catch (const lutlib::Error& error) {
-                ours_ = lutlib::read_cube(bytes_, name_);
-                refusal_ = error.message();
-            }
-        }
-        return io::ocio().from_lut(*ours_, options);
-    }
-
-    std::string name_, bytes_, extension_, refusal_;
-    std::optional<lutlib::Lut> ours_;
-    std::optional<lutlib::Edit> recipe_; ///< evaluated instead
-    std::map<lutlib::Interpolation, std::shared_ptr<io::OcioTransform>> transforms_;
-};
-
 std::vector<lutlib::Alternative> other_interpolations(Reference& reference,
                                                       lutlib::Interpolation used) {
     std::vector<lutlib::Alternative> out;
     for (const lutlib::InterpolationInfo& row : lutlib::interpolations()) {
-        if (reference.is_table() && row.kind != used &&
-            row.kind != lutlib::Interpolation::nearest) {
+        if (reference.is_table() && row.kind != used) {
             out.push_back({fmt::format("the look was read with {} interpolation", row.name),
                            reference.oracle(row.kind)});
         }
@@ -199,93 +59,169 @@ std::vector<lutlib::Alternative> other_interpolations(Reference& reference,
     return out;
 }
 
-std::string as_text(const Options& o, const Subject& s, const Reference& reference,
-                    const lutlib::Verification* result) {
-    std::string out = fmt::format("{} against {} by {}\n", o.picture, o.against, reference.name());
+Verdict judge(const Options& o, const Subject& s) {
+    Reference reference(o.against);
+    const lutlib::Interpolation how = baked_interpolation(o, s);
+    Verdict out{reference.name(how), {}, {}, {}, false};
+    if (s.size > 0) {
+        const lutlib::Oracle oracle = reference.oracle(how);
+        const std::vector<lutlib::Rgb> inputs =
+            lutlib::sample_colors(s.size, {.random = o.samples});
+        out.result = verify(s.codes, *s.engine, s.size, oracle, inputs,
+                            [&] { return other_interpolations(reference, how); });
+        if (s.fitted()) {
+            out.result->diagnosis.reset();
+            out.fitted =
+                check_fitted(s.codes, *s.engine, s.size, oracle,
+                             lutlib::sample_colors(std::min(s.size, 33), {.random = o.samples}));
+        }
+        const bool right = out.fitted ? out.fitted->right() : out.result->texels.wrong == 0;
+        out.passed = right && s.contract.empty();
+    }
+    out.refusal = reference.refusal();
+    return out;
+}
+
+struct NamedByWords {
+    NamedBy by;
+    std::string_view name; ///< in JSON
+    std::string_view words;
+};
+
+const NamedByWords& words_of(NamedBy by) {
+    static constexpr std::array<NamedByWords, 3> table{{
+        {NamedBy::option, "option", ""},
+        {NamedBy::picture, "picture", ", the engine that the picture names"},
+        {NamedBy::content, "content",
+         ", which is what the content looks like; for another engine name it with --engine"},
+    }};
+    return *std::find_if(table.begin(), table.end(),
+                         [by](const NamedByWords& row) { return row.by == by; });
+}
+
+// Names the engine, for a picture that is right for one is wrong for most others.
+std::string verdict_text(const Subject& s, bool passed) {
+    return fmt::format("{} as {} ({}){}", passed ? "passed" : "FAILED", s.engine->label,
+                       s.engine->name, words_of(s.named_by).words);
+}
+
+std::string texels_text(const lutlib::TexelCheck& t) {
+    std::string out = fmt::format("  texels: {} of {} right", t.texels - t.wrong, t.texels);
+    return out + (t.wrong == 0
+                      ? "\n"
+                      : fmt::format("; off by {} codes at most (at {},{}), {:.3g} on average\n",
+                                    t.max_difference, t.worst.x, t.worst.y, t.mean_difference));
+}
+
+std::string diagnosis_text(const lutlib::Verification& result) {
+    if (!result.diagnosis) {
+        return fmt::format("  why: no known mistake explains it; is it a bake of another look? "
+                           "(nearest: {}, {:.1f} % of the texels)\n",
+                           result.nearest.words, 100 * result.nearest.explained);
+    }
+    const double explained = result.diagnosis->explained;
+    return fmt::format(
+        "  why: {}{}\n", result.diagnosis->words,
+        explained > 0 ? fmt::format(" (explains {:.1f} % of the texels)", 100 * explained) : "");
+}
+
+nlohmann::ordered_json diagnosis_json(const lutlib::Diagnosis& diagnosis) {
+    nlohmann::ordered_json out{{"words", diagnosis.words}};
+    if (diagnosis.explained > 0) {
+        out["explained"] = diagnosis.explained;
+    }
+    return out;
+}
+
+std::string fitted_text(const lutlib::FittedCheck& check) {
+    const auto figures = [](const lutlib::LookupError& error) { return to_text(error.absolute); };
+    std::string out =
+        fmt::format("  the lattice is fitted, so its texels are not the look's values: {} of {} "
+                    "are where a fit "
+                    "made anew puts them\n"
+                    "    over {} colours {}; the new fit {}; point samples {}\n",
+                    check.texels - check.moved, check.texels, check.result.absolute.count,
+                    figures(check.result), figures(check.refit), figures(check.point_sampled));
+    for (const std::string& fault : check.faults) {
+        out += "  why: " + fault + "\n";
+    }
+    return out;
+}
+
+std::string lookup_text(const Subject& s, const lutlib::LookupError& error) {
+    return fmt::format("  {}'s lookup ({}) over {} colours: {}\n"
+                       "    worst at {:.4g} {:.4g} {:.4g}\n"
+                       "    as dE2000: {}\n",
+                       s.engine->name, s.engine->lookup_help, error.absolute.count,
+                       to_text(error.absolute), error.worst.r, error.worst.g, error.worst.b,
+                       to_text(error.delta_e));
+}
+
+std::string as_text(const Options& o, const Subject& s, const Verdict& v) {
+    std::string out = fmt::format("{} against {} by {}\n", o.picture, o.against, v.oracle);
     out += fmt::format("  layout {}, {}x{}, {} nodes a side, {} bits: {}\n", s.engine->layout,
                        s.codes.width, s.codes.height, s.size, s.codes.bits, s.engine->label);
-    if (!reference.refusal().empty()) {
+    if (!v.refusal.empty()) {
         out += "  OpenColorIO evaluates our reading of the look; its own reader refuses the file\n";
     }
     for (const std::string& point : s.contract) {
         out += "  contract: " + point + "\n";
     }
-    if (result) {
-        const lutlib::TexelCheck& t = result->texels;
-        out += fmt::format("  texels: {} of {} right", t.texels - t.wrong, t.texels);
-        out += t.wrong == 0
-                   ? "\n"
-                   : fmt::format("; off by {} codes at most (at {},{}), {:.3g} on average\n",
-                                 t.max_difference, t.worst.x, t.worst.y, t.mean_difference);
-        if (t.wrong > 0 && io::text_entry(s.image, "Lattice") != "fitted") {
-            out += result->diagnosis
-                       ? fmt::format("  why: {} (explains {:.1f} % of the texels)\n",
-                                     result->diagnosis->words, 100 * result->diagnosis->explained)
-                       : "  why: no known mistake explains it; is it a bake of another look?\n";
+    if (v.result) {
+        out += texels_text(v.result->texels);
+        if (v.fitted) {
+            out += fitted_text(*v.fitted);
+        } else if (v.result->texels.wrong > 0) {
+            out += diagnosis_text(*v.result);
         }
-        out += fmt::format("  {}'s lookup ({}) over {} colours: {}\n", s.engine->name,
-                           s.engine->lookup_help, result->lookup.absolute.count,
-                           to_text(result->lookup.absolute));
-        out += fmt::format("    worst at {:.4g} {:.4g} {:.4g}\n", result->lookup.worst.r,
-                           result->lookup.worst.g, result->lookup.worst.b);
-        out += fmt::format("    as dE2000: {}\n", to_text(result->lookup.delta_e));
+        out += lookup_text(s, v.result->lookup);
     }
-    return out;
+    return out + verdict_text(s, v.passed) + "\n";
 }
 
-nlohmann::ordered_json as_json(const Options& o, const Subject& s, const Reference& reference,
-                               const lutlib::Verification* result) {
-    nlohmann::ordered_json out{{"picture", o.picture},       {"against", o.against},
-                               {"oracle", reference.name()}, {"engine", s.engine->name},
-                               {"layout", s.engine->layout}, {"size", s.size},
-                               {"bits", s.codes.bits},       {"contract_violations", s.contract}};
-    if (!reference.refusal().empty()) {
-        out["oracle_refusal"] = reference.refusal();
+nlohmann::ordered_json fitted_json(const lutlib::FittedCheck& check) {
+    return {{"result", to_json(check.result.absolute)},
+            {"refit", to_json(check.refit.absolute)},
+            {"point_sampled", to_json(check.point_sampled.absolute)},
+            {"texels_moved", check.moved},
+            {"faults", check.faults}};
+}
+
+nlohmann::ordered_json as_json(const Options& o, const Subject& s, const Verdict& v) {
+    nlohmann::ordered_json out{{"picture", o.picture},
+                               {"against", o.against},
+                               {"oracle", v.oracle},
+                               {"engine", s.engine->name},
+                               {"engine_named_by", words_of(s.named_by).name},
+                               {"layout", s.engine->layout},
+                               {"size", s.size},
+                               {"bits", s.codes.bits},
+                               {"contract_violations", s.contract}};
+    if (!v.refusal.empty()) {
+        out["oracle_refusal"] = v.refusal;
     }
-    if (result) {
-        const lutlib::TexelCheck& t = result->texels;
+    if (v.result) {
+        const lutlib::TexelCheck& t = v.result->texels;
+        const lutlib::LookupError& lookup = v.result->lookup;
         out["texels"] = {{"count", t.texels},
                          {"wrong", t.wrong},
                          {"max_difference_codes", t.max_difference},
                          {"mean_difference_codes", t.mean_difference}};
-        if (result->diagnosis) {
-            out["diagnosis"] = {{"words", result->diagnosis->words},
-                                {"explained", result->diagnosis->explained}};
+        if (v.result->diagnosis) {
+            out["diagnosis"] = diagnosis_json(*v.result->diagnosis);
+        } else if (t.wrong > 0 && !v.fitted) {
+            out["nearest"] = diagnosis_json(v.result->nearest);
         }
-        out["lookup"] = {
-            {"absolute_error", to_json(result->lookup.absolute)},
-            {"delta_e_2000", to_json(result->lookup.delta_e)},
-            {"worst", {result->lookup.worst.r, result->lookup.worst.g, result->lookup.worst.b}}};
+        out["lookup"] = {{"absolute_error", to_json(lookup.absolute)},
+                         {"delta_e_2000", to_json(lookup.delta_e)},
+                         {"worst", {lookup.worst.r, lookup.worst.g, lookup.worst.b}}};
     }
+    if (v.fitted) {
+        out["fitted"] = fitted_json(*v.fitted);
+    }
+    out["passed"] = v.passed;
+    out["verdict"] = verdict_text(s, v.passed);
     return out;
-}
-
-// A fitted lattice's texels need not be the look's values. It is right when the engine's lookup of
-// it is nearer to the look, on average over colours spread evenly, than of the look's own samples.
-struct FittedCheck {
-    lutlib::LookupError fitted, point_sampled;
-
-    bool right() const { return fitted.absolute.mean < point_sampled.absolute.mean; }
-};
-
-std::optional<FittedCheck> check_fitted(const Options& o, const Subject& s, const Oracle& oracle) {
-    if (io::text_entry(s.image, "Lattice") != "fitted") {
-        return std::nullopt;
-    }
-    const lutlib::ExactLook look = [&oracle](lutlib::RgbD in) {
-        std::vector<lutlib::Rgb> one{to_float(in)};
-        oracle(one);
-        return to_double(one.front());
-    };
-    const std::vector<lutlib::Rgb> inputs =
-        lutlib::sample_colors(s.size, {.random = o.samples, .lattice = false});
-    std::vector<lutlib::Rgb> expected = inputs;
-    oracle(expected);
-    const auto error_of = [&](const lutlib::CodePicture& codes) {
-        return lookup_error(*s.engine, decoded(codes), s.size, inputs, expected);
-    };
-    return FittedCheck{error_of(s.codes),
-                       error_of(bake(look, *s.engine, s.size, s.codes.bits).picture)};
 }
 
 int run(const Options& o) {
@@ -295,41 +231,10 @@ int run(const Options& o) {
     if (o.picture == io::standard_stream && o.against == io::standard_stream) {
         throw lutlib::UsageError("the picture and the look cannot both come from standard input");
     }
-    const Subject s = open_subject(o);
-    Reference reference(o.against);
-    const lutlib::Interpolation how = baked_interpolation(o, s);
-    std::optional<lutlib::Verification> result;
-    std::optional<FittedCheck> fitted;
-    if (s.size > 0) {
-        lutlib::SampleCounts counts;
-        counts.random = o.samples;
-        result = verify(s.codes, *s.engine, s.size, reference.oracle(how),
-                        lutlib::sample_colors(s.size, counts),
-                        [&] { return other_interpolations(reference, how); });
-        fitted = check_fitted(o, s, reference.oracle(how));
-    }
-    const bool right = result && (fitted ? fitted->right() : result->texels.wrong == 0);
-    const bool passed = right && s.contract.empty();
-    const lutlib::Verification* const shown = result ? &*result : nullptr;
-    if (o.json) {
-        nlohmann::ordered_json json = as_json(o, s, reference, shown);
-        if (fitted) {
-            json["fitted"] = {{"result", to_json(fitted->fitted.absolute)},
-                              {"point_sampled", to_json(fitted->point_sampled.absolute)}};
-        }
-        json["passed"] = passed;
-        print(json, "");
-    } else {
-        std::string text = as_text(o, s, reference, shown);
-        if (fitted) {
-            text += fmt::format("  the lattice is fitted, so its texels are not the look's values: "
-                                "over {} colours spread evenly {}; point samples {}\n",
-                                fitted->fitted.absolute.count, to_text(fitted->fitted.absolute),
-                                to_text(fitted->point_sampled.absolute));
-        }
-        print(text + (passed ? "passed\n" : "FAILED\n"), "");
-    }
-    return passed ? ok : verification_failed;
+    const Subject s = open_subject(o.picture, o.engine.given() ? &o.engine.get() : nullptr);
+    const Verdict v = judge(o, s);
+    o.json ? print(as_json(o, s, v), "") : print(as_text(o, s, v), "");
+    return v.passed ? ok : verification_failed;
 }
 
 } // namespace

@@ -22,6 +22,9 @@ struct FilledBake {
     bool fitted = false;
     ErrorStats point_sampled; ///< when a fit was tried: by channel, of the point samples ...
     ErrorStats result;        ///< ... and of what was kept, over colours that the fit has not seen
+    /// What rounding and clamping would have taken of the look's own samples, when others were
+    /// fitted. A fit aims at the look held to 0..1, and chooses codes: bake.loss is then empty.
+    BakeLoss look_loss = {};
 };
 
 /// bake(), with nodes fitted to the engine's lookup where that helps, up to largest_fitted_size.
@@ -45,11 +48,12 @@ struct BudgetBake {
     double largest_delta_e() const;
 };
 
-/// Walks the combinations that the engine accepts from the smallest up; of equal size, point
-/// samples come before a fit. An engine's lookup costs the same for every one of them but for its
-/// memory, so the smallest is also the fastest. Takes the first that keeps the promise; when none
-/// does, the one that comes nearest, with `kept` false. Throws UsageError when the engine takes no
-/// combination that was asked for.
+/// The smallest combination that keeps the promise; of equal size, point samples come before a fit.
+/// An engine's lookup costs the same for every one of them but for its memory, so the smallest is
+/// also the fastest. The usual sizes are tried from below; every other size up to the first of them
+/// that does is then searched by halves, since errors fall with size, but for the look's own sizes.
+/// When none of the usual sizes does, the one that comes nearest, with `kept` false. Throws
+/// UsageError when the engine takes no combination that was asked for.
 BudgetBake bake_within(const ExactLook& look, const Engine& engine, const Budget& budget);
 
 } // namespace lutlib

@@ -1,10 +1,14 @@
 #include "lutlib/engine/diagnose.h"
 
 #include "lutlib/color/transfer.h"
+#include "lutlib/engine/lossy.h"
+#include "lutlib/limits.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace lutlib {
 namespace {
@@ -14,6 +18,8 @@ constexpr double oracle_precision = 1e-6;
 
 // What most texels must agree with before a mistake is named.
 constexpr double convincing = 0.98;
+// And of those that are wrong without it.
+constexpr double telling = 0.9;
 
 bool is_truncated(int code, double value, int maximum) {
     const double exact = value * maximum, slack = oracle_precision * maximum;
@@ -21,7 +27,15 @@ bool is_truncated(int code, double value, int maximum) {
 }
 
 bool is_high_byte(int code, double value, int maximum) {
-    return is_truncated(code, value * 65535.0 / 65280.0 * (maximum == 255 ? 1 : 0), maximum);
+    return maximum == 255 && is_truncated(code, value * 65535.0 / 65280.0, maximum);
+}
+
+// 8-bit codes in a 16-bit file, by the two ways to widen them.
+bool is_repeated_byte(int code, double value, int maximum) {
+    return maximum == 65535 && code % 257 == 0 && is_rounded(code / 257, value, 255);
+}
+bool is_shifted_byte(int code, double value, int maximum) {
+    return maximum == 65535 && code % 256 == 0 && is_rounded(code / 256, value, 255);
 }
 
 Pixel as_is(const Layout& layout, int n, int r, int g, int b) {
@@ -33,8 +47,14 @@ Pixel swap_green_blue(const Layout& layout, int n, int r, int g, int b) {
 Pixel swap_red_blue(const Layout& layout, int n, int r, int g, int b) {
     return layout.pixel(n, b, g, r);
 }
-Pixel flip(const Layout& layout, int n, int r, int g, int b) {
+Pixel flip_red(const Layout& layout, int n, int r, int g, int b) {
+    return layout.pixel(n, n - 1 - r, g, b);
+}
+Pixel flip_green(const Layout& layout, int n, int r, int g, int b) {
     return layout.pixel(n, r, n - 1 - g, b);
+}
+Pixel flip_blue(const Layout& layout, int n, int r, int g, int b) {
+    return layout.pixel(n, r, g, n - 1 - b);
 }
 
 double engine_input(const Engine& engine, int i, int n) {
@@ -45,6 +65,9 @@ double lattice_input(const Engine&, int i, int n) {
 }
 double centre_input(const Engine&, int i, int n) {
     return (i + 0.5) / n;
+}
+double edge_input(const Engine&, int i, int n) {
+    return static_cast<double>(i) / n;
 }
 double lowest_of_32(const Engine&, int i, int) {
     return i / 31.0;
@@ -85,112 +108,123 @@ struct Mistake {
     bool (*agrees)(int code, double value, int maximum) = is_rounded;
 };
 
-constexpr std::array<Mistake, 17> mistakes{{
-    {"single texels differ; the rest is right: the picture was edited or damaged in places"},
+// A rule that more codes satisfy stands behind a stricter one that explains as much.
+constexpr std::array<Mistake, 21> mistakes{{
     {"green and blue are swapped: this is another tool's slice order", swap_green_blue},
     {"red and blue are swapped: the slices run along red", swap_red_blue},
-    {"it is flipped: green runs the other way", flip},
+    {"it is flipped: green runs the other way", flip_green},
+    {"it is flipped: red runs the other way", flip_red},
+    {"it is flipped: blue runs the other way", flip_blue},
     {"red and blue channels are swapped (BGR codes)", as_is, engine_input, channels_swapped},
-    {"half texel: nodes were sampled at texel centres (i + 0.5) / N, this engine reads them at "
-     "i / (N - 1)",
+    {"half texel: all nodes were sampled at texel centres, (i + 0.5) / N; this engine reads its "
+     "first node at 0 and its last at 1",
      as_is, centre_input},
     {"half texel: nodes were sampled at i / (N - 1), this engine reads them at texel centres",
      as_is, lattice_input},
+    {"one node short: nodes were sampled at i / N, so that the last is not at 1", as_is,
+     edge_input},
+    {"the picture is the identity: no look was applied", as_is, engine_input, input_itself},
+    {"the picture is the identity, with green and blue swapped", swap_green_blue, engine_input,
+     input_itself},
     {"sRGB was decoded twice: the codes are darker by one sRGB curve", as_is, engine_input,
      decoded_again},
     {"sRGB was encoded twice: the codes are brighter by one sRGB curve", as_is, engine_input,
      encoded_again},
-    {"codes were truncated instead of rounded", as_is, engine_input, value_of, is_truncated},
-    {"codes are the high bytes of 16-bit codes, truncated instead of rounded", as_is, engine_input,
-     value_of, is_high_byte},
     {"wrong size: these are the lowest nodes of a lattice of 32", as_is, lowest_of_32},
     {"wrong size: these are the lowest nodes of a lattice of 33", as_is, lowest_of_33},
     {"wrong size: these are the lowest nodes of a lattice of 64", as_is, lowest_of_64},
     {"wrong size: these are the lowest nodes of a lattice of 65", as_is, lowest_of_65},
-    {"the picture is the identity: no look was applied", as_is, engine_input, input_itself},
-    {"the picture is the identity, with green and blue swapped", swap_green_blue, engine_input,
-     input_itself},
+    {"8-bit codes were widened to 16 bits (times 257); the look was rounded to 8 bits before",
+     as_is, engine_input, value_of, is_repeated_byte},
+    {"8-bit codes were shifted to 16 bits (times 256), so that white is not white", as_is,
+     engine_input, value_of, is_shifted_byte},
+    {"codes were truncated instead of rounded", as_is, engine_input, value_of, is_truncated},
+    {"codes are the high bytes of 16-bit codes, truncated instead of rounded", as_is, engine_input,
+     value_of, is_high_byte},
 }};
 
-class Trial {
+constexpr Mistake none{"nothing"};
+
+// The look over the lattice that one set of inputs an axis makes, evaluated once for every mistake
+// that has the same.
+class Values {
   public:
-    Trial(const CodePicture& picture, const Engine& engine, int size)
-        : picture_(picture), engine_(engine), layout_(*layout_named(engine.layout)), size_(size) {}
+    struct Lattice {
+        std::vector<Rgb> inputs, outputs;
+    };
 
-    double share(const Mistake& mistake, const Oracle& oracle) const {
-        std::vector<Rgb> inputs = inputs_of(mistake);
-        std::vector<Rgb> values = inputs;
-        oracle(values);
-        std::size_t agreeing = 0, i = 0;
-        for_each_node([&](int r, int g, int b) {
-            const Pixel p = mistake.pixel(layout_, size_, r, g, b);
-            const Rgb value = mistake.value(inputs[i], values[i]);
-            ++i;
-            bool all = true;
-            for (std::size_t c = 0; c < 3; ++c) {
-                all = all &&
-                      mistake.agrees(picture_.code(p, c), saturate(static_cast<double>(value[c])),
-                                     picture_.maximum());
-            }
-            agreeing += all;
-        });
-        return static_cast<double>(agreeing) / static_cast<double>(inputs.size());
-    }
+    explicit Values(const Oracle& oracle) : oracle_(oracle) {}
 
-    // Small differences of both signs everywhere.
-    std::optional<Diagnosis> lossy(const Oracle& oracle) const {
-        const Mistake& none = mistakes[0];
-        std::vector<Rgb> values = inputs_of(none);
-        oracle(values);
-        std::vector<double> distance;
-        double bias = 0;
-        std::size_t i = 0;
-        for_each_node([&](int r, int g, int b) {
-            const Pixel p = layout_.pixel(size_, r, g, b);
-            for (std::size_t c = 0; c < 3; ++c) {
-                const double d = picture_.code(p, c) -
-                                 saturate(static_cast<double>(values[i][c])) * picture_.maximum();
-                distance.push_back(d);
-                bias += d;
-            }
-            ++i;
-        });
-        bias /= static_cast<double>(distance.size());
-        const ErrorStats size = error_stats(std::move(distance));
-        const double widest = picture_.maximum() / 16.0;
-        if (size.p95 > widest || std::abs(bias) > 0.25 * size.mean) {
-            return std::nullopt;
-        }
-        return Diagnosis{"lossy compression or resampling: noise of " +
-                             std::to_string(static_cast<int>(std::ceil(size.p95))) +
-                             " codes (95 %) without a bias",
-                         0};
-    }
-
-  private:
-    template <class F>
-    void for_each_node(F&& f) const {
-        for (int b = 0; b < size_; ++b) {
-            for (int g = 0; g < size_; ++g) {
-                for (int r = 0; r < size_; ++r) {
-                    f(r, g, b);
+    const Lattice& over(const std::vector<double>& axis) {
+        const auto [at, is_new] = known_.try_emplace(axis);
+        Lattice& out = at->second;
+        if (is_new) {
+            for (const double b : axis) {
+                for (const double g : axis) {
+                    for (const double r : axis) {
+                        out.inputs.push_back(to_float({r, g, b}));
+                    }
                 }
             }
+            out.outputs = out.inputs;
+            oracle_(out.outputs);
         }
-    }
-
-    std::vector<Rgb> inputs_of(const Mistake& mistake) const {
-        std::vector<Rgb> out;
-        const auto at = [&](int i) { return mistake.input(engine_, i, size_); };
-        for_each_node([&](int r, int g, int b) { out.push_back(to_float({at(r), at(g), at(b)})); });
         return out;
     }
 
-    const CodePicture& picture_;
-    const Engine& engine_;
-    const Layout& layout_;
-    int size_;
+  private:
+    const Oracle& oracle_;
+    std::map<std::vector<double>, Lattice> known_;
 };
+
+// Which texels agree with the look under a mistake.
+struct Agreement {
+    std::vector<bool> texels; ///< pixel by pixel
+    double share = 0;
+};
+
+Agreement agreement(const CodePicture& picture, const Engine& engine, int n, const Mistake& mistake,
+                    Values& values) {
+    std::vector<double> axis;
+    for (int i = 0; i < n; ++i) {
+        axis.push_back(mistake.input(engine, i, n));
+    }
+    const Values::Lattice& lattice = values.over(axis);
+    const Layout& layout = *layout_named(engine.layout);
+    Agreement out;
+    out.texels.resize(picture.codes.size() / 3);
+    std::size_t agreeing = 0, i = 0;
+    for (int b = 0; b < n; ++b) {
+        for (int g = 0; g < n; ++g) {
+            for (int r = 0; r < n; ++r, ++i) {
+                const Pixel p = mistake.pixel(layout, n, r, g, b);
+                const Rgb value = mistake.value(lattice.inputs[i], lattice.outputs[i]);
+                bool all = true;
+                for (std::size_t c = 0; c < 3; ++c) {
+                    all = all && mistake.agrees(picture.code(p, c),
+                                                saturate(static_cast<double>(value[c])),
+                                                picture.maximum());
+                }
+                out.texels[static_cast<std::size_t>(p.y) * static_cast<std::size_t>(picture.width) +
+                           static_cast<std::size_t>(p.x)] = all;
+                agreeing += all;
+            }
+        }
+    }
+    out.share = static_cast<double>(agreeing) / static_cast<double>(lattice.inputs.size());
+    return out;
+}
+
+// The lattice size whose picture in the engine's layout has these dimensions; 0: none.
+int size_for(const Engine& engine, const CodePicture& picture) {
+    const Layout& layout = *layout_named(engine.layout);
+    for (int n = limits::min_cube_size; n <= limits::max_cube_size; ++n) {
+        if (layout.picture(n) == PictureSize{picture.width, picture.height}) {
+            return n;
+        }
+    }
+    return 0;
+}
 
 } // namespace
 
@@ -198,23 +232,56 @@ bool is_rounded(int code, double value, int maximum) {
     return std::abs(code - value * maximum) <= 0.5 + oracle_precision * maximum;
 }
 
-std::optional<Diagnosis> diagnose(const CodePicture& picture, const Engine& engine, int size,
-                                  const Oracle& oracle, const Alternatives& alternatives) {
-    const Trial trial(picture, engine, size);
-    Diagnosis best;
-    const auto offer = [&best](std::string_view words, double share) {
-        if (share > best.explained) {
-            best = {std::string(words), share};
+Findings diagnose(const CodePicture& picture, const Engine& engine, int size, const Oracle& oracle,
+                  const Alternatives& alternatives) {
+    Values values(oracle);
+    const Agreement plain = agreement(picture, engine, size, none, values);
+    Findings out;
+    out.nearest = {"the look as it is", plain.share};
+    if (plain.share >= convincing) {
+        out.nearest = {"single texels differ; the rest is right: the picture was edited or damaged "
+                       "in places",
+                       plain.share};
+        out.diagnosis = out.nearest;
+        return out;
+    }
+    double told = 0; // of the texels that are wrong as they are
+    const auto offer = [&](std::string words, const Agreement& found) {
+        if (!(found.share > out.nearest.explained)) {
+            return;
         }
+        std::size_t wrong = 0, explained = 0;
+        for (std::size_t i = 0; i < plain.texels.size(); ++i) {
+            wrong += !plain.texels[i];
+            explained += !plain.texels[i] && found.texels[i];
+        }
+        out.nearest = {std::move(words), found.share};
+        told = static_cast<double>(explained) / static_cast<double>(wrong);
     };
     for (const Mistake& mistake : mistakes) {
-        offer(mistake.words, trial.share(mistake, oracle));
+        offer(std::string(mistake.words), agreement(picture, engine, size, mistake, values));
+    }
+    // Dimensions alone do not tell a layout: another one of the same may be what this is.
+    for (const Engine& other : engines()) {
+        const int n = size_for(other, picture);
+        const bool same = other.layout == engine.layout && other.node_input == engine.node_input;
+        if (n > 0 && !same) {
+            offer("it is a picture for " + std::string(other.label) + ", of layout " +
+                      std::string(other.layout),
+                  agreement(picture, other, n, none, values));
+        }
     }
     for (const Alternative& alternative :
          alternatives ? alternatives() : std::vector<Alternative>{}) {
-        offer(alternative.words, trial.share(mistakes[0], alternative.oracle));
+        Values others(alternative.oracle);
+        offer(alternative.words, agreement(picture, engine, size, none, others));
     }
-    return best.explained >= convincing ? std::optional(best) : trial.lossy(oracle);
+    if (out.nearest.explained >= convincing && told >= telling) {
+        out.diagnosis = out.nearest;
+    } else if (const auto noise = lossy_noise(picture, engine, size, oracle)) {
+        out.diagnosis = Diagnosis{*noise, 0};
+    }
+    return out;
 }
 
 } // namespace lutlib

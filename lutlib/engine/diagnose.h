@@ -22,18 +22,25 @@ struct Alternative {
 /// Opened only when a picture is wrong; may be empty.
 using Alternatives = std::function<std::vector<Alternative>()>;
 
-/// A mistake that explains a picture: in words, and the share of texels that agree with the look
-/// once the mistake is assumed.
+/// A mistake in words, and the share of texels that agree with the look once it is assumed; 0 where
+/// a mistake leaves no such share, as noise does.
 struct Diagnosis {
     std::string words;
     double explained = 0;
 };
 
-/// Tries every row of a table of mistakes (what would the codes be, had somebody made it?) and
-/// every alternative. The one that explains most texels is the diagnosis if it explains nearly all
-/// of them; else the noise of a lossy format is recognised by its size and lack of a bias.
-std::optional<Diagnosis> diagnose(const CodePicture& picture, const Engine& engine, int size,
-                                  const Oracle& oracle, const Alternatives& alternatives);
+struct Findings {
+    std::optional<Diagnosis> diagnosis; ///< the mistake that explains the picture
+    Diagnosis nearest;                  ///< what explains most texels, whether it is enough or not
+};
+
+/// Tries every row of a table of mistakes (what would the codes be, had somebody made it?), the
+/// pictures of every other engine with these dimensions, and every alternative. Where nearly all
+/// texels are right, single ones are damaged. Else the mistake that explains most is the diagnosis
+/// if it explains nearly all of them, and nearly all that are wrong without it; else the noise of a
+/// lossy format is recognised by what it does to blocks of texels.
+Findings diagnose(const CodePicture& picture, const Engine& engine, int size, const Oracle& oracle,
+                  const Alternatives& alternatives);
 
 /// Whether `code` is `value` (0..1) rounded to nearest, either way when the value lies within an
 /// oracle's float precision of a tie.

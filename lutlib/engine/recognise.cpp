@@ -105,8 +105,8 @@ Recognition recognise_one(const Picture& picture, const std::string& file) {
         for (const Recognition& reading : readings) {
             candidates += (candidates.empty() ? "" : ", ") + describe(reading);
         }
-        throw Error("the layout cannot be told from the content; name it with --layout or "
-                    "--engine. Candidates: " +
+        throw Error("the layout cannot be told from the content; name it, as an engine's (verify "
+                    "--engine) or by itself (convert --from). Candidates: " +
                         candidates,
                     {file, 0, {}});
     }

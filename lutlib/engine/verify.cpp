@@ -59,7 +59,9 @@ Verification verify(const CodePicture& picture, const Engine& engine, int size,
     oracle(expected);
     out.lookup = lookup_error(engine, decoded(picture), size, inputs, expected);
     if (out.texels.wrong > 0) {
-        out.diagnosis = diagnose(picture, engine, size, oracle, alternatives);
+        Findings found = diagnose(picture, engine, size, oracle, alternatives);
+        out.diagnosis = std::move(found.diagnosis);
+        out.nearest = std::move(found.nearest);
     }
     return out;
 }

@@ -21,6 +21,7 @@ struct Verification {
     TexelCheck texels;
     LookupError lookup;
     std::optional<Diagnosis> diagnosis; ///< when texels are wrong and a mistake explains them
+    Diagnosis nearest;                  ///< when they are wrong: what explains most of them
 };
 
 /// Compares every texel's code with the oracle's value at the input where the engine reads the

@@ -184,9 +184,11 @@ CodeImage read_png(std::string_view bytes, const std::string& file) {
     std::uint8_t intent = 0;
     std::uint32_t gamma = 0;
     spng_iccp profile{};
+    spng_chrm_int primaries{};
     image.srgb_tag = spng_get_srgb(context.get(), &intent) == SPNG_OK;
     image.gamma_tag = spng_get_gama_int(context.get(), &gamma) == SPNG_OK;
     image.profile_tag = spng_get_iccp(context.get(), &profile) == SPNG_OK;
+    image.primaries_tag = spng_get_chrm_int(context.get(), &primaries) == SPNG_OK;
     read_text(context.get(), image, file);
     return image;
 }

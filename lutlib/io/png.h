@@ -20,11 +20,12 @@ struct CodeImage {
     int channels = 3; ///< 3 RGB or 4 RGBA (alpha not premultiplied)
     int bits = 8;     ///< 8 or 16: codes run over 0 .. 2^bits - 1
     std::vector<std::uint16_t> samples;
-    bool srgb_tag = false;    ///< an sRGB chunk
-    bool gamma_tag = false;   ///< a gAMA chunk
-    bool profile_tag = false; ///< an iCCP chunk
-    bool grey = false;        ///< the file stores one grey value a pixel; samples repeat it
-    bool palette = false;     ///< the file stores indices; samples are the colours, 8 bits
+    bool srgb_tag = false;      ///< an sRGB chunk
+    bool gamma_tag = false;     ///< a gAMA chunk
+    bool profile_tag = false;   ///< an iCCP chunk
+    bool primaries_tag = false; ///< a cHRM chunk
+    bool grey = false;          ///< the file stores one grey value a pixel; samples repeat it
+    bool palette = false;       ///< the file stores indices; samples are the colours, 8 bits
     bool interlaced = false;
     /// tEXt, zTXt and iTXt keys with their texts, in the file's order.
     std::vector<std::pair<std::string, std::string>> text;

@@ -83,6 +83,21 @@ TEST_P(BakeEngine, fits_what_verify_finds_no_worse_than_point_samples) {
     EXPECT_EQ(verified.out.find("the lattice is fitted") != std::string::npos, figures["fitted"]);
 }
 
+TEST(Verify, finds_the_damage_in_a_fitted_lattice) {
+    const Folder folder;
+    const std::string look = folder.write("look.cube", saturated_cube(17));
+    const std::string picture = folder.path("strip.png");
+    ASSERT_EQ(lutconv({"bake", look, "-o", picture, "--size", "9", "--fit"}).exit_code, 0);
+    lutlib::io::CodeImage image = lutlib::io::read_png(contents(picture), "strip.png");
+    for (int c = 0; c < 3; ++c) {
+        image.at(40, 4, c) = c == 1 ? 0 : 255;
+    }
+    folder.write("strip.png", write_png(image));
+    const Result result = lutconv({"verify", picture, "--against", look, "--samples", "2000"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.out.find("at 40,4"), std::string::npos) << result.out;
+}
+
 TEST(Bake, keeps_a_promise_with_the_smallest_lattice_that_can) {
     const Folder folder;
     const std::string look = folder.write("look.cube", saturated_cube(17));
@@ -102,6 +117,31 @@ TEST(Bake, keeps_a_promise_with_the_smallest_lattice_that_can) {
     const int loose = within("6"), tight = within("2");
     EXPECT_LT(loose, tight);
     EXPECT_TRUE(std::filesystem::exists(picture));
+    // Every size is looked at, not the usual ones alone.
+    const Result smaller = lutconv(
+        {"bake", look, "-o", picture, "--max-delta-e", "4", "--size", std::to_string(loose - 1)});
+    EXPECT_EQ(smaller.exit_code, 1) << smaller.out;
+}
+
+TEST(Bake, says_what_a_fit_takes_from_the_look_instead_of_what_point_samples_would) {
+    const Folder folder;
+    const std::string look = std::string(SAMPLE_LOOKS) + "/warm_teal.cube";
+    const auto baked = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"bake", look, "-o", folder.path("x.png"), "--size", "9"};
+        words.insert(words.end(), more.begin(), more.end());
+        return lutconv(words).out;
+    };
+    const json point = json::parse(baked({"--json"})),
+               fit = json::parse(baked({"--fit", "--json"}));
+    ASSERT_TRUE(fit["fitted"]);
+    EXPECT_GT(point["loss"]["clamped_values"], 0);
+    EXPECT_GT(point["loss"]["max_rounding"], 0);
+    EXPECT_EQ(fit["loss"]["clamped_values"], 0);
+    EXPECT_EQ(fit["loss"]["max_rounding"], 0);
+    EXPECT_EQ(fit["fit"]["look_clamped_values"], point["loss"]["clamped_values"]);
+    const std::string text = baked({"--fit"});
+    EXPECT_EQ(text.find("lost: rounding"), std::string::npos) << text;
+    EXPECT_NE(text.find("the fit aims at the look held to 0..1"), std::string::npos) << text;
 }
 
 TEST(Bake, says_that_no_combination_keeps_a_promise_and_which_comes_nearest) {

@@ -32,6 +32,7 @@ struct Encoder {
     int depth = 8;
     int interlace = PNG_INTERLACE_NONE;
     bool gamma = false;
+    bool primaries = false;
     std::vector<png_color> palette = {};
     std::vector<png_byte> palette_alpha = {};
 
@@ -55,6 +56,9 @@ struct Encoder {
         if (!palette_alpha.empty()) {
             png_set_tRNS(png, info, palette_alpha.data(), static_cast<int>(palette_alpha.size()),
                          nullptr);
+        }
+        if (primaries) {
+            png_set_cHRM(png, info, 0.3127, 0.329, 0.64, 0.33, 0.3, 0.6, 0.15, 0.06);
         }
         if (gamma) {
             png_set_gAMA(png, info, 0.45455);
@@ -139,6 +143,13 @@ TEST(Png, reads_a_palette_as_its_colours_and_its_transparency_as_alpha) {
     encoder.palette_alpha = {7};
     const CodeImage clear = read_png(encoder(2, 1, {{1, 0}}), "");
     EXPECT_EQ(clear.samples, (std::vector<std::uint16_t>{200, 100, 50, 255, 1, 2, 3, 7}));
+}
+
+TEST(Png, reports_primaries) {
+    Encoder encoder;
+    EXPECT_FALSE(read_png(encoder(1, 1, {{10, 20, 30}}), "p.png").primaries_tag);
+    encoder.primaries = true;
+    EXPECT_TRUE(read_png(encoder(1, 1, {{10, 20, 30}}), "p.png").primaries_tag);
 }
 
 TEST(Png, never_applies_the_gamma_it_reports) {

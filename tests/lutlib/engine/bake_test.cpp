@@ -1,14 +1,11 @@
 #include "lutlib/engine/bake.h"
 
-#include "lutlib/color/transfer.h"
 #include "lutlib/engine/verify.h"
 #include "lutlib/error.h"
 #include "lutlib/metrics/samples.h"
 #include "tests/lutlib/looks.h"
 
 #include <gtest/gtest.h>
-
-#include <random>
 
 namespace lutlib {
 namespace {
@@ -78,109 +75,6 @@ TEST(Bake, refuses_what_the_engine_does_not_take) {
     EXPECT_THROW(bake(same, *engine_named("piccolo"), 16, 16), UsageError);
     EXPECT_THROW(bake(same, *engine_named("hald"), 33, 8), UsageError);
     EXPECT_THROW(bake(same, *engine_named("piccolo"), 1, 8), Error);
-}
-
-// Pictures with one mistake each, made here without diagnose.cpp's table.
-class Diagnosed : public testing::Test {
-  protected:
-    static constexpr int n = 16;
-    const Engine& engine = *engine_named("unreal");
-    RgbD (*look)(RgbD) = test_looks()[3].f;
-    CodePicture right = bake(look, engine, n, 8).picture;
-
-    std::string words(const CodePicture& picture) const {
-        const Verification result = verify(picture, engine, n, oracle_of(look), {{0, 0, 0}});
-        EXPECT_GT(result.texels.wrong, 0U);
-        return result.diagnosis ? result.diagnosis->words : "";
-    }
-
-    template <class F>
-    CodePicture made(F&& code) const {
-        CodePicture out = right;
-        for (int b = 0; b < n; ++b) {
-            for (int g = 0; g < n; ++g) {
-                for (int r = 0; r < n; ++r) {
-                    const RgbD value = code(r, g, b);
-                    for (std::size_t c = 0; c < 3; ++c) {
-                        out.code({b * n + r, g}, c) = static_cast<std::uint16_t>(value[c]);
-                    }
-                }
-            }
-        }
-        return out;
-    }
-
-    RgbD codes(RgbD value) const {
-        return {std::floor(value.r * 255 + 0.5), std::floor(value.g * 255 + 0.5),
-                std::floor(value.b * 255 + 0.5)};
-    }
-    RgbD at(double r, double g, double b) const { return look({r / 15, g / 15, b / 15}); }
-};
-
-TEST_F(Diagnosed, swapped_green_and_blue) {
-    EXPECT_NE(words(made([&](int r, int g, int b) {
-                  return codes(at(r, b, g));
-              })).find("green and blue are swapped"),
-              std::string::npos);
-}
-
-TEST_F(Diagnosed, flipped) {
-    EXPECT_NE(
-        words(made([&](int r, int g, int b) { return codes(at(r, 15 - g, b)); })).find("flipped"),
-        std::string::npos);
-}
-
-TEST_F(Diagnosed, half_texel) {
-    EXPECT_NE(words(made([&](int r, int g, int b) {
-                  return codes(look({(r + 0.5) / 16, (g + 0.5) / 16, (b + 0.5) / 16}));
-              })).find("half texel"),
-              std::string::npos);
-}
-
-TEST_F(Diagnosed, srgb_decoded_twice) {
-    EXPECT_NE(words(made([&](int r, int g, int b) {
-                  const RgbD v = at(r, g, b);
-                  return codes({srgb_decode(v.r), srgb_decode(v.g), srgb_decode(v.b)});
-              })).find("decoded twice"),
-              std::string::npos);
-}
-
-TEST_F(Diagnosed, truncated_instead_of_rounded) {
-    EXPECT_NE(words(made([&](int r, int g, int b) {
-                  const RgbD v = at(r, g, b);
-                  return RgbD{std::floor(v.r * 255), std::floor(v.g * 255), std::floor(v.b * 255)};
-              })).find("truncated instead of rounded"),
-              std::string::npos);
-}
-
-TEST_F(Diagnosed, lowest_sixteen_of_thirty_three_nodes) {
-    EXPECT_NE(words(made([&](int r, int g, int b) {
-                  return codes(look({r / 32.0, g / 32.0, b / 32.0}));
-              })).find("wrong size: these are the lowest nodes of a lattice of 33"),
-              std::string::npos);
-}
-
-TEST_F(Diagnosed, lossy_compression) {
-    std::mt19937 random(1);
-    EXPECT_NE(words(made([&](int r, int g, int b) {
-                  RgbD v = codes(at(r, g, b));
-                  for (std::size_t c = 0; c < 3; ++c) {
-                      v[c] = std::clamp(v[c] + static_cast<int>(random() % 9) - 4.0, 0.0, 255.0);
-                  }
-                  return v;
-              })).find("lossy compression"),
-              std::string::npos);
-}
-
-TEST_F(Diagnosed, single_damaged_texels) {
-    CodePicture picture = right;
-    picture.code({77, 3}, 1) ^= 0x40;
-    EXPECT_NE(words(picture).find("single texels differ"), std::string::npos);
-}
-
-TEST_F(Diagnosed, another_look_is_not_explained_away) {
-    const CodePicture other = bake(test_looks()[2].f, engine, n, 8).picture;
-    EXPECT_EQ(words(other), "");
 }
 
 TEST(Samples, hold_the_corners_the_lattice_and_are_all_inside) {

@@ -70,7 +70,7 @@ lutlib::io::Reading baked(const lutlib::Recipe& recipe) {
                 samples_over(out.lut.domain(), lattice, spread_colours), lutlib::srgb());
     if (d.absolute.max > float_rounding * std::max(1.0, largest_magnitude(d.worst.a))) {
         out.losses.push_back({"recipe sampled onto " + lutlib::io::shape_of(out.lut) +
-                                  " over the input " + domain_text(out.lut.domain()) +
+                                  " over the input " + lutlib::io::domain_text(out.lut.domain()) +
                                   ", largest error",
                               d.absolute.max, ""});
     }

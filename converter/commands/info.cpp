@@ -70,8 +70,10 @@ int run(const std::string& path, bool json) {
     const lutlib::Lut lut = read_look(path);
     const lutlib::ErrorStats moves = distance_from_identity(lut);
     if (json) {
-        nlohmann::ordered_json out{
-            {"file", path}, {"title", lut.title}, {"comments", lut.comments}};
+        nlohmann::ordered_json out{{"file", path},
+                                   {"title", lut.title},
+                                   {"comments", lut.comments},
+                                   {"keywords", lut.keywords}};
         if (lut.shaper) {
             out["shaper"] = table_json(lut.shaper->size(), lut.shaper->domain, lut.shaper->entries);
         }

@@ -57,6 +57,18 @@ void LineScanner::skip(std::size_t bytes, std::size_t lines) {
     line_ += lines;
 }
 
+char upper(char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+std::string upper(std::string_view word) {
+    std::string out(word);
+    for (char& c : out) {
+        c = upper(c);
+    }
+    return out;
+}
+
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && blank(text.front())) {
         text.remove_prefix(1);

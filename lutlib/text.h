@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace lutlib {
@@ -32,6 +33,10 @@ class LineScanner {
 
 /// Without blanks and tabs at both ends.
 std::string_view trimmed(std::string_view text);
+
+/// ASCII letters in upper case, whatever the locale.
+char upper(char c);
+std::string upper(std::string_view word);
 
 /// A line's first words, split at blanks and tabs. `count` may exceed `items`' size, whose further
 /// words are then not kept.

@@ -228,6 +228,23 @@ int size_for(const Engine& engine, const CodePicture& picture) {
 
 } // namespace
 
+RightTexels right_texels(const Engine& engine, int size, const Oracle& oracle) {
+    const Layout& layout = *layout_named(engine.layout);
+    RightTexels out;
+    for (int b = 0; b < size; ++b) {
+        for (int g = 0; g < size; ++g) {
+            for (int r = 0; r < size; ++r) {
+                out.pixels.push_back(layout.pixel(size, r, g, b));
+                out.values.push_back(
+                    to_float({engine.node_input(r, size), engine.node_input(g, size),
+                              engine.node_input(b, size)}));
+            }
+        }
+    }
+    oracle(out.values);
+    return out;
+}
+
 bool is_rounded(int code, double value, int maximum) {
     return std::abs(code - value * maximum) <= 0.5 + oracle_precision * maximum;
 }

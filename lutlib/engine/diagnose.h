@@ -42,6 +42,14 @@ struct Findings {
 Findings diagnose(const CodePicture& picture, const Engine& engine, int size, const Oracle& oracle,
                   const Alternatives& alternatives);
 
+/// For each node, red fastest: where it sits in the picture, and the oracle's value, not clamped,
+/// at the input where the engine reads it.
+struct RightTexels {
+    std::vector<Pixel> pixels;
+    std::vector<Rgb> values;
+};
+RightTexels right_texels(const Engine& engine, int size, const Oracle& oracle);
+
 /// Whether `code` is `value` (0..1) rounded to nearest, either way when the value lies within an
 /// oracle's float precision of a tie.
 bool is_rounded(int code, double value, int maximum);

@@ -51,8 +51,8 @@ struct Picture {
 };
 
 /// Lattice to picture and back. Both throw Error when the size does not fit the layout. `row` picks
-/// one of several lattices stacked below each other (ReShade's multi-LUT files), from the top and 0;
-/// below the last throws Error.
+/// one of several lattices stacked below each other (ReShade's multi-LUT files), from the top and
+/// 0; below the last throws Error.
 Picture to_picture(const Lut3D& cube, const Layout& layout);
 Lut3D from_picture(const Picture& picture, const Layout& layout, int size, int row = 0);
 

@@ -8,19 +8,7 @@ namespace {
 
 TexelCheck check_texels(const CodePicture& picture, const Engine& engine, int size,
                         const Oracle& oracle) {
-    const Layout& layout = *layout_named(engine.layout);
-    std::vector<Pixel> pixels;
-    std::vector<Rgb> values;
-    for (int b = 0; b < size; ++b) {
-        for (int g = 0; g < size; ++g) {
-            for (int r = 0; r < size; ++r) {
-                pixels.push_back(layout.pixel(size, r, g, b));
-                values.push_back(to_float({engine.node_input(r, size), engine.node_input(g, size),
-                                           engine.node_input(b, size)}));
-            }
-        }
-    }
-    oracle(values);
+    const auto [pixels, values] = right_texels(engine, size, oracle);
     TexelCheck out;
     out.texels = values.size();
     const int maximum = picture.maximum();

@@ -20,16 +20,6 @@ struct Range {
     std::string text; ///< of that line
 };
 
-char upper(char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-
-std::string upper(std::string_view word) {
-    std::string out(word);
-    std::transform(out.begin(), out.end(), out.begin(), [](char c) { return upper(c); });
-    return out;
-}
-
 bool is_letter(char c) {
     return (upper(c) >= 'A' && upper(c) <= 'Z') || c == '_';
 }

@@ -1,6 +1,7 @@
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
 #include "lutlib/limits.h"
+#include "lutlib/text.h"
 
 #include <algorithm>
 #include <array>
@@ -102,9 +103,7 @@ std::string write_resolve(const Lut& lut, const WriteOptions& options) {
 
 bool head_has(std::string_view bytes, std::string_view keyword) {
     const std::string_view head = bytes.substr(0, 1U << 16);
-    const auto same = [](char a, char b) {
-        return (a >= 'a' && a <= 'z' ? a - 'a' + 'A' : a) == b;
-    };
+    const auto same = [](char a, char b) { return upper(a) == b; };
     return std::search(head.begin(), head.end(), keyword.begin(), keyword.end(), same) !=
            head.end();
 }

@@ -16,10 +16,16 @@ INSTANTIATE_TEST_SUITE_P(Engines, EveryEngine,
                          testing::ValuesIn(engines().begin(), engines().end()),
                          [](const auto& row) { return std::string(row.param.name); });
 
-CodePicture baked_codes(const Engine& engine, const Lut& lut) {
+Bake baked(const Engine& engine, const Lut& lut) {
     const int size = engine.sizes.empty() ? 16 : engine.sizes.front();
     const ExactLook exact = [&lut](RgbD in) { return evaluate_exact(lut, in); };
-    return bake(exact, engine, size, engine.default_bits).picture;
+    return bake(exact, engine, size, engine.default_bits);
+}
+
+Lut graded() {
+    Lut lut;
+    lut.cube = graded_cube(17, {});
+    return lut;
 }
 
 // A monochrome look: its content does not tell its layout.
@@ -35,14 +41,9 @@ Lut monochrome() {
 
 TEST_P(EveryEngine, reads_its_baked_picture_as_the_engine_does) {
     const Engine& engine = GetParam();
-    Lut graded;
-    graded.cube = graded_cube(17, {});
-    for (const Lut& look : {graded, monochrome()}) {
-        const int size = engine.sizes.empty() ? 16 : engine.sizes.front();
-        Bake bake;
-        bake.engine = &engine;
-        bake.size = size;
-        bake.picture = baked_codes(engine, look);
+    for (const Lut& look : {graded(), monochrome()}) {
+        const Bake bake = baked(engine, look);
+        const int size = bake.size;
         const std::string bytes = picture_bytes(bake, {"source", "Title", "tetrahedral"});
         const Lut read = recognised_picture_format().read(bytes, "x.png", {}).lut;
         EXPECT_EQ(read.title, "Title");
@@ -58,12 +59,7 @@ TEST_P(EveryEngine, reads_its_baked_picture_as_the_engine_does) {
 }
 
 TEST(PictureFormat, goes_by_content_where_the_text_names_an_engine_of_another_size) {
-    Lut graded;
-    graded.cube = graded_cube(17, {});
-    Bake bake;
-    bake.engine = engine_named("piccolo");
-    bake.size = 16;
-    bake.picture = baked_codes(*bake.engine, graded);
+    Bake bake = baked(*engine_named("piccolo"), graded());
     bake.engine = engine_named("obs");
     const std::string bytes = picture_bytes(bake, {"source", {}, {}});
     const Lut read = recognised_picture_format().read(bytes, "x.png", {}).lut;
@@ -72,14 +68,9 @@ TEST(PictureFormat, goes_by_content_where_the_text_names_an_engine_of_another_si
 }
 
 TEST(PictureFormat, reads_the_row_of_stacked_lattices_that_is_asked_for) {
-    Bake bake;
-    bake.engine = engine_named("reshade");
-    bake.size = 16;
-    bake.picture = baked_codes(*bake.engine, [] {
-        Lut lut;
-        lut.cube = identity_cube(16);
-        return lut;
-    }());
+    Lut identity;
+    identity.cube = identity_cube(16);
+    Bake bake = baked(*engine_named("reshade"), identity);
     CodePicture& stacked = bake.picture;
     const std::vector<std::uint16_t> first = stacked.codes;
     // Below the identity the same with red at full.
@@ -100,12 +91,7 @@ TEST(PictureFormat, reads_the_row_of_stacked_lattices_that_is_asked_for) {
 }
 
 TEST(PictureFormat, refuses_dimensions_that_the_layout_does_not_have) {
-    Lut graded;
-    graded.cube = graded_cube(17, {});
-    Bake bake;
-    bake.engine = engine_named("piccolo");
-    bake.size = 16;
-    bake.picture = baked_codes(*bake.engine, graded);
+    const Bake bake = baked(*engine_named("piccolo"), graded());
     const std::string bytes = picture_bytes(bake, {"source", {}, {}});
     EXPECT_THROW(picture_format(*layout_named("tiles")).read(bytes, "x.png", {}), Error);
 }

@@ -1,7 +1,7 @@
 // Options and inputs that several verbs share.
 #pragma once
 
-#include "lutlib/engine/bake.h"
+#include "lutlib/bake/bake.h"
 #include "lutlib/engine/engine.h"
 #include "lutlib/interpolation/interpolation.h"
 #include "lutlib/io/ocio.h"

@@ -1,7 +1,7 @@
 // A look by an implementation that is not ours, to bake from and to prove bakes against.
 #pragma once
 
-#include "lutlib/engine/diagnose.h"
+#include "lutlib/verify/diagnose.h"
 #include "lutlib/interpolation/interpolation.h"
 #include "lutlib/io/ocio.h"
 #include "lutlib/recipe/edit.h"

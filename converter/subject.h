@@ -2,7 +2,7 @@
 // contract.
 #pragma once
 
-#include "lutlib/engine/bake.h"
+#include "lutlib/bake/bake.h"
 #include "lutlib/io/png.h"
 
 #include <string>

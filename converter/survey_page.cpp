@@ -2,8 +2,8 @@
 
 #include "converter/report.h"
 #include "lutlib/survey/pareto.h"
-#include "plot/page.h"
-#include "plot/scatter.h"
+#include "lutlib/plot/page.h"
+#include "lutlib/plot/scatter.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

@@ -4,11 +4,11 @@
 #include "lutlib/io/file.h"
 #include "lutlib/io/image.h"
 #include "lutlib/io/png.h"
-#include "preview/app.h"
-#include "preview/headless.h"
-#include "preview/look_file.h"
-#include "preview/options.h"
-#include "preview/shown.h"
+#include "preview/window/app.h"
+#include "preview/cli/headless.h"
+#include "preview/look/look_file.h"
+#include "preview/cli/options.h"
+#include "preview/frame/shown.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,5 +1,5 @@
 // Counts the colours of a picture before its looks along the axes of the operators' curves
-// (preview/axes.h). Groups count in shared memory and add their sums to the buffer.
+// (preview/finish/curve_counts.h). Groups count in shared memory and add their sums to the buffer.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "common/finish_texel.glsl"

@@ -1,4 +1,4 @@
-// One step of a bloom plan (preview/blooms.h): a sum of bilinear fetches.
+// One step of a bloom plan (preview/finish/blooms.h): a sum of bilinear fetches.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "common/sanitise.glsl"

@@ -1,4 +1,4 @@
-// A halving by weights for single texels, the four by four about the target's (preview/blooms.h):
+// A halving by weights for single texels, the four by four about the target's (preview/finish/blooms.h):
 // each texel is fetched and prefiltered once for the group instead of once for each of the four
 // targets that it belongs to. Fetches at a stride of two texels are slow for texture units.
 #version 460

@@ -1,11 +1,11 @@
 // lutconv bake: a look becomes an engine's LUT picture.
-#include "lutlib/engine/bake.h"
+#include "lutlib/bake/bake.h"
 #include "converter/command.h"
 #include "converter/explain.h"
 #include "converter/options.h"
 #include "converter/report.h"
 #include "converter/usage.h"
-#include "lutlib/engine/budget.h"
+#include "lutlib/bake/budget.h"
 #include "lutlib/error.h"
 #include "lutlib/io/bake_report.h"
 #include "lutlib/io/file.h"

@@ -2,7 +2,7 @@
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/usage.h"
-#include "lutlib/engine/bake.h"
+#include "lutlib/bake/bake.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"

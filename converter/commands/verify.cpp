@@ -1,11 +1,11 @@
 // lutconv verify: proves a LUT picture right against OpenColorIO, or says what is wrong with it.
-#include "lutlib/engine/verify.h"
+#include "lutlib/verify/verify.h"
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/reference.h"
 #include "converter/report.h"
 #include "converter/subject.h"
-#include "lutlib/engine/fitted.h"
+#include "lutlib/bake/fitted.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/lut_picture.h"

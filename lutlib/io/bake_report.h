@@ -1,7 +1,7 @@
 // What a bake says of itself, in the words that every program uses.
 #pragma once
 
-#include "lutlib/engine/bake.h"
+#include "lutlib/bake/bake.h"
 #include "lutlib/lut.h"
 
 #include <string>

@@ -1,7 +1,7 @@
 // LUT pictures as PNG files: an engine's baked lattice out, any recognised layout in.
 #pragma once
 
-#include "lutlib/engine/bake.h"
+#include "lutlib/bake/bake.h"
 #include "lutlib/io/png.h"
 
 #include <optional>

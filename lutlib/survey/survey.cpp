@@ -1,7 +1,7 @@
 #include "lutlib/survey/survey.h"
 
 #include "lutlib/color/difference.h"
-#include "lutlib/engine/budget.h"
+#include "lutlib/bake/budget.h"
 #include "lutlib/error.h"
 #include "lutlib/fit/fit.h"
 #include "lutlib/metrics/peak.h"

@@ -1,7 +1,7 @@
 // Counts a picture's colours before its looks along the axes of the operators' curves.
 #pragma once
 
-#include "preview/axes.h"
+#include "preview/finish/curve_counts.h"
 #include "preview/passes/finish.h"
 
 namespace preview {

@@ -1,8 +1,8 @@
-// Bloom: runs the steps of a plan (preview/blooms.h) up to its last filter, which the finishing
+// Bloom: runs the steps of a plan (preview/finish/blooms.h) up to its last filter, which the finishing
 // pass does.
 #pragma once
 
-#include "preview/blooms.h"
+#include "preview/finish/blooms.h"
 #include "preview/passes/pass.h"
 
 namespace preview {

@@ -2,11 +2,11 @@
 // their comparison, fused into one trip through memory.
 #pragma once
 
-#include "preview/compare.h"
+#include "preview/finish/compare.h"
 #include "preview/gpu/memory.h"
-#include "preview/lookups.h"
+#include "preview/look/gpu_lookups.h"
 #include "preview/passes/bloom.h"
-#include "preview/tonemaps.h"
+#include "preview/finish/tonemaps.h"
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 // no memory and is not written.
 #pragma once
 
-#include "preview/passes/scene_data.h"
+#include "preview/scene/scene_data.h"
 
 namespace preview {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "preview/passes/finish.h"
-#include "preview/probe.h"
+#include "preview/finish/probe.h"
 
 namespace preview {
 

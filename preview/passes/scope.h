@@ -1,8 +1,8 @@
-// The scopes: counts a picture's codes and draws the counts (preview/scopes.h).
+// The scopes: counts a picture's codes and draws the counts (preview/finish/scopes.h).
 #pragma once
 
 #include "preview/passes/pass.h"
-#include "preview/scopes.h"
+#include "preview/finish/scopes.h"
 
 namespace preview {
 

@@ -1,7 +1,7 @@
 // Shadow maps: one layer of a depth array for each light that casts, seen from the light.
 #pragma once
 
-#include "preview/passes/scene_data.h"
+#include "preview/scene/scene_data.h"
 
 namespace preview {
 

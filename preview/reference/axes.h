@@ -1,7 +1,7 @@
-// The counts along curve axes (preview/axes.h) in double, from lutlib's own operators.
+// The counts along curve axes (preview/finish/curve_counts.h) in double, from lutlib's own operators.
 #pragma once
 
-#include "preview/axes.h"
+#include "preview/finish/curve_counts.h"
 
 #include <cstdint>
 #include <span>

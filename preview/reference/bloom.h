@@ -1,7 +1,7 @@
 // The bloom passes in double: what a plan must give, step by step.
 #pragma once
 
-#include "preview/blooms.h"
+#include "preview/finish/blooms.h"
 #include "preview/reference/image.h"
 
 namespace preview::reference {

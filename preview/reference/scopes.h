@@ -1,7 +1,7 @@
 // The scopes' counts on the CPU, exactly those of shaders/scope_*.comp.
 #pragma once
 
-#include "preview/scopes.h"
+#include "preview/finish/scopes.h"
 
 #include <cstdint>
 #include <span>

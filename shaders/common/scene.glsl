@@ -1,4 +1,4 @@
-// The blocks of preview/passes/scene_data.h.
+// The blocks of preview/scene/scene_data.h.
 #ifndef SCENE_GLSL
 #define SCENE_GLSL
 

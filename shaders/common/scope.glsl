@@ -1,4 +1,4 @@
-// What the scopes count by (preview/scopes.h), in integers: 8-bit codes, and BT.709's luma and
+// What the scopes count by (preview/finish/scopes.h), in integers: 8-bit codes, and BT.709's luma and
 // colour differences of them with weights in 65536ths. preview/reference/scopes.cpp is the twin.
 const uint levels = 256u;
 

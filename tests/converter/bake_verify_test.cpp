@@ -1,4 +1,4 @@
-#include "lutlib/engine/budget.h"
+#include "lutlib/bake/budget.h"
 #include "lutlib/engine/engine.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/png.h"

@@ -1,6 +1,6 @@
 #include "lutlib/engine/engine.h"
 
-#include "lutlib/engine/bake.h"
+#include "lutlib/bake/bake.h"
 #include "lutlib/error.h"
 #include "lutlib/interpolation/interpolation.h"
 #include "tests/lutlib/looks.h"

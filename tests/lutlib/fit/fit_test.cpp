@@ -1,6 +1,6 @@
 #include "lutlib/fit/fit.h"
 
-#include "lutlib/engine/bake.h"
+#include "lutlib/bake/bake.h"
 #include "tests/lutlib/looks.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "lutlib/survey/survey.h"
 
-#include "lutlib/engine/budget.h"
+#include "lutlib/bake/budget.h"
 #include "lutlib/metrics/samples.h"
 #include "tests/lutlib/looks.h"
 

@@ -1,0 +1,127 @@
+#include "lutlib/bake/bake.h"
+
+#include "lutlib/color/difference.h"
+#include "lutlib/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lutlib {
+namespace {
+
+std::string listed(std::span<const int> values) {
+    std::string out;
+    for (const int value : values) {
+        out += (out.empty() ? "" : " or ") + std::to_string(value);
+    }
+    return out;
+}
+
+bool contains(std::span<const int> values, int value) {
+    return std::find(values.begin(), values.end(), value) != values.end();
+}
+
+} // namespace
+
+void check_contract(const Engine& engine, int size, int bits) {
+    check_cube_size(size);
+    const std::string name(engine.name);
+    if (!engine.sizes.empty() && !contains(engine.sizes, size)) {
+        throw UsageError(name + " takes a lattice of size " + listed(engine.sizes) + ", not " +
+                         std::to_string(size));
+    }
+    if (!contains(engine.bits, bits)) {
+        throw UsageError(name + " takes " + listed(engine.bits) + " bits a sample, not " +
+                         std::to_string(bits));
+    }
+    if (!layout_named(engine.layout)->picture(size)) {
+        throw UsageError(name +
+                         " lays a lattice out in sqrt(N) x sqrt(N) slices: the size must be "
+                         "a square number (16, 25, 36, 49, 64, ...), not " +
+                         std::to_string(size));
+    }
+}
+
+Bake lay_out(const std::vector<RgbD>& nodes, const Engine& engine, int size, int bits) {
+    check_contract(engine, size, bits);
+    const Layout& layout = *layout_named(engine.layout);
+    const PictureSize extent = *layout.picture(size);
+    Bake out{&engine, size, {}, {}};
+    out.picture.width = extent.width;
+    out.picture.height = extent.height;
+    out.picture.bits = bits;
+    out.picture.codes.resize(static_cast<std::size_t>(extent.width) *
+                             static_cast<std::size_t>(extent.height) * 3);
+    const double maximum = out.picture.maximum();
+    double sum = 0;
+    auto node = nodes.begin();
+    for (int b = 0; b < size; ++b) {
+        for (int g = 0; g < size; ++g) {
+            for (int r = 0; r < size; ++r, ++node) {
+                const Pixel p = layout.pixel(size, r, g, b);
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const double value = (*node)[c];
+                    const double held = saturate(value);
+                    if (!(held == value)) {
+                        ++out.loss.clamped_values;
+                        out.loss.most_clamped =
+                            std::max(out.loss.most_clamped, std::abs(value - held));
+                    }
+                    const double code = std::floor(held * maximum + 0.5);
+                    const double rounding = std::abs(code / maximum - held);
+                    out.loss.max_rounding = std::max(out.loss.max_rounding, rounding);
+                    sum += rounding;
+                    out.picture.code(p, c) = static_cast<std::uint16_t>(code);
+                }
+            }
+        }
+    }
+    out.loss.mean_rounding = sum / (3.0 * size * size * size);
+    return out;
+}
+
+Bake bake(const ExactLook& look, const Engine& engine, int size, int bits) {
+    check_contract(engine, size, bits);
+    std::vector<double> input;
+    for (int i = 0; i < size; ++i) {
+        input.push_back(engine.node_input(i, size));
+    }
+    std::vector<RgbD> nodes;
+    nodes.reserve(input.size() * input.size() * input.size());
+    for (const double b : input) {
+        for (const double g : input) {
+            for (const double r : input) {
+                nodes.push_back(look({r, g, b}));
+            }
+        }
+    }
+    return lay_out(nodes, engine, size, bits);
+}
+
+Picture decoded(const CodePicture& codes) {
+    Picture out{codes.width, codes.height, std::vector<Rgb>(codes.codes.size() / 3)};
+    const float maximum = static_cast<float>(codes.maximum());
+    for (std::size_t i = 0; i < out.pixels.size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            out.pixels[i][c] = static_cast<float>(codes.codes[3 * i + c]) / maximum;
+        }
+    }
+    return out;
+}
+
+LookupError lookup_error(const Engine& engine, const Picture& picture, int size,
+                         const std::vector<Rgb>& inputs, const std::vector<Rgb>& expected) {
+    std::vector<double> absolute(inputs.size()), delta_e(inputs.size());
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const RgbD got = to_double(engine.lookup(picture, size, inputs[i]));
+        const RgbD right = saturate(to_double(expected[i]));
+        const RgbD d = got - right;
+        absolute[i] = largest_magnitude(d);
+        delta_e[i] = delta_e_2000(got, right);
+    }
+    LookupError out{error_stats(std::move(absolute)), error_stats(std::move(delta_e)), {}};
+    out.worst = inputs.empty() ? Rgb{} : inputs[out.absolute.worst];
+    return out;
+}
+
+} // namespace lutlib

@@ -1,0 +1,304 @@
+#include "lutlib/verify/diagnose.h"
+
+#include "lutlib/color/transfer.h"
+#include "lutlib/verify/lossy.h"
+#include "lutlib/limits.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace lutlib {
+namespace {
+
+// An oracle in float is off by a few units in the last place of 1.
+constexpr double oracle_precision = 1e-6;
+
+// What most texels must agree with before a mistake is named.
+constexpr double convincing = 0.98;
+// And of those that are wrong without it.
+constexpr double telling = 0.9;
+
+bool is_truncated(int code, double value, int maximum) {
+    const double exact = value * maximum, slack = oracle_precision * maximum;
+    return code <= exact + slack && code >= exact - 1 - slack;
+}
+
+bool is_high_byte(int code, double value, int maximum) {
+    return maximum == 255 && is_truncated(code, value * 65535.0 / 65280.0, maximum);
+}
+
+// 8-bit codes in a 16-bit file, by the two ways to widen them.
+bool is_repeated_byte(int code, double value, int maximum) {
+    return maximum == 65535 && code % 257 == 0 && is_rounded(code / 257, value, 255);
+}
+bool is_shifted_byte(int code, double value, int maximum) {
+    return maximum == 65535 && code % 256 == 0 && is_rounded(code / 256, value, 255);
+}
+
+Pixel as_is(const Layout& layout, int n, int r, int g, int b) {
+    return layout.pixel(n, r, g, b);
+}
+Pixel swap_green_blue(const Layout& layout, int n, int r, int g, int b) {
+    return layout.pixel(n, r, b, g);
+}
+Pixel swap_red_blue(const Layout& layout, int n, int r, int g, int b) {
+    return layout.pixel(n, b, g, r);
+}
+Pixel flip_red(const Layout& layout, int n, int r, int g, int b) {
+    return layout.pixel(n, n - 1 - r, g, b);
+}
+Pixel flip_green(const Layout& layout, int n, int r, int g, int b) {
+    return layout.pixel(n, r, n - 1 - g, b);
+}
+Pixel flip_blue(const Layout& layout, int n, int r, int g, int b) {
+    return layout.pixel(n, r, g, n - 1 - b);
+}
+
+double engine_input(const Engine& engine, int i, int n) {
+    return engine.node_input(i, n);
+}
+double lattice_input(const Engine&, int i, int n) {
+    return static_cast<double>(i) / (n - 1);
+}
+double centre_input(const Engine&, int i, int n) {
+    return (i + 0.5) / n;
+}
+double edge_input(const Engine&, int i, int n) {
+    return static_cast<double>(i) / n;
+}
+double lowest_of_32(const Engine&, int i, int) {
+    return i / 31.0;
+}
+double lowest_of_33(const Engine&, int i, int) {
+    return i / 32.0;
+}
+double lowest_of_64(const Engine&, int i, int) {
+    return i / 63.0;
+}
+double lowest_of_65(const Engine&, int i, int) {
+    return i / 64.0;
+}
+
+Rgb value_of(Rgb, Rgb out) {
+    return out;
+}
+Rgb input_itself(Rgb in, Rgb) {
+    return in;
+}
+Rgb channels_swapped(Rgb, Rgb out) {
+    return {out.b, out.g, out.r};
+}
+Rgb decoded_again(Rgb, Rgb out) {
+    return to_float({srgb_decode(out.r), srgb_decode(out.g), srgb_decode(out.b)});
+}
+Rgb encoded_again(Rgb, Rgb out) {
+    return to_float({srgb_encode(out.r), srgb_encode(out.g), srgb_encode(out.b)});
+}
+
+// How a picture with one mistake comes about: where a node is put, at which input the look is
+// sampled, what is done with the value, and how it becomes a code.
+struct Mistake {
+    std::string_view words;
+    Pixel (*pixel)(const Layout&, int, int, int, int) = as_is;
+    double (*input)(const Engine&, int, int) = engine_input;
+    Rgb (*value)(Rgb in, Rgb out) = value_of;
+    bool (*agrees)(int code, double value, int maximum) = is_rounded;
+};
+
+// A rule that more codes satisfy stands behind a stricter one that explains as much.
+constexpr std::array<Mistake, 21> mistakes{{
+    {"green and blue are swapped: this is another tool's slice order", swap_green_blue},
+    {"red and blue are swapped: the slices run along red", swap_red_blue},
+    {"it is flipped: green runs the other way", flip_green},
+    {"it is flipped: red runs the other way", flip_red},
+    {"it is flipped: blue runs the other way", flip_blue},
+    {"red and blue channels are swapped (BGR codes)", as_is, engine_input, channels_swapped},
+    {"half texel: all nodes were sampled at texel centres, (i + 0.5) / N; this engine reads its "
+     "first node at 0 and its last at 1",
+     as_is, centre_input},
+    {"half texel: nodes were sampled at i / (N - 1), this engine reads them at texel centres",
+     as_is, lattice_input},
+    {"one node short: nodes were sampled at i / N, so that the last is not at 1", as_is,
+     edge_input},
+    {"the picture is the identity: no look was applied", as_is, engine_input, input_itself},
+    {"the picture is the identity, with green and blue swapped", swap_green_blue, engine_input,
+     input_itself},
+    {"sRGB was decoded twice: the codes are darker by one sRGB curve", as_is, engine_input,
+     decoded_again},
+    {"sRGB was encoded twice: the codes are brighter by one sRGB curve", as_is, engine_input,
+     encoded_again},
+    {"wrong size: these are the lowest nodes of a lattice of 32", as_is, lowest_of_32},
+    {"wrong size: these are the lowest nodes of a lattice of 33", as_is, lowest_of_33},
+    {"wrong size: these are the lowest nodes of a lattice of 64", as_is, lowest_of_64},
+    {"wrong size: these are the lowest nodes of a lattice of 65", as_is, lowest_of_65},
+    {"8-bit codes were widened to 16 bits (times 257); the look was rounded to 8 bits before",
+     as_is, engine_input, value_of, is_repeated_byte},
+    {"8-bit codes were shifted to 16 bits (times 256), so that white is not white", as_is,
+     engine_input, value_of, is_shifted_byte},
+    {"codes were truncated instead of rounded", as_is, engine_input, value_of, is_truncated},
+    {"codes are the high bytes of 16-bit codes, truncated instead of rounded", as_is, engine_input,
+     value_of, is_high_byte},
+}};
+
+constexpr Mistake none{"nothing"};
+
+// The look over the lattice that one set of inputs an axis makes, evaluated once for every mistake
+// that has the same.
+class Values {
+  public:
+    struct Lattice {
+        std::vector<Rgb> inputs, outputs;
+    };
+
+    explicit Values(const Oracle& oracle) : oracle_(oracle) {}
+
+    const Lattice& over(const std::vector<double>& axis) {
+        const auto [at, is_new] = known_.try_emplace(axis);
+        Lattice& out = at->second;
+        if (is_new) {
+            for (const double b : axis) {
+                for (const double g : axis) {
+                    for (const double r : axis) {
+                        out.inputs.push_back(to_float({r, g, b}));
+                    }
+                }
+            }
+            out.outputs = out.inputs;
+            oracle_(out.outputs);
+        }
+        return out;
+    }
+
+  private:
+    const Oracle& oracle_;
+    std::map<std::vector<double>, Lattice> known_;
+};
+
+// Which texels agree with the look under a mistake.
+struct Agreement {
+    std::vector<bool> texels; ///< pixel by pixel
+    double share = 0;
+};
+
+Agreement agreement(const CodePicture& picture, const Engine& engine, int n, const Mistake& mistake,
+                    Values& values) {
+    std::vector<double> axis;
+    for (int i = 0; i < n; ++i) {
+        axis.push_back(mistake.input(engine, i, n));
+    }
+    const Values::Lattice& lattice = values.over(axis);
+    const Layout& layout = *layout_named(engine.layout);
+    Agreement out;
+    out.texels.resize(picture.codes.size() / 3);
+    std::size_t agreeing = 0, i = 0;
+    for (int b = 0; b < n; ++b) {
+        for (int g = 0; g < n; ++g) {
+            for (int r = 0; r < n; ++r, ++i) {
+                const Pixel p = mistake.pixel(layout, n, r, g, b);
+                const Rgb value = mistake.value(lattice.inputs[i], lattice.outputs[i]);
+                bool all = true;
+                for (std::size_t c = 0; c < 3; ++c) {
+                    all = all && mistake.agrees(picture.code(p, c),
+                                                saturate(static_cast<double>(value[c])),
+                                                picture.maximum());
+                }
+                out.texels[static_cast<std::size_t>(p.y) * static_cast<std::size_t>(picture.width) +
+                           static_cast<std::size_t>(p.x)] = all;
+                agreeing += all;
+            }
+        }
+    }
+    out.share = static_cast<double>(agreeing) / static_cast<double>(lattice.inputs.size());
+    return out;
+}
+
+// The lattice size whose picture in the engine's layout has these dimensions; 0: none.
+int size_for(const Engine& engine, const CodePicture& picture) {
+    const Layout& layout = *layout_named(engine.layout);
+    for (int n = limits::min_cube_size; n <= limits::max_cube_size; ++n) {
+        if (layout.picture(n) == PictureSize{picture.width, picture.height}) {
+            return n;
+        }
+    }
+    return 0;
+}
+
+} // namespace
+
+RightTexels right_texels(const Engine& engine, int size, const Oracle& oracle) {
+    const Layout& layout = *layout_named(engine.layout);
+    RightTexels out;
+    for (int b = 0; b < size; ++b) {
+        for (int g = 0; g < size; ++g) {
+            for (int r = 0; r < size; ++r) {
+                out.pixels.push_back(layout.pixel(size, r, g, b));
+                out.values.push_back(
+                    to_float({engine.node_input(r, size), engine.node_input(g, size),
+                              engine.node_input(b, size)}));
+            }
+        }
+    }
+    oracle(out.values);
+    return out;
+}
+
+bool is_rounded(int code, double value, int maximum) {
+    return std::abs(code - value * maximum) <= 0.5 + oracle_precision * maximum;
+}
+
+Findings diagnose(const CodePicture& picture, const Engine& engine, int size, const Oracle& oracle,
+                  const Alternatives& alternatives) {
+    Values values(oracle);
+    const Agreement plain = agreement(picture, engine, size, none, values);
+    Findings out;
+    out.nearest = {"the look as it is", plain.share};
+    if (plain.share >= convincing) {
+        out.nearest = {"single texels differ; the rest is right: the picture was edited or damaged "
+                       "in places",
+                       plain.share};
+        out.diagnosis = out.nearest;
+        return out;
+    }
+    double told = 0; // of the texels that are wrong as they are
+    const auto offer = [&](std::string words, const Agreement& found) {
+        if (!(found.share > out.nearest.explained)) {
+            return;
+        }
+        std::size_t wrong = 0, explained = 0;
+        for (std::size_t i = 0; i < plain.texels.size(); ++i) {
+            wrong += !plain.texels[i];
+            explained += !plain.texels[i] && found.texels[i];
+        }
+        out.nearest = {std::move(words), found.share};
+        told = static_cast<double>(explained) / static_cast<double>(wrong);
+    };
+    for (const Mistake& mistake : mistakes) {
+        offer(std::string(mistake.words), agreement(picture, engine, size, mistake, values));
+    }
+    // Dimensions alone do not tell a layout: another one of the same may be what this is.
+    for (const Engine& other : engines()) {
+        const int n = size_for(other, picture);
+        const bool same = other.layout == engine.layout && other.node_input == engine.node_input;
+        if (n > 0 && !same) {
+            offer("it is a picture for " + std::string(other.label) + ", of layout " +
+                      std::string(other.layout),
+                  agreement(picture, other, n, none, values));
+        }
+    }
+    for (const Alternative& alternative :
+         alternatives ? alternatives() : std::vector<Alternative>{}) {
+        Values others(alternative.oracle);
+        offer(alternative.words, agreement(picture, engine, size, none, others));
+    }
+    if (out.nearest.explained >= convincing && told >= telling) {
+        out.diagnosis = out.nearest;
+    } else if (const auto noise = lossy_noise(picture, engine, size, oracle)) {
+        out.diagnosis = Diagnosis{*noise, 0};
+    }
+    return out;
+}
+
+} // namespace lutlib

@@ -1,0 +1,57 @@
+// Which well-known mistake makes a LUT picture differ from what it should be.
+#pragma once
+
+#include "lutlib/bake/bake.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lutlib {
+
+/// A look by an implementation that is not ours: transforms colours in place.
+using Oracle = std::function<void(std::vector<Rgb>&)>;
+
+/// A look that a picture may have been made from by mistake, such as another interpolation.
+struct Alternative {
+    std::string words;
+    Oracle oracle;
+};
+
+/// Opened only when a picture is wrong; may be empty.
+using Alternatives = std::function<std::vector<Alternative>()>;
+
+/// A mistake in words, and the share of texels that agree with the look once it is assumed; 0 where
+/// a mistake leaves no such share, as noise does.
+struct Diagnosis {
+    std::string words;
+    double explained = 0;
+};
+
+struct Findings {
+    std::optional<Diagnosis> diagnosis; ///< the mistake that explains the picture
+    Diagnosis nearest;                  ///< what explains most texels, whether it is enough or not
+};
+
+/// Tries every row of a table of mistakes (what would the codes be, had somebody made it?), the
+/// pictures of every other engine with these dimensions, and every alternative. Where nearly all
+/// texels are right, single ones are damaged. Else the mistake that explains most is the diagnosis
+/// if it explains nearly all of them, and nearly all that are wrong without it; else the noise of a
+/// lossy format is recognised by what it does to blocks of texels.
+Findings diagnose(const CodePicture& picture, const Engine& engine, int size, const Oracle& oracle,
+                  const Alternatives& alternatives);
+
+/// For each node, red fastest: where it sits in the picture, and the oracle's value, not clamped,
+/// at the input where the engine reads it.
+struct RightTexels {
+    std::vector<Pixel> pixels;
+    std::vector<Rgb> values;
+};
+RightTexels right_texels(const Engine& engine, int size, const Oracle& oracle);
+
+/// Whether `code` is `value` (0..1) rounded to nearest, either way when the value lies within an
+/// oracle's float precision of a tie.
+bool is_rounded(int code, double value, int maximum);
+
+} // namespace lutlib

@@ -1,0 +1,57 @@
+#include "lutlib/verify/verify.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lutlib {
+namespace {
+
+TexelCheck check_texels(const CodePicture& picture, const Engine& engine, int size,
+                        const Oracle& oracle) {
+    const auto [pixels, values] = right_texels(engine, size, oracle);
+    TexelCheck out;
+    out.texels = values.size();
+    const int maximum = picture.maximum();
+    double sum = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        bool wrong = false;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double value = saturate(static_cast<double>(values[i][c]));
+            const int code = picture.code(pixels[i], c);
+            if (is_rounded(code, value, maximum)) {
+                continue;
+            }
+            wrong = true;
+            const int difference =
+                std::abs(code - static_cast<int>(std::floor(value * maximum + 0.5)));
+            sum += difference;
+            if (difference > out.max_difference) {
+                out.max_difference = difference;
+                out.worst = pixels[i];
+            }
+        }
+        out.wrong += wrong;
+    }
+    out.mean_difference = sum / (3.0 * static_cast<double>(values.size()));
+    return out;
+}
+
+} // namespace
+
+Verification verify(const CodePicture& picture, const Engine& engine, int size,
+                    const Oracle& oracle, const std::vector<Rgb>& inputs,
+                    const Alternatives& alternatives) {
+    Verification out;
+    out.texels = check_texels(picture, engine, size, oracle);
+    std::vector<Rgb> expected = inputs;
+    oracle(expected);
+    out.lookup = lookup_error(engine, decoded(picture), size, inputs, expected);
+    if (out.texels.wrong > 0) {
+        Findings found = diagnose(picture, engine, size, oracle, alternatives);
+        out.diagnosis = std::move(found.diagnosis);
+        out.nearest = std::move(found.nearest);
+    }
+    return out;
+}
+
+} // namespace lutlib

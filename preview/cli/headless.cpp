@@ -1,0 +1,156 @@
+#include "preview/cli/headless.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <map>
+
+namespace preview {
+
+namespace {
+
+constexpr int warm_up_frames = 5;
+
+template <class T>
+std::vector<T> values_of(const std::vector<std::byte>& bytes) {
+    std::vector<T> values(bytes.size() / sizeof(T));
+    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+    return values;
+}
+
+/// IEEE 754 binary16; the texels are finite and not negative.
+float float_of_half(std::uint16_t half) {
+    const int exponent = half >> 10 & 31;
+    const auto mantissa = static_cast<float>(half & 1023);
+    return exponent == 0 ? std::ldexp(mantissa, -24) : std::ldexp(mantissa + 1024, exponent - 25);
+}
+
+/// The inputs with the HDR maximum measured, where the frame has one.
+FrameInputs measured(Executor& executor, FrameInputs inputs, const FrameSettings& settings) {
+    if (settings.view != nullptr || settings.force_all)
+        return inputs;
+    Graph graph;
+    const FrameHandles handles = build_frame(graph, inputs, settings);
+    executor.render(graph);
+    inputs.hdr_maximum = values_of<float>(executor.read_buffer(handles.hdr_maximum)).front();
+    return inputs;
+}
+
+PassTiming statistics(std::string name, std::vector<double> times) {
+    if (times.empty())
+        return {std::move(name), 0, 0};
+    std::sort(times.begin(), times.end());
+    const auto at = [&](double share) {
+        return times[std::min(static_cast<std::size_t>(share * static_cast<double>(times.size())),
+                              times.size() - 1)];
+    };
+    return {std::move(name), at(0.5), at(0.95)};
+}
+
+nlohmann::json json_of(const PassTiming& timing) {
+    return {{"name", timing.name}, {"median_ms", timing.median}, {"p95_ms", timing.p95}};
+}
+
+} // namespace
+
+Rendered render_frame(Executor& executor, const FrameInputs& inputs,
+                      const FrameSettings& settings) {
+    const FrameInputs known = measured(executor, inputs, settings);
+    Graph graph;
+    const FrameHandles handles = build_frame(graph, known, settings);
+    executor.render(graph);
+
+    Rendered out;
+    out.explanation = explain(graph, executor.plan());
+    out.size = size_of(graph, handles.output);
+    out.rgba = values_of<std::uint8_t>(executor.read_image(handles.output));
+    if (settings.view != nullptr)
+        return out;
+    if (settings.keep_hdr) {
+        out.hdr_size = size_of(graph, handles.hdr);
+        for (const std::uint16_t half : values_of<std::uint16_t>(executor.read_image(handles.hdr)))
+            out.hdr.push_back(float_of_half(half));
+    }
+    if (handles.figures) {
+        const Size size = size_of(graph, handles.graded);
+        out.figures =
+            difference_figures(values_of<std::uint32_t>(executor.read_buffer(handles.figures)),
+                               std::uint64_t{size.width} * size.height);
+    }
+    if (handles.probe)
+        out.probe = probe_from(executor.read_buffer(handles.probe));
+    return out;
+}
+
+Timings time_frames(Executor& executor, const FrameInputs& inputs, const FrameSettings& settings,
+                    int frames) {
+    const FrameInputs known = measured(executor, inputs, settings);
+    std::vector<std::string> order;
+    std::map<std::string, std::vector<double>> by_name;
+    std::vector<double> gpu;
+    std::vector<double> wall;
+    for (int frame = 0; frame < warm_up_frames + frames; ++frame) {
+        const auto start = std::chrono::steady_clock::now();
+        Graph graph;
+        build_frame(graph, known, settings);
+        executor.render(graph);
+        executor.wait();
+        const std::chrono::duration<double, std::milli> took =
+            std::chrono::steady_clock::now() - start;
+        if (frame < warm_up_frames)
+            continue;
+        std::map<std::string, double> sums;
+        double total = 0;
+        for (const StepTime& step : executor.timings()) {
+            if (by_name.find(step.name) == by_name.end()) {
+                order.push_back(step.name);
+                by_name[step.name];
+            }
+            sums[step.name] += step.milliseconds;
+            total += step.milliseconds;
+        }
+        for (const auto& [name, milliseconds] : sums)
+            by_name[name].push_back(milliseconds);
+        gpu.push_back(total);
+        wall.push_back(took.count());
+    }
+    Timings out;
+    out.frames = frames;
+    for (const std::string& name : order)
+        out.passes.push_back(statistics(name, by_name[name]));
+    out.gpu = statistics("frame (GPU)", gpu);
+    out.wall = statistics("frame (wall)", wall);
+    return out;
+}
+
+std::string to_table(const Timings& timings) {
+    std::string text = fmt::format("{:<24} {:>12} {:>12}\n", "pass", "median, ms", "p95, ms");
+    const auto line = [&](const PassTiming& timing) {
+        text += fmt::format("{:<24} {:>12.4f} {:>12.4f}\n", timing.name, timing.median, timing.p95);
+    };
+    for (const PassTiming& pass : timings.passes)
+        line(pass);
+    line(timings.gpu);
+    line(timings.wall);
+    return text;
+}
+
+std::string to_json(const Timings& timings, const std::string& device, Size size) {
+    nlohmann::json passes = nlohmann::json::array();
+    for (const PassTiming& pass : timings.passes)
+        passes.push_back(json_of(pass));
+    const nlohmann::json all = {{"device", device},
+                                {"width", size.width},
+                                {"height", size.height},
+                                {"frames", timings.frames},
+                                {"passes", passes},
+                                {"frame_gpu", json_of(timings.gpu)},
+                                {"frame_wall", json_of(timings.wall)}};
+    return all.dump(2) + "\n";
+}
+
+} // namespace preview

@@ -1,0 +1,44 @@
+// Renders without a window: into a file, or for its timings.
+#pragma once
+
+#include "preview/frame/frame.h"
+#include "preview/graph/execute.h"
+
+#include <string>
+#include <vector>
+
+namespace preview {
+
+struct Rendered {
+    Size size;
+    std::vector<std::uint8_t> rgba; ///< the output, rows from the top
+    std::vector<float> hdr;         ///< four a pixel, when the settings keep it
+    Size hdr_size;
+    std::optional<DifferenceFigures> figures; ///< of a difference
+    std::optional<Probe> probe;               ///< of the place that the settings name
+    std::string explanation;                  ///< what was kept and left out
+};
+
+/// One frame. What depends on measurements (bloom) is measured in a first frame and decided in a
+/// second.
+Rendered render_frame(Executor& executor, const FrameInputs& inputs, const FrameSettings& settings);
+
+struct PassTiming {
+    std::string name;
+    double median = 0, p95 = 0; ///< milliseconds
+};
+struct Timings {
+    int frames = 0;
+    std::vector<PassTiming> passes; ///< in order; several passes of one name are added up
+    PassTiming gpu;                 ///< the whole frame by the GPU's clock
+    PassTiming wall;                ///< from the declaration of a frame to its end, on the CPU
+};
+
+/// Medians over `frames` frames after a warm-up.
+Timings time_frames(Executor& executor, const FrameInputs& inputs, const FrameSettings& settings,
+                    int frames);
+
+std::string to_table(const Timings& timings);
+std::string to_json(const Timings& timings, const std::string& device, Size size);
+
+} // namespace preview

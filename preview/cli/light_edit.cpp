@@ -1,0 +1,72 @@
+#include "preview/cli/light_edit.h"
+
+#include "lutlib/error.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace preview {
+
+namespace {
+
+[[noreturn]] void reject(const std::string& text, const std::string& why) {
+    throw lutlib::UsageError(fmt::format(
+        "--light {}: {}; it reads NAME.CONTROL=VALUE, as in --light key.intensity=2", text, why));
+}
+
+PointLight& light_named(std::vector<PointLight>& lights, const std::string& name,
+                        const std::string& text) {
+    std::string names;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        if (lights[i].name == name || std::to_string(i) == name)
+            return lights[i];
+        names += (names.empty() ? "" : ", ") + light_name(lights[i], i);
+    }
+    reject(text, names.empty() ? "there are no lights"
+                               : fmt::format("no light is named '{}', there are: {}", name, names));
+}
+
+const LightControl& control_named(const std::string& name, const std::string& text) {
+    std::string names;
+    for (const LightControl& row : light_controls()) {
+        if (row.name == name)
+            return row;
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", row.name);
+    }
+    reject(text, fmt::format("lights have no '{}', but: {}", name, names));
+}
+
+glm::vec3 values_of(const LightControl& control, const std::string& values,
+                    const std::string& text) {
+    glm::vec3 out(0);
+    const int count = components(control.kind);
+    const char* at = values.data();
+    const char* const end = at + values.size();
+    for (int i = 0; i < count; ++i) {
+        const auto [rest, failed] = std::from_chars(at, end, out[i]);
+        const bool separated = i + 1 < count ? rest != end && *rest == ',' : rest == end;
+        if (failed != std::errc{} || !separated)
+            reject(text, count == 1 ? "the value is no number" : "the value is not three numbers");
+        if (!(out[i] >= control.min && out[i] <= control.max))
+            reject(text,
+                   fmt::format("{} goes from {} to {}", control.name, control.min, control.max));
+        at = rest + 1;
+    }
+    return out;
+}
+
+} // namespace
+
+void edit_light(std::vector<PointLight>& lights, const std::string& text) {
+    const std::size_t equals = text.find('=');
+    // A light's name may hold dots, a control's does not.
+    const std::size_t dot = equals == std::string::npos ? equals : text.rfind('.', equals);
+    if (dot == std::string::npos)
+        reject(text, "it has no '.' before a '='");
+    PointLight& light = light_named(lights, text.substr(0, dot), text);
+    const LightControl& control = control_named(text.substr(dot + 1, equals - dot - 1), text);
+    control.set(light, values_of(control, text.substr(equals + 1), text));
+}
+
+} // namespace preview

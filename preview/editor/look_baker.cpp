@@ -1,0 +1,156 @@
+#include "preview/editor/look_baker.h"
+
+#include "lutlib/bake/bake.h"
+#include "lutlib/recipe/edit.h"
+#include "preview/look/recipe_table.h"
+
+#include <algorithm>
+#include <chrono>
+#include <tuple>
+
+namespace preview::ui {
+
+namespace {
+
+auto values_of(const lutlib::Recipe& r) {
+    return std::tie(r.input, r.output, r.base_lut, r.bake, r.operations);
+}
+
+// A gesture's changes follow each other faster.
+constexpr auto pause_between_gestures = std::chrono::milliseconds(200);
+
+bool shows_recipe(const Side& side) {
+    return side.source == SideSource::recipe;
+}
+
+const Lookup& float_table() {
+    static const Lookup& row = *lookup_named("tetrahedral");
+    return row;
+}
+
+} // namespace
+
+bool same(const LookRequest& a, const LookRequest& b) {
+    return values_of(a.recipe) == values_of(b.recipe) && a.sides == b.sides;
+}
+
+LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side) {
+    switch (side.source) {
+    case SideSource::none:
+        break;
+    case SideSource::source:
+        if (recipe.base_lut)
+            return look_for(*recipe.base_lut, float_table());
+        break;
+    case SideSource::file:
+        if (side.lut)
+            return look_for(*side.lut, float_table());
+        break;
+    case SideSource::recipe:
+        return look_for(quick_table(recipe), float_table());
+    case SideSource::baked: {
+        const lutlib::Engine& engine = *side.engine->engine;
+        const lutlib::Edit edit(recipe);
+        const lutlib::Bake baked = lutlib::bake([&](lutlib::RgbD in) { return edit(in); }, engine,
+                                                side.size > 0 ? side.size : engine.default_size,
+                                                side.bits > 0 ? side.bits : engine.default_bits);
+        return {look_data(baked.picture, baked.size, *side.engine), {}, {}, table_of(baked)};
+    }
+    }
+    return {no_look(), "there is none", {}, nullptr};
+}
+
+LookBaker::LookBaker(std::function<void()> on_ready)
+    : on_ready_(std::move(on_ready)), thread_([this] { run(); }) {}
+
+LookBaker::~LookBaker() {
+    {
+        const std::lock_guard lock(mutex_);
+        ends_ = true;
+    }
+    changed_.notify_one();
+    thread_.join();
+}
+
+void LookBaker::request(LookRequest request) {
+    {
+        const std::lock_guard lock(mutex_);
+        waiting_ = std::move(request);
+    }
+    changed_.notify_one();
+}
+
+std::optional<BakedLooks> LookBaker::take() {
+    const std::lock_guard lock(mutex_);
+    std::optional<BakedLooks> out = std::move(finished_);
+    finished_.reset();
+    return out;
+}
+
+bool LookBaker::is_busy() {
+    const std::lock_guard lock(mutex_);
+    return waiting_ || bakes_ || finished_;
+}
+
+bool LookBaker::is_outdated() {
+    const std::lock_guard lock(mutex_);
+    return ends_ || waiting_;
+}
+
+void LookBaker::publish(BakedLooks baked, bool is_last) {
+    {
+        const std::lock_guard lock(mutex_);
+        finished_ = std::move(baked);
+        bakes_ = !is_last;
+    }
+    on_ready_();
+}
+
+void LookBaker::refine(const LookRequest& request, BakedLooks baked) {
+    const std::optional<RecipeTable> table =
+        measured_table(request.recipe, [this] { return is_outdated(); });
+    if (!table)
+        return;
+    for (std::size_t i = 0; i < baked.sides.size(); ++i)
+        if (shows_recipe(request.sides[i]))
+            baked.sides[i] = measured_look(*table, float_table());
+    publish(std::move(baked), true);
+}
+
+void LookBaker::run() {
+    for (;;) {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [this] { return ends_ || waiting_; });
+        if (ends_)
+            return;
+        const LookRequest request = std::move(*waiting_);
+        waiting_.reset();
+        bakes_ = true;
+        lock.unlock();
+        BakedLooks baked;
+        const auto start = std::chrono::steady_clock::now();
+        try {
+            for (std::size_t i = 0; i < 2; ++i)
+                baked.sides[i] = look_of(request.recipe, request.sides[i]);
+        } catch (const std::exception& error) {
+            baked.error = error.what();
+        }
+        baked.milliseconds =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+                .count();
+        const bool refines =
+            baked.error.empty() && std::any_of(request.sides.begin(), request.sides.end(),
+                                               [](const Side& side) { return shows_recipe(side); });
+        publish(baked, !refines);
+        if (!refines)
+            continue;
+        lock.lock();
+        const bool is_followed =
+            changed_.wait_for(lock, pause_between_gestures, [this] { return ends_ || waiting_; });
+        lock.unlock();
+        if (!is_followed)
+            refine(request, std::move(baked));
+    }
+}
+
+} // namespace preview::ui

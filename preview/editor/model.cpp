@@ -1,0 +1,102 @@
+#include "preview/editor/model.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace preview::ui {
+
+namespace {
+
+auto values_of(const lutlib::Recipe& r) {
+    return std::tie(r.title, r.input, r.output, r.base, r.base_lut, r.bake, r.operations);
+}
+
+auto values_of(const BloomSettings& s) {
+    return std::tie(s.strength, s.threshold, s.knee, s.radius);
+}
+
+auto values_of(const Orbit& o) {
+    return std::tie(o.target.x, o.target.y, o.target.z, o.distance, o.azimuth, o.elevation,
+                    o.field_of_view, o.near_plane);
+}
+
+auto values_of(const State& s) {
+    return std::tie(s.recipe_path, s.base_path, s.sides, s.compare, s.split, s.heat_scale,
+                    s.exposure, s.tonemap, s.bloom, s.without, s.shown, s.lights, s.scopes_seen,
+                    s.cube);
+}
+
+} // namespace
+
+bool operator==(const State& a, const State& b) {
+    return values_of(a) == values_of(b) && values_of(a.recipe) == values_of(b.recipe) &&
+           values_of(a.bloom_settings) == values_of(b.bloom_settings) &&
+           values_of(a.orbit) == values_of(b.orbit);
+}
+
+State initial_state() {
+    State state;
+    for (Side& side : state.sides)
+        side.engine = engine_lookups().front();
+    state.sides[1].source = SideSource::recipe;
+    state.tonemap = tonemap_named("agx");
+    state.bloom = bloom_named("glare");
+    return state;
+}
+
+History::History(State first) : states_{first}, draft_(std::move(first)) {}
+
+bool History::settle() {
+    if (draft_ == states_[at_])
+        return false;
+    states_.resize(at_ + 1);
+    if (states_.size() == max_steps)
+        states_.erase(states_.begin());
+    states_.push_back(draft_);
+    at_ = states_.size() - 1;
+    return true;
+}
+
+bool History::undo() {
+    settle();
+    if (!can_undo())
+        return false;
+    draft_ = states_[--at_];
+    return true;
+}
+
+bool History::redo() {
+    settle();
+    if (!can_redo())
+        return false;
+    draft_ = states_[++at_];
+    return true;
+}
+
+void add_operation(lutlib::Recipe& recipe, const lutlib::Op& op) {
+    recipe.operations.push_back(default_operation(op));
+}
+
+void remove_operation(lutlib::Recipe& recipe, std::size_t at) {
+    recipe.operations.erase(recipe.operations.begin() + static_cast<std::ptrdiff_t>(at));
+}
+
+void move_operation(lutlib::Recipe& recipe, std::size_t at, std::size_t to) {
+    const auto first = recipe.operations.begin();
+    const auto from = static_cast<std::ptrdiff_t>(at);
+    const auto onto = static_cast<std::ptrdiff_t>(to);
+    if (from < onto)
+        std::rotate(first + from, first + from + 1, first + onto + 1);
+    else
+        std::rotate(first + onto, first + from, first + from + 1);
+}
+
+std::vector<const Lookup*> engine_lookups() {
+    std::vector<const Lookup*> rows;
+    for (const Lookup& lookup : lookups())
+        if (lookup.engine != nullptr)
+            rows.push_back(&lookup);
+    return rows;
+}
+
+} // namespace preview::ui

@@ -1,0 +1,127 @@
+// What a person changes in the window, as a value, and its history. No drawing, no GPU.
+#pragma once
+
+#include "lutlib/recipe/recipe.h"
+#include "preview/finish/blooms.h"
+#include "preview/finish/compare.h"
+#include "preview/look/cube_view.h"
+#include "preview/finish/effects.h"
+#include "preview/look/gpu_lookups.h"
+#include "preview/scene/scene.h"
+#include "preview/finish/scopes.h"
+#include "preview/finish/tonemaps.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace preview {
+struct Shown;
+}
+
+namespace preview::ui {
+
+/// What one side of the comparison shows.
+enum class SideSource : std::uint8_t { none, source, recipe, baked, file };
+
+struct SideSourceInfo {
+    SideSource source;
+    std::string_view name;
+    std::string_view help;
+};
+
+/// In the order of the enumeration.
+inline constexpr std::array<SideSourceInfo, 5> side_sources{{
+    {SideSource::none, "none", "no look"},
+    {SideSource::source, "source", "the LUT that the recipe starts from"},
+    {SideSource::recipe, "recipe", "the recipe itself, as a float table whose error is told"},
+    {SideSource::baked, "baked", "the recipe's strip as that engine reads it"},
+    {SideSource::file, "file", "another LUT file"},
+}};
+
+struct Side {
+    SideSource source = SideSource::none;
+    const Lookup* engine = nullptr; ///< of `baked`: a lookup that has an engine
+    int size = 0, bits = 0;         ///< of `baked`; 0: the engine's own
+    std::string path;               ///< of `file`
+    std::shared_ptr<const lutlib::Lut> lut;
+    friend bool operator==(const Side&, const Side&) = default;
+};
+
+/// Which scopes are seen, and how.
+struct ScopeChoice {
+    std::array<bool, scopes.size()> seen{};
+    const ScopeSide* side = &scope_side_shown;
+    std::optional<bool> logarithmic; ///< empty: each scope's own
+    float height = 0.34F;            ///< of the window's
+    friend bool operator==(const ScopeChoice&, const ScopeChoice&) = default;
+};
+
+/// How the cube of a look's nodes is seen.
+struct CubeChoice {
+    std::size_t side = 1;
+    int per_side = 17; ///< at most so many nodes of an axis
+    CubeView view;
+    friend bool operator==(const CubeChoice&, const CubeChoice&) = default;
+};
+
+/// Everything that undo brings back.
+struct State {
+    lutlib::Recipe recipe;
+    std::string recipe_path; ///< empty: never saved
+    std::string base_path;   ///< where the recipe's base lies
+    std::array<Side, 2> sides;
+    const Compare* compare = &compares[2];
+    float split = 0.5F, heat_scale = 8;
+    float exposure = 0; ///< stops, added to the scene's
+    const Tonemap* tonemap = nullptr;
+    const Bloom* bloom = nullptr;
+    BloomSettings bloom_settings;
+    EffectSet without;                  ///< what is switched off
+    std::shared_ptr<const Shown> shown; ///< the scene or picture
+    Orbit orbit;
+    std::vector<PointLight> lights; ///< in place of the scene's
+    ScopeChoice scopes_seen;
+    CubeChoice cube;
+};
+bool operator==(const State& a, const State& b);
+
+/// An empty recipe on side B, beside no look; engines' rows are the first engine's.
+State initial_state();
+
+/// A history of whole states. A gesture changes draft() as often as it likes; settle(), called when
+/// nothing is held down, makes one step of all that it changed.
+class History {
+  public:
+    explicit History(State first);
+
+    State& draft() { return draft_; }
+    const State& draft() const { return draft_; }
+    /// Makes a step when the draft differs; forgets what could be redone. Returns whether it did.
+    bool settle();
+    /// What is not settled is settled first.
+    bool undo();
+    bool redo();
+    bool can_undo() const { return at_ > 0; }
+    bool can_redo() const { return at_ + 1 < states_.size(); }
+
+    static constexpr std::size_t max_steps = 500;
+
+  private:
+    std::vector<State> states_;
+    std::size_t at_ = 0;
+    State draft_;
+};
+
+// Changes of the list of operators. Positions are of existing operations.
+void add_operation(lutlib::Recipe& recipe, const lutlib::Op& op);
+void remove_operation(lutlib::Recipe& recipe, std::size_t at);
+/// Moves the operation `at` so that it stands at `to`.
+void move_operation(lutlib::Recipe& recipe, std::size_t at, std::size_t to);
+
+/// The rows of lookups() that are an engine's.
+std::vector<const Lookup*> engine_lookups();
+
+} // namespace preview::ui

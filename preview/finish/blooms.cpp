@@ -1,0 +1,308 @@
+#include "preview/finish/blooms.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace preview {
+
+namespace {
+
+// Sigmas are given for a picture of so many lines, and follow its height: the glare of an eye is
+// an angle, and so is a pixel for a given field of view.
+constexpr float nominal_height = 1080;
+
+class Planner {
+  public:
+    Planner(BloomExtent picture, const BloomSettings& settings)
+        : picture_(picture), prefilters_(settings.threshold > 0) {
+        plan_.strength = settings.strength;
+        plan_.threshold = settings.threshold;
+        plan_.knee = std::min(settings.knee, settings.threshold);
+    }
+
+    BloomExtent extent(int image) const {
+        return image == BloomPlan::picture_image ? picture_
+                                                 : plan_.images[static_cast<std::size_t>(image)];
+    }
+
+    int halve(int source, std::vector<BloomTap> taps, bool karis = false) {
+        const BloomExtent from = extent(source);
+        BloomStep step{source, 0, 2, std::move(taps)};
+        step.karis = karis;
+        step.prefilter = prefilters_ && source == BloomPlan::picture_image;
+        // What pre() does to single texels is lost when it sees averages of four; and the whole
+        // picture is halved fastest by single texels (shaders/bloom_halve.comp).
+        if (source == BloomPlan::picture_image && !karis)
+            step.taps = texel_taps(step.taps);
+        return add(std::move(step), {(from.width + 1) / 2, (from.height + 1) / 2});
+    }
+
+    int enlarge(int source, std::vector<BloomTap> taps, int own, float keep) {
+        for (BloomTap& tap : taps)
+            tap.weight *= 1 - keep;
+        BloomStep step{source, 0, 0.5f, std::move(taps), own, keep};
+        return add(std::move(step), extent(own));
+    }
+
+    int blur(int source, float sigma) {
+        for (const auto axis : {BloomStep::Axis::x, BloomStep::Axis::y}) {
+            BloomStep step{source, 0, 1, gaussian_taps(sigma)};
+            step.axis = axis;
+            source = add(std::move(step), extent(source));
+        }
+        return source;
+    }
+
+    void finish(int image, float scale, std::vector<BloomTap> taps) {
+        plan_.layers.push_back({image, scale, std::move(taps)});
+    }
+
+    BloomPlan take() { return std::move(plan_); }
+
+  private:
+    int add(BloomStep step, BloomExtent extent) {
+        step.target = static_cast<int>(plan_.images.size());
+        plan_.images.push_back(extent);
+        plan_.steps.push_back(std::move(step));
+        return plan_.steps.back().target;
+    }
+
+    // The same filter with one tap a texel, for a step that halves.
+    static std::vector<BloomTap> texel_taps(const std::vector<BloomTap>& taps) {
+        std::map<std::pair<float, float>, float> weights;
+        for (const BloomTap& tap : taps) {
+            const float x = std::floor(tap.x - 0.5f), y = std::floor(tap.y - 0.5f);
+            const float fx = tap.x - 0.5f - x, fy = tap.y - 0.5f - y;
+            for (const auto& [dx, wx] : {std::pair{0.5f, 1 - fx}, std::pair{1.5f, fx}})
+                for (const auto& [dy, wy] : {std::pair{0.5f, 1 - fy}, std::pair{1.5f, fy}})
+                    if (wx * wy > 0)
+                        weights[{y + dy, x + dx}] += wx * wy * tap.weight;
+        }
+        std::vector<BloomTap> out;
+        for (const auto& [place, weight] : weights)
+            out.push_back({place.second, place.first, weight});
+        return out;
+    }
+
+    BloomExtent picture_;
+    bool prefilters_;
+    BloomPlan plan_;
+};
+
+std::vector<BloomTap> corners(float distance, float weight) {
+    return {{-distance, -distance, weight},
+            {distance, -distance, weight},
+            {-distance, distance, weight},
+            {distance, distance, weight}};
+}
+
+// [1 3 3 1] / 8 along each axis: unlike the mean of 2x2 it keeps the centre of mass of a source
+// wherever it sits, so that a slow pan does not jitter. Adds the variance 3/4 in source texels.
+std::vector<BloomTap> cubic_down() {
+    return corners(0.75f, 0.25f);
+}
+
+// Variance, in target texels of the picture, of k halvings by cubic_down() and one bilinear
+// enlargement: (4^k - 1) / 4 + 4^k / 6.
+float pyramid_variance(int k) {
+    const float area = std::ldexp(1.0f, 2 * k);
+    return (area - 1) / 4 + area / 6;
+}
+
+struct Gaussian {
+    float sigma, weight;
+};
+
+// Each Gaussian on the coarsest level on which its sigma, less what the pyramid itself adds, is
+// still so wide that samples of it sum up evenly.
+BloomPlan gaussians_plan(BloomExtent picture, const BloomSettings& settings,
+                         std::span<const Gaussian> gaussians) {
+    constexpr float least_sigma = 1.5f;
+    Planner planner(picture, settings);
+    int level = 0, image = BloomPlan::picture_image;
+    const float scale = settings.radius * static_cast<float>(picture.height) / nominal_height;
+    for (const Gaussian& gaussian : gaussians) {
+        const float sigma = std::max(gaussian.sigma * scale, 0.1f);
+        const auto sigma_on = [&](int k) {
+            const float left = sigma * sigma - pyramid_variance(k);
+            return left > 0 ? std::ldexp(std::sqrt(left), -k) : 0;
+        };
+        while (level == 0 || sigma_on(level + 1) >= least_sigma) {
+            image = planner.halve(image, cubic_down());
+            ++level;
+        }
+        const int blurred = planner.blur(image, std::max(sigma_on(level), 0.05f));
+        planner.finish(blurred, std::ldexp(1.0f, -level), {{0, 0, gaussian.weight}});
+    }
+    return planner.take();
+}
+
+// The eye's veiling glare as a sum: .8843 delta + .1 g(6.2) + .012 g(24.9) + .0027 g(81) +
+// .001 g(263). The delta is what strength leaves.
+constexpr float glare_share = 0.1157f;
+BloomPlan glare_plan(BloomExtent picture, const BloomSettings& settings) {
+    constexpr std::array<Gaussian, 4> glare{{{6.2f, 0.1f / glare_share},
+                                             {24.9f, 0.012f / glare_share},
+                                             {81, 0.0027f / glare_share},
+                                             {263, 0.001f / glare_share}}};
+    return gaussians_plan(picture, settings, glare);
+}
+
+BloomPlan gaussian_plan(BloomExtent picture, const BloomSettings& settings) {
+    constexpr std::array<Gaussian, 1> one{{{14, 1}}};
+    Planner planner(picture, settings);
+    const float sigma =
+        one[0].sigma * settings.radius * static_cast<float>(picture.height) / nominal_height;
+    const int half = planner.halve(BloomPlan::picture_image, cubic_down());
+    const float left = std::max(sigma * sigma - pyramid_variance(1), 0.01f);
+    planner.finish(planner.blur(half, std::sqrt(left) / 2), 0.5f, {{0, 0, 1}});
+    return planner.take();
+}
+
+// How often a picture halves until it is about `lines` high, at least once.
+int halvings(BloomExtent picture, const BloomSettings& settings, float lines) {
+    const float ratio = settings.radius * static_cast<float>(picture.height) / lines;
+    return std::clamp(static_cast<int>(std::lround(std::log2(std::max(ratio, 1.0f)))), 1, 8);
+}
+
+// Bjorge 2015, "Bandwidth-efficient rendering".
+BloomPlan dual_kawase_plan(BloomExtent picture, const BloomSettings& settings) {
+    std::vector<BloomTap> down{{0, 0, 4.0f / 8}}, up;
+    for (const BloomTap& tap : corners(1, 1.0f / 8))
+        down.push_back(tap);
+    for (const BloomTap& tap : corners(0.5f, 2.0f / 12))
+        up.push_back(tap);
+    for (const auto& [x, y] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}})
+        up.push_back({static_cast<float>(x), static_cast<float>(y), 1.0f / 12});
+
+    Planner planner(picture, settings);
+    std::vector<int> levels;
+    int image = BloomPlan::picture_image;
+    for (int i = halvings(picture, settings, 34); i > 0; --i)
+        levels.push_back(image = planner.halve(image, down));
+    for (std::size_t i = levels.size() - 1; i > 0; --i)
+        image = planner.enlarge(image, up, levels[i - 1], 0);
+    planner.finish(image, 0.5f, up);
+    return planner.take();
+}
+
+// Jimenez 2014, "Next generation post processing in Call of Duty: Advanced Warfare". Five boxes of
+// four taps, of which nine places are shared; written out by box for the Karis average, which
+// keeps single bright texels from flickering and costs the conservation of energy.
+std::vector<BloomTap> jimenez_down() {
+    std::vector<BloomTap> taps;
+    for (const BloomTap& tap : corners(1, 0.5f / 4))
+        taps.push_back(tap);
+    for (const BloomTap& centre : corners(1, 0.125f))
+        for (const BloomTap& tap : corners(1, centre.weight / 4))
+            taps.push_back({centre.x + tap.x, centre.y + tap.y, tap.weight});
+    return taps;
+}
+
+std::vector<BloomTap> merged(const std::vector<BloomTap>& taps) {
+    std::map<std::pair<float, float>, float> weights;
+    for (const BloomTap& tap : taps)
+        weights[{tap.y, tap.x}] += tap.weight;
+    std::vector<BloomTap> out;
+    for (const auto& [place, weight] : weights)
+        out.push_back({place.second, place.first, weight});
+    return out;
+}
+
+BloomPlan jimenez_plan(BloomExtent picture, const BloomSettings& settings) {
+    constexpr float scatter = 0.7f;
+    std::vector<BloomTap> tent;
+    for (const int y : {-1, 0, 1})
+        for (const int x : {-1, 0, 1})
+            tent.push_back({static_cast<float>(x), static_cast<float>(y),
+                            static_cast<float>((2 - std::abs(x)) * (2 - std::abs(y))) / 16});
+
+    Planner planner(picture, settings);
+    int image = planner.halve(BloomPlan::picture_image, jimenez_down(), true);
+    std::vector<int> levels{image};
+    const std::vector<BloomTap> down = merged(jimenez_down());
+    for (int i = halvings(picture, settings, 17); i > 1; --i)
+        levels.push_back(image = planner.halve(image, down));
+    for (std::size_t i = levels.size() - 1; i > 0; --i)
+        image = planner.enlarge(image, tent, levels[i - 1], 1 - scatter);
+    planner.finish(image, 0.5f, tent);
+    return planner.take();
+}
+
+BloomPlan no_plan(BloomExtent, const BloomSettings&) {
+    return {};
+}
+
+constexpr std::array<Bloom, 5> table{{
+    {"glare", "sum of Gaussians, the eye's veiling glare", true, glare_share, glare_plan},
+    {"dual-kawase", "dual Kawase", true, 0.12f, dual_kawase_plan},
+    {"jimenez", "Jimenez, 13 taps down and a tent up", false, 0.12f, jimenez_plan},
+    {"gaussian", "one separable Gaussian", true, 0.12f, gaussian_plan},
+    {"none", "no bloom", true, 0, no_plan},
+}};
+
+} // namespace
+
+std::span<const Bloom> blooms() {
+    return table;
+}
+
+const Bloom* bloom_named(std::string_view name) {
+    for (const Bloom& row : table)
+        if (row.name == name)
+            return &row;
+    return nullptr;
+}
+
+BloomPlan bloom_plan(const Bloom& bloom, BloomExtent picture, const BloomSettings& settings) {
+    BloomSettings full = settings;
+    if (full.strength < 0)
+        full.strength = bloom.strength;
+    full.strength = std::min(full.strength, 1.0f);
+    return full.strength > 0 ? bloom.plan(picture, full) : BloomPlan{};
+}
+
+double bloom_share(double brightness, double threshold, double knee) {
+    if (threshold <= 0)
+        return 1;
+    const double over = brightness - threshold;
+    if (!(over > -knee))
+        return 0;
+    const double soft = knee > 0 ? std::min(over + knee, 2 * knee) : 0;
+    const double light = over < knee ? soft * soft / (4 * knee) : over;
+    return light / brightness;
+}
+
+double bloom_onset(const BloomSettings& settings) {
+    return std::max(0.0f, settings.threshold - std::min(settings.knee, settings.threshold));
+}
+
+std::vector<BloomTap> gaussian_taps(float sigma) {
+    constexpr int most = 2 * (BloomPlan::max_taps - 1);
+    const int radius = std::clamp(static_cast<int>(std::ceil(3.5f * sigma)), 1, most);
+    std::vector<double> weights;
+    double total = 0;
+    for (int i = 0; i <= radius; ++i) {
+        const double x = i / static_cast<double>(sigma);
+        weights.push_back(std::exp(-0.5 * x * x));
+        total += (i == 0 ? 1 : 2) * weights.back();
+    }
+    weights.push_back(0);
+    std::vector<BloomTap> taps{{0, 0, static_cast<float>(weights[0] / total)}};
+    for (std::size_t i = 1; i <= static_cast<std::size_t>(radius); i += 2) {
+        const double pair = weights[i] + weights[i + 1];
+        if (pair / total < 1e-9)
+            break;
+        // Most texture units know 8 bits of a fraction; a place that they have gives the same
+        // picture everywhere.
+        const double fraction = std::round(256 * weights[i + 1] / pair) / 256;
+        taps.push_back({static_cast<float>(static_cast<double>(i) + fraction), 0,
+                        static_cast<float>(pair / total)});
+    }
+    return taps;
+}
+
+} // namespace preview

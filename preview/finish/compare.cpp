@@ -1,0 +1,45 @@
+#include "preview/finish/compare.h"
+
+#include <bit>
+
+namespace preview {
+
+namespace {
+
+constexpr double bins_per_unit = 40;
+
+} // namespace
+
+const Compare* compare_named(std::string_view name) {
+    for (const Compare& row : compares)
+        if (row.name == name)
+            return &row;
+    return nullptr;
+}
+
+DifferenceFigures difference_figures(std::span<const std::uint32_t> counted, std::uint64_t texels) {
+    DifferenceFigures out;
+    if (counted.empty() || texels == 0)
+        return out;
+    out.max = static_cast<double>(std::bit_cast<float>(counted[0]));
+    const auto bins = counted.subspan(1);
+    std::uint64_t above = 0;
+    double sum = 0;
+    const auto share = [&](double part) {
+        return static_cast<std::uint64_t>(part * static_cast<double>(texels));
+    };
+    for (std::size_t bin = bins.size() - 1; bin > 0; --bin) {
+        const double middle = (static_cast<double>(bin) + 0.5) / bins_per_unit;
+        sum += middle * static_cast<double>(bins[bin]);
+        const std::uint64_t before = above;
+        above += bins[bin];
+        if (before <= share(0.01) && above > share(0.01))
+            out.p99 = middle;
+        if (before <= share(0.05) && above > share(0.05))
+            out.p95 = middle;
+    }
+    out.mean = sum / static_cast<double>(texels);
+    return out;
+}
+
+} // namespace preview

@@ -1,0 +1,96 @@
+// The instruments on which colourists read levels and gamut, as a table: what each counts over the
+// finished picture, in 8-bit codes.
+//
+// Luma, Cb and Cr are those of Rec. ITU-R BT.709-6, section 3, on full-range codes, in
+// fixed point so that the GPU and its twin agree on every count:
+//     Y' = .2126 R' + .7152 G' + .0722 B'   Cb = (B' - Y') / 1.8556   Cr = (R' - Y') / 1.5748
+// On the vectorscope Cb runs to the right and Cr upwards. Its skin line is NTSC's +I axis, at 123
+// degrees from +Cb (SMPTE 170M: I and Q are the colour differences turned by 33 degrees), near
+// which skin of every shade lies. Its targets are the bars of 75 %.
+#pragma once
+
+#include "preview/finish/compare.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace preview {
+
+/// What a scope sorts the picture by; the shape of its counts.
+enum class ScopeBins : std::uint8_t {
+    columns, ///< counts[plane][column][level], of planes x columns x 256
+    chroma,  ///< counts[cr][cb], of 256 x 256, neutral at 128, 128
+    levels,  ///< counts[plane][level], of red, green, blue, luma
+};
+
+struct Scope {
+    std::string_view name;
+    std::string_view label;
+    std::string_view help;
+    ScopeBins bins;
+    std::uint32_t planes;        ///< of ScopeBins::columns: luma, or red, green, blue side by side
+    std::uint32_t width, height; ///< of its picture, unless another size is asked for
+    bool logarithmic;            ///< how its counts are drawn, unless the other is asked for
+};
+
+inline constexpr std::uint32_t scope_levels = 256;
+
+inline constexpr std::array<Scope, 4> scopes{{
+    {"waveform", "Waveform", "luma over each column of the picture", ScopeBins::columns, 1, 1024,
+     512, true},
+    {"parade", "RGB parade", "red, green and blue over each column, side by side",
+     ScopeBins::columns, 3, 1024, 512, true},
+    {"vectorscope", "Vectorscope", "hue and saturation, with 75 % targets and the skin line",
+     ScopeBins::chroma, 1, 640, 640, true},
+    {"histogram", "Histogram", "how often each code occurs in red, green, blue and luma",
+     ScopeBins::levels, 4, 768, 384, false},
+}};
+
+/// How many counts a scope keeps. `columns` counts only for ScopeBins::columns.
+constexpr std::size_t scope_counts(const Scope& scope, std::uint32_t columns) {
+    switch (scope.bins) {
+    case ScopeBins::columns:
+        return std::size_t{scope.planes} * columns * scope_levels;
+    case ScopeBins::chroma:
+        return std::size_t{scope_levels} * scope_levels;
+    case ScopeBins::levels:
+        break;
+    }
+    return std::size_t{scope.planes} * scope_levels;
+}
+
+/// Columns of a picture: all that a scope looks at.
+struct ColumnRange {
+    std::uint32_t first = 0, count = 0;
+    friend bool operator==(const ColumnRange&, const ColumnRange&) = default;
+};
+
+/// Which part of the shown picture a scope looks at.
+struct ScopeSide {
+    std::string_view name;
+    std::string_view label;
+};
+inline constexpr std::array<ScopeSide, 3> scope_sides{{
+    {"shown", "all that is shown"},
+    {"a", "what is shown of side A"},
+    {"b", "what is shown of side B"},
+}};
+inline constexpr const ScopeSide& scope_side_shown = scope_sides[0];
+
+/// The side's columns of a finished picture of that size, without the split line; a count of 0
+/// where nothing of the side is shown, or where a heat map is.
+ColumnRange scope_range(const ScopeSide& side, const Compare& compare, float split,
+                        std::uint32_t width, std::uint32_t height);
+
+/// Where the counts stand in a scope's picture, in its pixels from the upper left; one plot for
+/// each plane of ScopeBins::columns, else one.
+struct ScopePlot {
+    std::int32_t x = 0, y = 0, width = 1, height = 1; ///< of the first plot
+    std::int32_t stride = 0;                          ///< from one plot to the next
+    std::int32_t dot = 1;                             ///< of the figures
+};
+ScopePlot scope_plot(const Scope& scope, std::uint32_t width, std::uint32_t height);
+
+} // namespace preview

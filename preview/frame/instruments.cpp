@@ -1,0 +1,72 @@
+#include "preview/frame/instruments.h"
+
+#include "lutlib/error.h"
+#include "preview/passes/axes.h"
+#include "preview/passes/probe.h"
+#include "preview/passes/scope.h"
+
+#include <string>
+
+namespace preview {
+
+namespace {
+
+void add_scopes(Graph& graph, const FrameSettings& settings, FrameHandles& handles) {
+    const Size size = size_of(graph, handles.output);
+    const ColumnRange range = scope_range(*settings.scope_side, *settings.compare, settings.split,
+                                          size.width, size.height);
+    for (std::size_t i = 0; i < scopes.size(); ++i) {
+        if (settings.scope_sizes[i] == Size{}) {
+            graph.withhold(scopes[i].name, "nobody looks at it");
+        } else if (range.count == 0) {
+            graph.withhold(scopes[i].name, settings.compare == &compare_difference
+                                               ? "a heat map has no levels"
+                                               : "nothing of its side is shown");
+        } else {
+            handles.scope_pictures[i] =
+                add_scope(graph, handles.output, scopes[i], range, settings.scope_sizes[i],
+                          settings.scope_logarithmic.value_or(scopes[i].logarithmic))
+                    .picture;
+            graph.present(handles.scope_pictures[i]);
+        }
+    }
+}
+
+/// A place of the output as one of the picture before its comparison.
+ProbePlace before_comparison(ProbePlace place, const FrameSettings& settings, Size picture) {
+    if (settings.compare == &compare_side)
+        place.x %= static_cast<std::int32_t>(picture.width);
+    return place;
+}
+
+} // namespace
+
+void add_instruments(Graph& graph, const FrameSettings& settings, const BloomLayers& bloom,
+                     const Finishing& finishing, FrameHandles& handles) {
+    add_scopes(graph, settings, handles);
+    if (settings.scope != nullptr) {
+        handles.output =
+            handles.scope_pictures[static_cast<std::size_t>(settings.scope - scopes.data())];
+        if (!handles.output)
+            throw lutlib::UsageError("this frame has nothing for the " +
+                                     std::string(settings.scope->name) +
+                                     " to show; --explain says why");
+    }
+    if (settings.probe) {
+        handles.probe = add_probe(
+            graph, handles.hdr, bloom, finishing.look_a, finishing.look_b, finishing.settings,
+            before_comparison(*settings.probe, settings, size_of(graph, handles.hdr)));
+        graph.present(handles.probe);
+    } else {
+        graph.withhold("probe", "nobody points at the picture");
+    }
+    if (settings.axes != nullptr) {
+        handles.axis_counts =
+            add_axes(graph, handles.hdr, bloom, finishing.settings, *settings.axes);
+        graph.present(handles.axis_counts);
+    } else {
+        graph.withhold("count along axes", "no curve is seen");
+    }
+}
+
+} // namespace preview

@@ -1,0 +1,22 @@
+// What a frame tells of its colours beside the picture: the scopes, the probe, and the counts along
+// the curves' axes. A part of build_frame().
+#pragma once
+
+#include "preview/frame/frame.h"
+
+namespace preview {
+
+/// What the finishing pass is asked for.
+struct Finishing {
+    FinishSettings settings;
+    const GpuLook* look_a = nullptr;
+    const GpuLook* look_b = nullptr;
+};
+
+/// Declares and presents what the settings ask for, of the picture handles.output and of what the
+/// finishing pass had. With FrameSettings::scope that scope becomes the output. Throws
+/// lutlib::UsageError for one that this frame has nothing for.
+void add_instruments(Graph& graph, const FrameSettings& settings, const BloomLayers& bloom,
+                     const Finishing& finishing, FrameHandles& handles);
+
+} // namespace preview

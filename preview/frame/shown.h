@@ -1,0 +1,49 @@
+// What there is to render: a scene or a picture, from the command line or a file, as plain data;
+// and its part on the GPU.
+#pragma once
+
+#include "preview/frame/frame.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace preview {
+
+struct ShownPicture {
+    Size size;
+    std::vector<float> rgba;      ///< rows from the top
+    bool display_encoded = false; ///< its codes are for a display already
+};
+
+/// One of both.
+struct Shown {
+    std::string name;
+    std::optional<Scene> scene;
+    std::optional<ShownPicture> picture;
+    std::vector<std::string> left_out; ///< what its file has and the scene has not, with counts
+
+    bool display_encoded() const { return picture && picture->display_encoded; }
+    Size picture_size() const { return picture ? picture->size : Size{}; }
+};
+
+/// A row of scenes() as it stands at `seconds`, else a model or picture file. Throws lutlib::Error,
+/// and UsageError for what is none of them.
+Shown load_shown(const std::string& input, double seconds);
+
+/// What must outlive the frames that show it.
+class GpuShown {
+  public:
+    GpuShown(const gpu::Device& device, std::shared_ptr<const Shown> shown);
+
+    const std::shared_ptr<const Shown>& shown() const { return shown_; }
+    FrameInputs inputs() const;
+
+  private:
+    std::shared_ptr<const Shown> shown_;
+    std::optional<GpuScene> scene_;
+    std::optional<GpuPicture> picture_;
+};
+
+} // namespace preview

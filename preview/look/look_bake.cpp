@@ -1,0 +1,108 @@
+#include "preview/look/look_bake.h"
+
+#include "lutlib/bake/bake.h"
+#include "lutlib/engine/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace preview {
+
+namespace {
+
+using lutlib::CodePicture;
+using lutlib::Lut;
+using lutlib::Lut3D;
+
+constexpr int general_bits = 16; ///< of pictures that no engine's contract fixes
+
+/// The largest distance of a look from doing nothing. Both are interpolated between the same
+/// nodes, so it is found at the nodes. Infinite where a shaper or a domain is in the way.
+double distance_from_identity(const Lut& look) {
+    if (look.shaper || !look.cube || !look.cube->domain.is_unit())
+        return HUGE_VAL;
+    const Lut3D& cube = *look.cube;
+    double furthest = 0;
+    for (int b = 0; b < cube.size; ++b)
+        for (int g = 0; g < cube.size; ++g)
+            for (int r = 0; r < cube.size; ++r) {
+                const lutlib::RgbD at = lutlib::node_position(cube, r, g, b);
+                const lutlib::Rgb node = cube.at(r, g, b);
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const double distance = std::abs(static_cast<double>(node[c]) - at[c]);
+                    if (std::isnan(distance))
+                        return HUGE_VAL;
+                    furthest = std::max(furthest, distance);
+                }
+            }
+    return furthest;
+}
+
+} // namespace
+
+std::string skip_reason_of(const Lut& look) {
+    // Half a code of 8 bits; a baked identity is as far as its own rounding.
+    constexpr double half_code = 0.5 / 255 + 1e-7;
+    return distance_from_identity(look) <= half_code ? "it changes less than half an output code"
+                                                     : "";
+}
+
+namespace {
+
+/// Nodes of a picture that no engine's contract fixes.
+int general_size(const Lut& look, const Lookup& lookup) {
+    constexpr int shared_size = 16;
+    constexpr int without_cube = 33;
+    if (lookup.shared)
+        return shared_size;
+    return look.cube ? look.cube->size : without_cube;
+}
+
+/// A look as a picture for a lookup of that layout which no engine's contract describes.
+CodePicture general_codes(const Lut& look, const Lookup& lookup) {
+    const int size = general_size(look, lookup);
+    Lut3D sampled = lutlib::identity_cube(size);
+    for (lutlib::Rgb& node : sampled.nodes)
+        node = lutlib::to_float(lutlib::evaluate_exact(look, lutlib::to_double(node)));
+    const lutlib::Picture picture =
+        lutlib::to_picture(sampled, *lutlib::layout_named(lookup.layout));
+    CodePicture codes{picture.width, picture.height, lookup.shared ? 8 : general_bits, {}};
+    for (const lutlib::Rgb& pixel : picture.pixels)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float value = pixel[c] > 0 ? std::min(pixel[c], 1.0F) : 0.0F;
+            codes.codes.push_back(static_cast<std::uint16_t>(
+                std::lround(value * static_cast<float>(codes.maximum()))));
+        }
+    return codes;
+}
+
+} // namespace
+
+std::shared_ptr<const Lut> table_of(const lutlib::Bake& baked) {
+    Lut look;
+    look.cube = lutlib::from_picture(lutlib::decoded(baked.picture),
+                                     *lutlib::layout_named(baked.engine->layout), baked.size);
+    return std::make_shared<const Lut>(std::move(look));
+}
+
+LoadedLook look_for(const Lut& look, const Lookup& lookup) {
+    LoadedLook out;
+    out.skip_reason = skip_reason_of(look);
+    out.table = std::make_shared<const Lut>(look);
+    if (lookup.source == Lookup::Source::table) {
+        out.data = look_data(look, lookup);
+    } else if (lookup.engine != nullptr) {
+        const auto exact = [&](lutlib::RgbD in) { return lutlib::evaluate_exact(look, in); };
+        const lutlib::Bake baked = lutlib::bake(exact, *lookup.engine, lookup.engine->default_size,
+                                                lookup.engine->default_bits);
+        out.data = look_data(baked.picture, baked.size, lookup);
+        out.table = table_of(baked);
+    } else {
+        const CodePicture codes = general_codes(look, lookup);
+        const int size = general_size(look, lookup);
+        out.data = look_data(codes, size, lookup);
+    }
+    return out;
+}
+
+} // namespace preview

@@ -1,0 +1,32 @@
+// Makes a look ready for the lookup that shall read it: as its own table, or baked into the picture
+// that an engine reads.
+#pragma once
+
+#include "lutlib/lut.h"
+#include "preview/look/gpu_lookups.h"
+
+#include <memory>
+#include <string>
+
+namespace preview {
+
+struct LoadedLook {
+    LookData data;
+    /// Why it may as well be left out; empty when it does something.
+    std::string skip_reason;
+    std::string note; ///< how exactly it stands for its recipe; empty when not measured
+    /// The look as a table, or what the picture that is read holds of it; null: no look.
+    std::shared_ptr<const lutlib::Lut> table;
+};
+
+/// The lattice that a baked picture holds, of values as its engine's sampler sees them.
+std::shared_ptr<const lutlib::Lut> table_of(const lutlib::Bake& baked);
+
+/// A lookup that reads a picture gets what `lutconv bake` makes of the look. Throws lutlib::Error
+/// for a look that the lookup cannot hold.
+LoadedLook look_for(const lutlib::Lut& look, const Lookup& lookup);
+
+/// "it changes less than half an output code" of 8 bits, or empty.
+std::string skip_reason_of(const lutlib::Lut& look);
+
+} // namespace preview

@@ -1,0 +1,34 @@
+// The float table that stands for a recipe on the screen, and how far it is from the recipe itself.
+#pragma once
+
+#include "lutlib/recipe/recipe.h"
+#include "preview/look/look_bake.h"
+
+#include <functional>
+#include <optional>
+
+namespace preview {
+
+struct RecipeTable {
+    lutlib::Lut lut;
+    int nodes = 0; ///< a side
+    /// dE2000 between the table, read tetrahedrally, and the recipe, over dense colours of 0..1.
+    double max_error = 0, mean_error = 0;
+};
+
+/// Differences below it are not seen side by side.
+inline constexpr double visible_difference = 1;
+
+/// As fast as editing wants it, and not measured.
+lutlib::Lut quick_table(const lutlib::Recipe& recipe);
+
+/// The smallest of a few tables without a visible difference to the recipe, else the largest. Asks
+/// `stop` every few milliseconds to some tens, and returns nothing once that says so.
+std::optional<RecipeTable> measured_table(
+    const lutlib::Recipe& recipe, const std::function<bool()>& stop = [] { return false; });
+
+/// The table for a lookup that reads tables, with a note as "65 nodes a side, within dE2000 0.41 of
+/// the recipe, 0.020 on average".
+LoadedLook measured_look(const RecipeTable& table, const Lookup& lookup);
+
+} // namespace preview

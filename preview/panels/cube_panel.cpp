@@ -1,0 +1,122 @@
+// The look of a side as the cube of its nodes, to be turned with the mouse.
+#include "preview/look/cube_view.h"
+#include "preview/panels/ui.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace preview::ui {
+
+namespace {
+
+constexpr int least_nodes = 5, most_nodes = 33;
+
+ImU32 color_of(Rgb8 color, float opacity = 1) {
+    return IM_COL32(color[0], color[1], color[2], static_cast<int>(255 * opacity));
+}
+
+void put(ImDrawList& list, ImVec2 corner, const CubeLine& line) {
+    list.AddLine({corner.x + line.x0, corner.y + line.y0}, {corner.x + line.x1, corner.y + line.y1},
+                 color_of(line.color, line.opacity), line.width);
+}
+
+/// Squares of a circle's area: a tenth of its vertices.
+void put(ImDrawList& list, ImVec2 corner, const CubeDot& dot) {
+    const float reach = dot.radius * 0.886F;
+    list.AddRectFilled({corner.x + dot.x - reach, corner.y + dot.y - reach},
+                       {corner.x + dot.x + reach, corner.y + dot.y + reach}, color_of(dot.color));
+}
+
+/// The nodes of the side, thinned anew when the look or the number changes.
+const NodeCloud& nodes_of(const std::shared_ptr<const lutlib::Lut>& table, int most) {
+    static std::shared_ptr<const lutlib::Lut> kept_table;
+    static int kept_most = 0;
+    static NodeCloud kept;
+    if (kept_most != most || kept_table != table) {
+        kept = cube_nodes(table ? *table : lutlib::Lut{}, most);
+        kept_table = table;
+        kept_most = most;
+    }
+    return kept;
+}
+
+void look_from(CubeView& view, float turn, float tilt) {
+    view.turn = turn;
+    view.tilt = tilt;
+    view.zoom = 1;
+}
+
+void controls(Ui& ui, CubeChoice& choice) {
+    constexpr const char* names[] = {"A", "B"};
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (ImGui::RadioButton((std::string("Side ") + names[i]).c_str(), choice.side == i))
+            choice.side = i;
+        mark(ui, std::string("cube.side") + names[i]);
+        ImGui::SameLine();
+    }
+    ImGui::NewLine();
+    ImGui::Checkbox("in the colours of their inputs", &choice.view.by_input);
+    mark(ui, "cube.by-input");
+    ImGui::Checkbox("where a display shows them, within 0 to 1", &choice.view.clamped);
+    mark(ui, "cube.clamped");
+    ImGui::SliderInt("Nodes of an axis", &choice.per_side, least_nodes, most_nodes, "at most %d",
+                     ImGuiSliderFlags_AlwaysClamp);
+    mark(ui, "cube.nodes");
+    if (ImGui::Button("Front"))
+        look_from(choice.view, CubeView{}.turn, CubeView{}.tilt);
+    mark(ui, "cube.front");
+    ImGui::SameLine();
+    if (ImGui::Button("From above"))
+        look_from(choice.view, 0, 90);
+    mark(ui, "cube.above");
+}
+
+void turn_by_mouse(CubeView& view) {
+    constexpr float degrees_per_pixel = 0.5F, zoom_per_notch = 1.1F;
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemActive()) {
+        view.turn = std::remainder(view.turn - degrees_per_pixel * io.MouseDelta.x, 360.0F);
+        view.tilt = std::clamp(view.tilt + degrees_per_pixel * io.MouseDelta.y, -90.0F, 90.0F);
+    }
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0)
+        view.zoom = std::clamp(view.zoom * std::pow(zoom_per_notch, io.MouseWheel), 0.3F, 8.0F);
+}
+
+} // namespace
+
+void cube_panel(Ui& ui) {
+    CubeChoice& choice = ui.history.draft().cube;
+    controls(ui, choice);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float footer = ImGui::GetTextLineHeightWithSpacing();
+    const ImVec2 size(std::max(room.x, 60.0F),
+                      std::clamp(room.y - footer, 60.0F, std::max(room.x, 60.0F) * 1.25F));
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton("cube", size);
+    mark(ui, "cube");
+    turn_by_mouse(choice.view);
+
+    static CubeDrawing drawing; // kept for its capacity
+    const auto start = std::chrono::steady_clock::now();
+    const NodeCloud& nodes = nodes_of(ui.facts.tables[choice.side], choice.per_side);
+    draw_cube(nodes, choice.view, size.x, size.y, drawing);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 end(corner.x + size.x, corner.y + size.y);
+    list.AddRectFilled(corner, end, color_of(cube_ground));
+    list.PushClipRect(corner, end, true);
+    for (const CubeLine& line : drawing.behind)
+        put(list, corner, line);
+    for (const CubeDot& dot : drawing.dots)
+        put(list, corner, dot);
+    for (const CubeLine& line : drawing.before)
+        put(list, corner, line);
+    list.PopClipRect();
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    ImGui::TextDisabled("%zu nodes in %.2f ms; drag to turn, wheel to come nearer",
+                        nodes.outputs.size(), took.count());
+}
+
+} // namespace preview::ui

@@ -1,0 +1,93 @@
+// Files in and out: look, recipe, strip; what an export lost.
+#include "preview/editor/commands.h"
+#include "preview/panels/ui.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <filesystem>
+
+namespace preview::ui {
+
+namespace {
+
+std::string stem_of(const State& state) {
+    const std::string& path = !state.recipe_path.empty() ? state.recipe_path : state.base_path;
+    return path.empty() ? "look" : std::filesystem::path(path).stem().string();
+}
+
+/// A line to type a path in, which shows `usual` while nothing was typed, and a button.
+bool path_line(Ui& ui, const char* button, std::string& typed, const std::string& usual,
+               const std::string& place) {
+    ImGui::PushID(place.c_str());
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x * 0.62F);
+    const bool entered = ImGui::InputTextWithHint("##path", usual.c_str(), &typed,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue);
+    mark(ui, place + ".path");
+    ImGui::SameLine();
+    const bool pressed = ImGui::Button(button);
+    mark(ui, place);
+    ImGui::PopID();
+    return entered || pressed;
+}
+
+std::string path_or(const std::string& typed, const std::string& usual) {
+    return typed.empty() ? usual : typed;
+}
+
+} // namespace
+
+void file_panel(Ui& ui) {
+    State& state = ui.history.draft();
+    ImGui::TextWrapped("Open a recipe, LUT, picture or glTF model, or drop it on the window.");
+    if (path_line(ui, "Open", ui.open_file, "file", "open") && !ui.open_file.empty())
+        ui.to_open.push_back(ui.open_file);
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (i > 0)
+            ImGui::SameLine();
+        if (ImGui::Button(i == 0 ? "On side A alone" : "On side B alone") && !ui.open_file.empty())
+            attempt(ui, [&] { open_side(state.sides[i], ui.open_file); });
+    }
+    ImGui::Separator();
+
+    const std::string recipe =
+        state.recipe_path.empty() ? stem_of(state) + ".json" : state.recipe_path;
+    if (path_line(ui, "Save recipe", ui.recipe_file, recipe, "save")) {
+        const std::string path = path_or(ui.recipe_file, recipe);
+        attempt_writing(ui, path, [&ui, path] {
+            save_recipe(ui.history.draft(), path);
+            ui.report = "saved " + path + "\n";
+        });
+    }
+    const std::string lut = stem_of(state) + "-export.cube";
+    if (path_line(ui, "Export LUT", ui.lut_file, lut, "export-lut")) {
+        const std::string path = path_or(ui.lut_file, lut);
+        attempt_writing(ui, path,
+                        [&ui, path] { ui.report = export_lut(ui.history.draft(), path); });
+    }
+    ImGui::Separator();
+
+    const std::vector<const Lookup*> engines = engine_lookups();
+    const Lookup* engine = engines[ui.export_engine];
+    if (ImGui::BeginCombo("Engine", std::string(engine->label).c_str())) {
+        for (std::size_t i = 0; i < engines.size(); ++i)
+            if (ImGui::Selectable(std::string(engines[i]->label).c_str(), i == ui.export_engine))
+                ui.export_engine = i;
+        ImGui::EndCombo();
+    }
+    const std::string strip = stem_of(state) + "-" + std::string(engine->name) + ".png";
+    if (path_line(ui, "Export strip", ui.strip_file, strip, "export-strip")) {
+        const std::string path = path_or(ui.strip_file, strip);
+        attempt_writing(ui, path, [&ui, path, engine] {
+            Side side;
+            side.engine = engine;
+            ui.report = export_strip(ui.history.draft(), side, path);
+        });
+    }
+    ImGui::Separator();
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(ui.report.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+} // namespace preview::ui

@@ -1,0 +1,175 @@
+// The recipe: its operators as their descriptors tell, in their order.
+#include "preview/panels/ui.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+namespace preview::ui {
+
+namespace {
+
+using lutlib::Operation;
+using lutlib::Parameter;
+using lutlib::ParameterKind;
+using lutlib::RgbD;
+
+std::string text_of(std::string_view view) {
+    return std::string(view);
+}
+
+/// One control for one parameter; true when its value changed.
+bool parameter_control(Ui& ui, const Parameter& parameter, lutlib::Value& value,
+                       const std::string& place) {
+    const std::string label = text_of(parameter.label) +
+                              (parameter.unit.empty() ? "" : " (" + text_of(parameter.unit) + ")");
+    bool changed = false;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x * 0.55F);
+    switch (parameter.kind) {
+    case ParameterKind::number: {
+        double number = std::get<double>(value);
+        changed = ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, &number, &parameter.min,
+                                      &parameter.max, "%.5g", ImGuiSliderFlags_AlwaysClamp);
+        value = number;
+        break;
+    }
+    case ParameterKind::toggle: {
+        bool on = std::get<double>(value) != 0;
+        changed = ImGui::Checkbox(label.c_str(), &on);
+        value = on ? 1.0 : 0.0;
+        break;
+    }
+    case ParameterKind::rgb: {
+        const RgbD color = std::get<RgbD>(value);
+        double channels[3] = {color.r, color.g, color.b};
+        const auto speed = static_cast<float>((parameter.max - parameter.min) / 1000);
+        changed = ImGui::DragScalarN(label.c_str(), ImGuiDataType_Double, channels, 3, speed,
+                                     &parameter.min, &parameter.max, "%.5g",
+                                     ImGuiSliderFlags_AlwaysClamp);
+        value = RgbD{channels[0], channels[1], channels[2]};
+        break;
+    }
+    case ParameterKind::curve:
+        return curve_editor(ui, parameter, std::get<lutlib::Knots>(value), place);
+    }
+    mark(ui, place);
+    return changed;
+}
+
+enum class Change { none, up, down, remove };
+
+/// The buttons on the right of an operator's heading.
+Change operation_buttons(Ui& ui, Operation& operation, const std::string& place, bool is_first,
+                         bool is_last) {
+    Change change = Change::none;
+    ImGui::Checkbox("on", &operation.enabled);
+    mark(ui, place + ".on");
+    ImGui::SameLine();
+    if (ImGui::ArrowButton("up", ImGuiDir_Up) && !is_first)
+        change = Change::up;
+    mark(ui, place + ".up");
+    ImGui::SameLine();
+    if (ImGui::ArrowButton("down", ImGuiDir_Down) && !is_last)
+        change = Change::down;
+    mark(ui, place + ".down");
+    ImGui::SameLine();
+    if (ImGui::Button("Reset"))
+        operation.values = lutlib::default_operation(*operation.op).values;
+    mark(ui, place + ".reset");
+    ImGui::SameLine();
+    if (ImGui::Button("Remove"))
+        change = Change::remove;
+    mark(ui, place + ".remove");
+    return change;
+}
+
+Change operation_controls(Ui& ui, Operation& operation, std::size_t index, bool is_last) {
+    const lutlib::Op& op = *operation.op;
+    const std::string place = "op" + std::to_string(index);
+    const std::string heading =
+        text_of(op.label) + (operation.enabled ? "" : " (off)") + "###" + place;
+    ImGui::PushID(static_cast<int>(index));
+    Change change = Change::none;
+    const bool open = ImGui::CollapsingHeader(heading.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
+    mark(ui, place);
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%.*s", static_cast<int>(op.help.size()), op.help.data());
+    if (open) {
+        change = operation_buttons(ui, operation, place, index == 0, is_last);
+        for (std::size_t i = 0; i < op.parameters.size(); ++i) {
+            ImGui::PushID(static_cast<int>(i));
+            const Parameter& parameter = op.parameters[i];
+            parameter_control(ui, parameter, operation.values[i],
+                              place + "." + text_of(parameter.name));
+            ImGui::PopID();
+        }
+    }
+    ImGui::PopID();
+    return change;
+}
+
+void add_menu(Ui& ui, lutlib::Recipe& recipe) {
+    if (ImGui::Button("Add operator"))
+        ImGui::OpenPopup("operators");
+    mark(ui, "add");
+    if (!ImGui::BeginPopup("operators"))
+        return;
+    for (const lutlib::Op* op : lutlib::ops()) {
+        if (ImGui::MenuItem(text_of(op->label).c_str()))
+            add_operation(recipe, *op);
+        mark(ui, "add." + text_of(op->name));
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%.*s", static_cast<int>(op->help.size()), op->help.data());
+    }
+    ImGui::EndPopup();
+}
+
+void encoding_choice(const char* label, const lutlib::Encoding*& chosen) {
+    if (!ImGui::BeginCombo(label, text_of(chosen->label).c_str()))
+        return;
+    for (const lutlib::Encoding& row : lutlib::encodings())
+        if (ImGui::Selectable(text_of(row.label).c_str(), &row == chosen))
+            chosen = &row;
+    ImGui::EndCombo();
+}
+
+} // namespace
+
+void look_panel(Ui& ui) {
+    lutlib::Recipe& recipe = ui.history.draft().recipe;
+    ImGui::InputText("Title", &recipe.title);
+    encoding_choice("Input", recipe.input);
+    ImGui::TextDisabled("Base: %s", recipe.base_lut ? ui.history.draft().base_path.c_str()
+                                                    : "none (the identity)");
+    add_menu(ui, recipe);
+    ImGui::SameLine();
+    ImGui::TextDisabled("baked in %.1f ms", ui.facts.bake_milliseconds);
+    ImGui::Separator();
+
+    std::size_t changed_at = 0;
+    Change change = Change::none;
+    for (std::size_t i = 0; i < recipe.operations.size(); ++i) {
+        const Change asked =
+            operation_controls(ui, recipe.operations[i], i, i + 1 == recipe.operations.size());
+        if (asked != Change::none) {
+            change = asked;
+            changed_at = i;
+        }
+    }
+    switch (change) {
+    case Change::none:
+        break;
+    case Change::up:
+        move_operation(recipe, changed_at, changed_at - 1);
+        break;
+    case Change::down:
+        move_operation(recipe, changed_at, changed_at + 1);
+        break;
+    case Change::remove:
+        remove_operation(recipe, changed_at);
+        break;
+    }
+}
+
+} // namespace preview::ui

@@ -1,0 +1,71 @@
+// The lights of the scene, by the table of their controls.
+#include "preview/scene/light_controls.h"
+#include "preview/panels/ui.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace preview::ui {
+
+namespace {
+
+void control_row(Ui& ui, const LightControl& control, PointLight& light, const std::string& place) {
+    const std::string label(control.label);
+    glm::vec3 value = control.get(light);
+    bool changed = false;
+    switch (control.kind) {
+    case LightControl::Kind::flag: {
+        bool is_set = value.x != 0;
+        changed = ImGui::Checkbox(label.c_str(), &is_set);
+        value.x = is_set ? 1.0F : 0.0F;
+        break;
+    }
+    case LightControl::Kind::number:
+        // Over many decades a drag changes by shares of the value.
+        changed =
+            control.logarithmic
+                ? ImGui::DragFloat(label.c_str(), &value.x, std::max(value.x, control.min) / 100,
+                                   control.min, control.max, "%.4g", ImGuiSliderFlags_AlwaysClamp)
+                : ImGui::SliderFloat(label.c_str(), &value.x, control.min, control.max, "%.4g",
+                                     ImGuiSliderFlags_AlwaysClamp);
+        break;
+    case LightControl::Kind::color:
+        changed = ImGui::ColorEdit3(label.c_str(), &value.x, ImGuiColorEditFlags_Float);
+        break;
+    case LightControl::Kind::point:
+        changed = ImGui::DragFloat3(label.c_str(), &value.x, 0.01F, control.min, control.max,
+                                    "%.2f", ImGuiSliderFlags_AlwaysClamp);
+        break;
+    }
+    mark(ui, place);
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s", std::string(control.help).c_str());
+    if (changed)
+        control.set(light, value);
+}
+
+} // namespace
+
+void scene_panel(Ui& ui) {
+    std::vector<PointLight>& lights = ui.history.draft().lights;
+    ImGui::TextDisabled("%s", ui.facts.input.c_str());
+    for (const std::string& line : ui.facts.left_out)
+        ImGui::TextWrapped("Left out: %s", line.c_str());
+    if (!ui.facts.is_scene)
+        ImGui::TextUnformatted("A picture is shown: it has no lights.");
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const std::string name = light_name(lights[i], i);
+        ImGui::PushID(static_cast<int>(i));
+        const bool open =
+            ImGui::CollapsingHeader(("Light " + name).c_str(), ImGuiTreeNodeFlags_DefaultOpen);
+        mark(ui, "light." + name);
+        if (open)
+            for (const LightControl& control : light_controls())
+                control_row(ui, control, lights[i],
+                            "light." + name + "." + std::string(control.name));
+        ImGui::PopID();
+    }
+}
+
+} // namespace preview::ui

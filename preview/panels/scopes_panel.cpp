@@ -1,0 +1,109 @@
+// The scopes: which of them are seen under the picture, and what of it they look at.
+#include "preview/panels/ui.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace preview::ui {
+
+namespace {
+
+std::string text_of(std::string_view view) {
+    return std::string(view);
+}
+
+struct ScaleRow {
+    const char* name;
+    const char* label;
+    std::optional<bool> logarithmic;
+};
+constexpr ScaleRow scales[] = {{"own", "as is usual for each", std::nullopt},
+                               {"log", "by the logarithm of the counts", true},
+                               {"linear", "in proportion to the counts", false}};
+
+/// Widths in a strip: a vectorscope is square, the others share what it leaves.
+std::array<float, scopes.size()> widths_in(const ScopeChoice& choice, const Rect& area) {
+    std::array<float, scopes.size()> widths{};
+    const auto count = static_cast<float>(std::count(choice.seen.begin(), choice.seen.end(), true));
+    float left = area.width, others = 0;
+    for (std::size_t i = 0; i < scopes.size(); ++i) {
+        if (!choice.seen[i])
+            continue;
+        if (scopes[i].bins != ScopeBins::chroma) {
+            ++others;
+            continue;
+        }
+        widths[i] = std::floor(std::min(area.height, area.width / count));
+        left -= widths[i];
+    }
+    for (std::size_t i = 0; i < scopes.size(); ++i)
+        if (choice.seen[i] && widths[i] == 0)
+            widths[i] = std::floor(left / others);
+    return widths;
+}
+
+} // namespace
+
+void scopes_panel(Ui& ui) {
+    ScopeChoice& choice = ui.history.draft().scopes_seen;
+    for (std::size_t i = 0; i < scopes.size(); ++i) {
+        ImGui::Checkbox(text_of(scopes[i].label).c_str(), &choice.seen[i]);
+        mark(ui, "scope." + text_of(scopes[i].name));
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%s", text_of(scopes[i].help).c_str());
+    }
+    ImGui::Separator();
+    ImGui::TextUnformatted("They look at");
+    for (const ScopeSide& side : scope_sides) {
+        if (ImGui::RadioButton(text_of(side.label).c_str(), choice.side == &side))
+            choice.side = &side;
+        mark(ui, "scope.side." + text_of(side.name));
+    }
+    ImGui::TextUnformatted("Their brightness and height");
+    for (const ScaleRow& row : scales) {
+        if (ImGui::RadioButton(row.label, choice.logarithmic == row.logarithmic))
+            choice.logarithmic = row.logarithmic;
+        mark(ui, std::string("scope.scale.") + row.name);
+    }
+    ImGui::SliderFloat("Height", &choice.height, 0.15F, 0.7F, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+    mark(ui, "scope.height");
+}
+
+void scope_strip(Ui& ui, const Rect& area) {
+    ui.scope_places = {};
+    const ScopeChoice& choice = ui.history.draft().scopes_seen;
+    if (area.height < 1)
+        return;
+    ImGui::SetNextWindowPos({area.x, area.y});
+    ImGui::SetNextWindowSize({area.width, area.height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+    ImGui::Begin("Scopes under the picture", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground |
+                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::PopStyleVar(2);
+    const std::array<float, scopes.size()> widths = widths_in(choice, area);
+    float x = area.x;
+    for (std::size_t i = 0; i < scopes.size(); ++i) {
+        if (widths[i] < 1)
+            continue;
+        ui.scope_places[i] = {x, area.y, widths[i], area.height};
+        ImGui::SetCursorScreenPos({x, area.y});
+        ImGui::InvisibleButton(text_of(scopes[i].name).c_str(), {widths[i], area.height});
+        mark(ui, "scope.seen." + text_of(scopes[i].name));
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%s: %s", text_of(scopes[i].label).c_str(),
+                              text_of(scopes[i].help).c_str());
+        x += widths[i];
+    }
+    if (ui.history.draft().compare == &compare_difference) {
+        ImGui::SetCursorScreenPos({area.x + 12, area.y + 8});
+        ImGui::TextDisabled("a heat map has no levels");
+    }
+    ImGui::End();
+}
+
+} // namespace preview::ui

@@ -1,0 +1,116 @@
+// The panels of the window, drawn with Dear ImGui. They change the model and ask for commands; they
+// know no GPU object.
+#pragma once
+
+#include "preview/finish/probe.h"
+#include "preview/editor/model.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace preview::ui {
+
+/// A part of the window, in its pixels.
+struct Rect {
+    float x = 0, y = 0, width = 0, height = 0;
+};
+
+struct PassTime {
+    std::string name;
+    double milliseconds = 0;
+};
+
+/// What a finished frame has told; empty where it was not asked.
+struct Measured {
+    std::optional<DifferenceFigures> figures;
+    std::optional<Probe> probe;             ///< of the texel that was pointed at
+    std::vector<std::uint32_t> axis_counts; ///< before the looks (preview/finish/curve_counts.h)
+    friend bool operator==(const Measured&, const Measured&) = default;
+};
+
+/// What the panels show and do not change.
+struct Facts {
+    std::string device, input;
+    std::vector<std::string> left_out; ///< of the input, by its import
+    bool is_scene = true;              ///< there is a camera to move
+    float aspect = 0;             ///< a picture's width over its height; 0: a scene fills any area
+    bool display_encoded = false; ///< there is nothing to tone map
+    double bake_milliseconds = 0;
+    Measured measured;
+    std::array<std::string, 2> look_notes; ///< how exactly each side stands for the recipe
+    std::array<std::shared_ptr<const lutlib::Lut>, 2> tables; ///< of the sides; null: no look
+    std::vector<PassTime> passes;
+    std::string explanation; ///< a line for each pass, kept or left out, and why
+};
+
+/// A key of GLFW's that went down.
+struct KeyPress {
+    int key = 0;
+    bool ctrl = false, shift = false;
+};
+
+struct Ui {
+    explicit Ui(State first) : history(std::move(first)) {}
+
+    History history;
+    Facts facts;
+    std::vector<std::string> errors; ///< shown until they are closed
+    std::string report;              ///< of the last export
+    bool wants_new_screen = false;   ///< everything on the GPU shall be made anew
+    bool shows_help = false;
+    bool quits = false;
+    bool shows_passes = false; ///< set by the passes panel while it is seen: timings are wanted
+    bool shows_curves = false; ///< set by curve editors: counts along their axes are wanted
+    std::optional<ProbePlace> pointer; ///< the texel of the shown picture under the mouse
+    std::array<Rect, scopes.size()> scope_places{}; ///< where scopes are seen; else empty
+    const Compare* held = nullptr;                  ///< shown instead while a key is held
+    /// Since the last frame: no press is lost, however short.
+    std::vector<KeyPress> pressed;
+    /// Files to open as look or picture, for the program to take.
+    std::vector<std::string> to_open;
+    /// Waits for "replace?"; empty: nothing does.
+    std::string to_replace;
+    std::function<void()> replace;
+    /// Where controls are, by name: for scripts that press them.
+    std::map<std::string, Rect> places;
+
+    std::string recipe_file, lut_file, strip_file, open_file;
+    std::size_t export_engine = 0;
+};
+
+/// Does `action`; what it throws becomes an error in the window, and the state is as before.
+void attempt(Ui& ui, const std::function<void()>& action);
+/// Asks before `action` writes over a file.
+void attempt_writing(Ui& ui, const std::string& path, std::function<void()> action);
+
+/// Everything over the picture; returns the part of the window that is left for the picture.
+Rect draw(Ui& ui);
+
+// The parts.
+void look_panel(Ui& ui);
+void view_panel(Ui& ui);
+void scene_panel(Ui& ui);
+void file_panel(Ui& ui);
+void passes_panel(Ui& ui);
+void scopes_panel(Ui& ui);
+void cube_panel(Ui& ui);
+void dialogs(Ui& ui);
+void handle_shortcuts(Ui& ui);
+/// The scopes that are seen, side by side.
+void scope_strip(Ui& ui, const Rect& area);
+/// The colour under the mouse.
+void status_line(Ui& ui, const Rect& area);
+/// Mouse on the picture: the split line, the camera, the colour under it.
+void picture_area(Ui& ui, const Rect& area);
+
+/// Draws a curve and lets its knots be changed; true when they were.
+bool curve_editor(Ui& ui, const lutlib::Parameter& parameter, lutlib::Knots& knots,
+                  const std::string& place);
+
+/// Remembers where the last item is; the name without blanks.
+void mark(Ui& ui, std::string name);
+
+} // namespace preview::ui

@@ -1,0 +1,195 @@
+#include "preview/scene/scene_data.h"
+
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace preview {
+
+namespace {
+
+float sign_not_zero(float v) {
+    return v < 0 ? -1.0F : 1.0F;
+}
+
+std::uint32_t snorm16(float v) {
+    return static_cast<std::uint32_t>(
+               static_cast<std::int32_t>(std::lround(std::clamp(v, -1.0F, 1.0F) * 32767.0F))) &
+           0xffffU;
+}
+
+/// True when all corners of the box lie outside one and the same plane of the frustum.
+bool outside(const Bounds& box, const glm::mat4& to_clip) {
+    int beyond[6] = {};
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec4 p = to_clip * glm::vec4((corner & 1) != 0 ? box.max.x : box.min.x,
+                                                (corner & 2) != 0 ? box.max.y : box.min.y,
+                                                (corner & 4) != 0 ? box.max.z : box.min.z, 1);
+        beyond[0] += p.x < -p.w ? 1 : 0;
+        beyond[1] += p.x > p.w ? 1 : 0;
+        beyond[2] += p.y < -p.w ? 1 : 0;
+        beyond[3] += p.y > p.w ? 1 : 0;
+        beyond[4] += p.z < 0 ? 1 : 0;
+        beyond[5] += p.z > p.w ? 1 : 0;
+    }
+    return std::any_of(std::begin(beyond), std::end(beyond), [](int count) { return count == 8; });
+}
+
+} // namespace
+
+std::uint32_t encode_octahedral(glm::vec3 unit) {
+    const float sum = std::abs(unit.x) + std::abs(unit.y) + std::abs(unit.z);
+    if (!(sum > 0))
+        return 0;
+    float x = unit.x / sum;
+    float y = unit.y / sum;
+    if (unit.z < 0) {
+        const float folded = (1 - std::abs(y)) * sign_not_zero(x);
+        y = (1 - std::abs(x)) * sign_not_zero(y);
+        x = folded;
+    }
+    return snorm16(x) | snorm16(y) << 16U;
+}
+
+Geometry geometry_of(const Scene& scene) {
+    Geometry geometry;
+    for (const Mesh& mesh : scene.meshes) {
+        geometry.meshes.push_back({static_cast<std::uint32_t>(geometry.indices.size()),
+                                   static_cast<std::uint32_t>(mesh.indices.size()),
+                                   static_cast<std::int32_t>(geometry.vertices.size()),
+                                   bounds_of(mesh)});
+        for (const Vertex& vertex : mesh.vertices)
+            geometry.vertices.push_back({vertex.position, encode_octahedral(vertex.normal)});
+        geometry.indices.insert(geometry.indices.end(), mesh.indices.begin(), mesh.indices.end());
+    }
+    return geometry;
+}
+
+std::vector<ObjectBlock> object_blocks(const Scene& scene) {
+    std::vector<ObjectBlock> blocks;
+    for (const Object& object : scene.objects) {
+        const glm::mat4& m = object.transform;
+        const glm::vec3 x(m[0]);
+        const glm::vec3 y(m[1]);
+        const glm::vec3 z(m[2]);
+        // The columns of the cofactor matrix; it carries normals also under uneven scales, and a
+        // mirroring transform turns them round.
+        const float side = glm::dot(glm::cross(x, y), z) < 0 ? -1.0F : 1.0F;
+        const glm::vec3 c[3] = {side * glm::cross(y, z), side * glm::cross(z, x),
+                                side * glm::cross(x, y)};
+        ObjectBlock block;
+        for (int row = 0; row < 3; ++row) {
+            block.model[row] = {m[0][row], m[1][row], m[2][row], m[3][row]};
+            block.normal[row] = {c[0][row], c[1][row], c[2][row], 0};
+        }
+        block.material.x = object.material;
+        blocks.push_back(block);
+    }
+    return blocks;
+}
+
+std::vector<MaterialBlock> material_blocks(const Scene& scene) {
+    std::vector<MaterialBlock> blocks;
+    for (const Material& material : scene.materials)
+        blocks.push_back({glm::vec4(material.albedo, material.roughness),
+                          glm::vec4(material.emission, material.metalness)});
+    return blocks;
+}
+
+EnvironmentBlock environment_block(const Environment& environment) {
+    EnvironmentBlock block;
+    block.zenith = glm::vec4(environment.zenith, 0);
+    block.horizon = glm::vec4(environment.horizon, 0);
+    block.ground = glm::vec4(environment.ground, static_cast<float>(environment.soft_box_count));
+    for (int box = 0; box < environment.soft_box_count; ++box) {
+        const SoftBox& soft = environment.soft_boxes[box];
+        block.soft_boxes[2 * box] = glm::vec4(soft.axis, soft.sharpness);
+        block.soft_boxes[2 * box + 1] = glm::vec4(soft.radiance, 0);
+    }
+    return block;
+}
+
+ViewBlock view_block(const Orbit& orbit, float aspect) {
+    const Camera camera = camera_of(orbit, aspect);
+    const glm::mat4 world = glm::transpose(camera.view); // its columns 0..2 are the camera's axes
+    ViewBlock block;
+    block.clip = camera.projection * camera.view;
+    block.position_near = glm::vec4(camera.position, orbit.near_plane);
+    block.right = glm::vec4(glm::vec3(world[0]) / camera.projection[0][0], 0);
+    block.up = glm::vec4(glm::vec3(world[1]) / camera.projection[1][1], 0);
+    block.forward = glm::vec4(-glm::vec3(world[2]), 0);
+    return block;
+}
+
+glm::mat4 shadow_clip(const PointLight& light) {
+    glm::vec3 direction = light.aim - light.position;
+    if (!(glm::dot(direction, direction) > 0))
+        direction = {0, -1, 0};
+    const glm::vec3 up =
+        std::abs(glm::normalize(direction).y) > 0.99F ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
+    const float angle = glm::radians(std::clamp(light.shadow_angle, 1.0F, 170.0F));
+    glm::mat4 projection = glm::perspectiveRH_ZO(angle, 1.0F, light.shadow_near, light.shadow_far);
+    projection[1][1] = -projection[1][1];
+    return projection * glm::lookAt(light.position, light.position + direction, up);
+}
+
+std::vector<std::uint32_t> visible_objects(const Scene& scene, const Geometry& geometry,
+                                           const glm::mat4& clip) {
+    std::vector<std::uint32_t> visible;
+    for (std::uint32_t index = 0; index < scene.objects.size(); ++index) {
+        const Object& object = scene.objects[index];
+        const Bounds& bounds = geometry.meshes[object.mesh].bounds;
+        if (!bounds.empty() && !outside(bounds, clip * object.transform))
+            visible.push_back(index);
+    }
+    return visible;
+}
+
+ShadowCasters shadow_casters(const Scene& scene, const Geometry& geometry,
+                             const PointLight& light) {
+    ShadowCasters casters;
+    if (!light.casts_shadow) {
+        casters.reason = "the light casts none";
+        return casters;
+    }
+    if (light.intensity == glm::vec3(0)) {
+        casters.reason = "the light's intensity is 0";
+        return casters;
+    }
+    for (const std::uint32_t index : visible_objects(scene, geometry, shadow_clip(light)))
+        if (scene.objects[index].casts_shadow)
+            casters.objects.push_back(index);
+    if (casters.objects.empty())
+        casters.reason = "no caster in the light's frustum";
+    return casters;
+}
+
+std::vector<Draw> draws_of(const Scene& scene, const Geometry& geometry,
+                           const std::vector<std::uint32_t>& objects) {
+    std::vector<Draw> draws;
+    for (const std::uint32_t index : objects) {
+        const Geometry::Range& mesh = geometry.meshes[scene.objects[index].mesh];
+        draws.push_back({mesh.index_count, mesh.first_index, mesh.vertex_offset, 1, index});
+    }
+    return draws;
+}
+
+std::vector<LightBlock> light_blocks(const std::vector<PointLight>& lights,
+                                     const std::vector<int>& layers, std::uint32_t map_size) {
+    std::vector<LightBlock> blocks;
+    for (std::size_t index = 0; index < lights.size(); ++index) {
+        const PointLight& light = lights[index];
+        const float texel = 2 * std::tan(glm::radians(light.shadow_angle) / 2) /
+                            static_cast<float>(std::max(map_size, 1U));
+        blocks.push_back({glm::vec4(light.position, static_cast<float>(layers[index])),
+                          glm::vec4(light.intensity, texel), shadow_clip(light)});
+    }
+    return blocks;
+}
+
+} // namespace preview

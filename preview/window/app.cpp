@@ -1,0 +1,275 @@
+#include "preview/window/app.h"
+
+#include "lutlib/error.h"
+#include "lutlib/io/file.h"
+#include "preview/window/gui.h"
+#include "preview/window/opening.h"
+#include "preview/window/present.h"
+#include "preview/scene/import.h"
+#include "preview/window/screen.h"
+#include "preview/editor/commands.h"
+#include "preview/editor/look_baker.h"
+#include "preview/window/window_events.h"
+#include "preview/window/window_frame.h"
+
+#include <GLFW/glfw3.h>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace preview {
+
+namespace {
+
+// Dear ImGui needs a frame to notice an event, and one to show what it led to.
+constexpr int frames_after_event = 3;
+
+void print_validation(const gpu::Device& device) {
+    for (const std::string& message : device.validation_messages())
+        std::fprintf(stderr, "lutpreview: %s\n", message.c_str());
+}
+
+class App {
+  public:
+    explicit App(const Options& options);
+    void run();
+
+  private:
+    void wake() { frames_due_ = frames_after_event; }
+    void open(const std::string& path);
+    void make_screen();
+    void follow_shown();
+    void resize_if_asked();
+    void frame(const std::vector<ui::InputEvent>& events);
+    void request_looks();
+    void take_looks();
+    void render(const ui::Rect& area);
+    void write_places() const;
+
+    Options options_;
+    Window window_;
+    WindowEvents events_{window_.handle()};
+    std::optional<Gui> gui_;
+    std::optional<Screen> screen_;
+    ui::Ui ui_;
+    ui::LookRequest requested_;
+    bool baking_ = false;
+    ui::LookBaker baker_;
+    FrameReader reader_{frames_in_flight};
+    /// Of the last frame; none when something that it reads has been written since.
+    std::optional<Graph> drawn_;
+    int frames_due_ = frames_after_event;
+    Recovery recovery_;
+};
+
+App::App(const Options& options)
+    : options_(options), window_(window_size(options)), ui_(opening_state(options)),
+      baker_([] { glfwPostEmptyEvent(); }) {
+    gui_.emplace(window_.handle(), layout_path(), options_.font);
+    if (!gui_->notice().empty())
+        ui_.errors.push_back(gui_->notice());
+    make_screen();
+}
+
+void App::make_screen() {
+    if (screen_)
+        print_validation(screen_->device);
+    screen_.reset();
+    drawn_.reset();
+    screen_.emplace(window_, options_);
+    ui_.facts.device = screen_->device.name();
+    events_.resized = true;
+    baking_ = false; // the new screen has no looks
+    follow_shown();
+}
+
+void App::open(const std::string& path) {
+    ui::State& state = ui_.history.draft();
+    if (!is_model_file(path) && ui::is_look_file(path)) {
+        ui::open_look(state, path);
+        return;
+    }
+    take_shown(state, std::make_shared<const Shown>(load_shown(path, 0)));
+    follow_shown();
+}
+
+/// Opening, undoing and redoing change what the state shows.
+void App::follow_shown() {
+    const std::shared_ptr<const Shown>& shown = ui_.history.draft().shown;
+    if (screen_->shown && screen_->shown->shown() == shown)
+        return;
+    screen_->show(shown);
+    drawn_.reset();
+    reader_.forget();
+    ui_.facts.input = shown->name;
+    ui_.facts.left_out = shown->left_out;
+    ui_.facts.is_scene = shown->scene.has_value();
+    ui_.facts.aspect = shown->picture ? static_cast<float>(shown->picture->size.width) /
+                                            static_cast<float>(shown->picture->size.height)
+                                      : 0.0F;
+    ui_.facts.display_encoded = shown->display_encoded();
+}
+
+void App::run() {
+    while (glfwWindowShouldClose(window_.handle()) == GLFW_FALSE && !ui_.quits) {
+        if (frames_due_ > 0) {
+            glfwPollEvents();
+        } else {
+            glfwWaitEvents();
+            frames_due_ = frames_after_event;
+        }
+        const Size size = window_.framebuffer_size();
+        if (size.width == 0 || size.height == 0) { // minimised
+            frames_due_ = 0;
+            continue;
+        }
+        const std::vector<ui::InputEvent> events = events_.input.next_frame();
+        if (!events.empty() || !events_.dropped.empty() || events_.resized)
+            wake();
+        --frames_due_;
+        try {
+            if (std::exchange(ui_.wants_new_screen, false))
+                make_screen();
+            frame(events);
+            recovery_.drew();
+        } catch (const vk::SystemError& error) {
+            if (!is_lost(error))
+                throw;
+            ui_.errors.push_back(recovery_.lost(error));
+            wake();
+            make_screen();
+        }
+    }
+    print_validation(screen_->device);
+}
+
+void App::resize_if_asked() {
+    if (!events_.resized)
+        return;
+    screen_->resize(window_);
+    events_.resized = false;
+}
+
+void App::frame(const std::vector<ui::InputEvent>& events) {
+    resize_if_asked();
+    std::vector<std::string> paths = std::exchange(ui_.to_open, {});
+    for (std::string& path : std::exchange(events_.dropped, {}))
+        paths.push_back(std::move(path));
+    for (const std::string& path : paths)
+        ui::attempt(ui_, [&] { open(path); });
+    for (const ui::InputEvent& event : events)
+        if (event.kind == ui::InputEvent::Kind::key && event.down && !event.repeats)
+            ui_.pressed.push_back({event.code, (event.modifiers & GLFW_MOD_CONTROL) != 0,
+                                   (event.modifiers & GLFW_MOD_SHIFT) != 0});
+    follow_shown();
+    screen_->overlay.begin_frame();
+    gui_->begin_frame(events);
+    const ui::Rect area = ui::draw(ui_);
+    ImGui::Render();
+    if (!ImGui::IsAnyItemActive())
+        ui_.history.settle();
+    request_looks();
+    take_looks();
+    render(area);
+    if (frames_due_ == 0 && !baker_.is_busy())
+        write_places();
+}
+
+void App::request_looks() {
+    const ui::State& state = ui_.history.draft();
+    ui::LookRequest request{state.recipe, state.sides};
+    if (baking_ && ui::same(request, requested_))
+        return;
+    requested_ = request;
+    baking_ = true;
+    baker_.request(std::move(request));
+}
+
+void App::take_looks() {
+    const std::optional<ui::BakedLooks> baked = baker_.take();
+    if (!baked)
+        return;
+    ui_.facts.bake_milliseconds = baked->milliseconds;
+    frames_due_ = frames_after_event;
+    if (!baked->error.empty()) {
+        ui_.errors.push_back(baked->error);
+        return;
+    }
+    for (std::size_t i = 0; i < screen_->looks.size(); ++i) {
+        screen_->looks[i].set(baked->sides[i]);
+        ui_.facts.look_notes[i] = baked->sides[i].note;
+        ui_.facts.tables[i] = baked->sides[i].table;
+    }
+    drawn_.reset();
+}
+
+void App::render(const ui::Rect& area) {
+    Screen& screen = *screen_;
+    const vk::Extent2D window = screen.swapchain.extent();
+    const vk::Rect2D output = output_area(area, window);
+    const ScopeAreas scope_places = scope_areas(ui_, window);
+    FrameSettings settings =
+        window_settings(ui_, options_, screen.device, {output.extent.width, output.extent.height});
+    for (std::size_t i = 0; i < scopes.size(); ++i)
+        settings.scope_sizes[i] = {scope_places[i].extent.width, scope_places[i].extent.height};
+    const std::vector<PointLight>& lights = ui_.history.draft().lights;
+    FrameInputs inputs = screen.shown->inputs();
+    inputs.lights = &lights;
+    inputs.look_a = screen.looks[0].look();
+    inputs.look_b = screen.looks[1].look();
+    inputs.hdr_maximum = reader_.hdr_maximum_for(settings, lights);
+    Graph graph;
+    const FrameHandles handles = build_frame(graph, inputs, settings);
+
+    const std::optional<std::uint32_t> image = screen.swapchain.acquire();
+    if (!image) {
+        events_.resized = true;
+        frames_due_ = frames_after_event;
+        return;
+    }
+    FrameEnd end;
+    end.waits = {screen.swapchain.acquired()};
+    end.signals = {screen.swapchain.finished(*image)};
+    end.record = [&](const vk::raii::CommandBuffer& commands) {
+        std::vector<Placed> pictures{{&screen.executor.image(handles.output), output.offset}};
+        for (std::size_t i = 0; i < scopes.size(); ++i)
+            if (handles.scope_pictures[i])
+                pictures.push_back(
+                    {&screen.executor.image(handles.scope_pictures[i]), scope_places[i].offset});
+        record_present(commands, pictures, screen.swapchain.image(*image));
+        screen.overlay.record(commands, *image);
+    };
+    if (drawn_ && *drawn_ == graph)
+        screen.executor.repeat(end);
+    else
+        screen.executor.render(graph, end);
+    if (!screen.swapchain.present(*image)) {
+        events_.resized = true;
+        frames_due_ = frames_after_event;
+    }
+    if (reader_.read(screen.executor, graph, handles, ui_))
+        frames_due_ = std::max(frames_due_, 1);
+    drawn_ = std::move(graph);
+}
+
+void App::write_places() const {
+    if (options_.places.empty())
+        return;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    std::string text = fmt::format("frame {} 0 0 0\n", ImGui::GetFrameCount());
+    if (ImGui::IsMousePosValid(&mouse))
+        text += fmt::format("mouse {:.0f} {:.0f} 0 0\n", mouse.x, mouse.y);
+    for (const auto& [name, place] : ui_.places)
+        text += fmt::format("{} {:.0f} {:.0f} {:.0f} {:.0f}\n", name, place.x, place.y, place.width,
+                            place.height);
+    lutlib::io::write_file(options_.places, text);
+}
+
+} // namespace
+
+void run_window(const Options& options) {
+    App app(options);
+    app.run();
+}
+
+} // namespace preview

@@ -1,0 +1,105 @@
+#include "preview/window/gui.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui/backends/imgui_impl_glfw.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace preview {
+
+namespace {
+
+constexpr float font_size = 14;
+
+/// Dear ImGui asserts that a font file is there and is one.
+bool is_font(const std::string& path) {
+    char start[4] = {};
+    std::ifstream(path, std::ios::binary).read(start, sizeof start);
+    const std::string_view magic(start, sizeof start);
+    return magic == std::string_view("\0\1\0\0", 4) || magic == "OTTO" || magic == "ttcf";
+}
+
+} // namespace
+
+Gui::Gui(GLFWwindow* window, std::string layout_path, const std::string& font)
+    : window_(window), layout_path_(std::move(layout_path)) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = layout_path_.empty() ? nullptr : layout_path_.c_str();
+    ImGui::StyleColorsDark();
+    ImGuiStyle& style = ImGui::GetStyle();
+    style.WindowRounding = 0;
+    style.FrameRounding = 3;
+    float scale = 1;
+    glfwGetWindowContentScale(window, &scale, nullptr);
+    style.ScaleAllSizes(scale);
+    if (!is_font(font) ||
+        io.Fonts->AddFontFromFileTTF(font.c_str(), font_size * scale) == nullptr) {
+        io.Fonts->AddFontDefault();
+        notice_ = "the font " + font +
+                  " is missing or no font (Debian: fonts-dejavu-core); a built-in one stands in";
+    }
+    ImGui_ImplGlfw_InitForVulkan(window, false);
+}
+
+Gui::~Gui() {
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void Gui::feed(const ui::InputEvent& event) {
+    using Kind = ui::InputEvent::Kind;
+    ImGuiIO& io = ImGui::GetIO();
+    switch (event.kind) {
+    case Kind::move:
+        mouse_x_ = event.x;
+        mouse_y_ = event.y;
+        break;
+    case Kind::wheel:
+        io.MouseWheelH += event.x;
+        io.MouseWheel += event.y;
+        break;
+    case Kind::button:
+        if (const auto index = static_cast<std::size_t>(event.code); index < buttons_.size())
+            buttons_[index] = event.down;
+        break;
+    case Kind::key:
+        ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode,
+                                   event.down ? GLFW_PRESS : GLFW_RELEASE, event.modifiers);
+        break;
+    case Kind::character:
+        io.AddInputCharacter(static_cast<unsigned>(event.code));
+        break;
+    }
+}
+
+void Gui::begin_frame(const std::vector<ui::InputEvent>& events) {
+    for (const ui::InputEvent& event : events)
+        feed(event);
+    ImGui_ImplGlfw_NewFrame();
+    // The backend looks at where the mouse is now; the events tell where it was.
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = {mouse_x_, mouse_y_};
+    for (std::size_t i = 0; i < buttons_.size(); ++i)
+        io.MouseDown[i] = buttons_[i];
+    ImGui::NewFrame();
+}
+
+std::string layout_path() {
+    namespace fs = std::filesystem;
+    const char* const config = std::getenv("XDG_CONFIG_HOME");
+    const char* const home = std::getenv("HOME");
+    if (config == nullptr && home == nullptr)
+        return {};
+    const fs::path folder =
+        (config != nullptr ? fs::path(config) : fs::path(home) / ".config") / "lutpreview";
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    return failed ? std::string() : (folder / "layout.ini").string();
+}
+
+} // namespace preview

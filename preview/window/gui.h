@@ -1,0 +1,41 @@
+// Dear ImGui's context on a window: its input, style, font and remembered layout. No GPU; the
+// overlay draws it.
+#pragma once
+
+#include "preview/editor/input.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace preview {
+
+class Gui {
+  public:
+    /// `layout_path`: where the layout is remembered; empty: nowhere. A font file that is missing
+    /// or no font leaves a notice().
+    Gui(GLFWwindow* window, std::string layout_path, const std::string& font_path);
+    ~Gui();
+    Gui(const Gui&) = delete;
+    Gui& operator=(const Gui&) = delete;
+
+    /// With what happened since the last one.
+    void begin_frame(const std::vector<ui::InputEvent>& events);
+    /// What a person should know of the set-up; empty when all is well.
+    const std::string& notice() const { return notice_; }
+
+  private:
+    void feed(const ui::InputEvent& event);
+
+    GLFWwindow* window_;
+    float mouse_x_ = ui::far_away, mouse_y_ = ui::far_away; ///< beyond the window when the mouse is
+    std::array<bool, 5> buttons_{};
+    std::string layout_path_, notice_;
+};
+
+/// Where the panels' layout is remembered, or empty.
+std::string layout_path();
+
+} // namespace preview

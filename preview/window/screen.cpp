@@ -1,0 +1,37 @@
+#include "preview/window/screen.h"
+
+#include "lutlib/error.h"
+
+namespace preview {
+
+Screen::Screen(const Window& window, const Options& options)
+    : device(window.device_options(options)), swapchain(device, window.make_surface(device)),
+      executor(device, frames_in_flight), looks{LookSlot(device), LookSlot(device)},
+      overlay(device, swapchain.format()) {}
+
+void Screen::show(std::shared_ptr<const Shown> next) {
+    GpuShown made(device, std::move(next));
+    device.vk().waitIdle();
+    shown.emplace(std::move(made));
+}
+
+void Screen::resize(const Window& window) {
+    const Size size = window.framebuffer_size();
+    swapchain.resize(size.width, size.height);
+    overlay.set_targets(swapchain);
+}
+
+bool is_lost(const vk::SystemError& error) {
+    return error.code() == vk::Result::eErrorDeviceLost ||
+           error.code() == vk::Result::eErrorSurfaceLostKHR;
+}
+
+std::string Recovery::lost(const vk::SystemError& error) {
+    if (unproved_ > 0)
+        throw lutlib::Error(std::string("the GPU was lost twice: ") + error.what() +
+                            "; choose another with --device, or render with --headless");
+    unproved_ = frames_of_proof;
+    return std::string("the GPU was lost, and everything on it was made anew: ") + error.what();
+}
+
+} // namespace preview

@@ -1,0 +1,24 @@
+// What the window hears between frames: mouse, keys, files dropped on it, a new size.
+#pragma once
+
+#include "preview/editor/input.h"
+
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace preview {
+
+struct WindowEvents {
+    /// Sets the window's callbacks and must outlive them.
+    explicit WindowEvents(GLFWwindow* window);
+    WindowEvents(const WindowEvents&) = delete;
+    WindowEvents& operator=(const WindowEvents&) = delete;
+
+    ui::InputQueue input;
+    std::vector<std::string> dropped;
+    bool resized = true; ///< also before the first frame
+};
+
+} // namespace preview

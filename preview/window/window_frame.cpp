@@ -1,0 +1,133 @@
+#include "preview/window/window_frame.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace preview {
+
+namespace {
+
+/// Whether both frames have the same HDR picture.
+bool same_light(const FrameSettings& a, const FrameSettings& b) {
+    return std::memcmp(&a.orbit, &b.orbit, sizeof a.orbit) == 0 && a.exposure == b.exposure &&
+           a.without == b.without &&
+           picture_size(a.output, *a.compare) == picture_size(b.output, *b.compare);
+}
+
+std::vector<std::uint32_t> words_of(const std::vector<std::byte>& bytes) {
+    std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+    std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
+    return words;
+}
+
+std::optional<DifferenceFigures> figures_of(const Executor& executor, Size picture) {
+    const std::vector<std::uint32_t> counted = words_of(executor.finished_buffer("figures"));
+    if (counted.empty())
+        return std::nullopt;
+    return difference_figures(counted, std::uint64_t{picture.width} * picture.height);
+}
+
+} // namespace
+
+vk::Rect2D output_area(const ui::Rect& area, vk::Extent2D window) {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    const auto x = std::min(static_cast<std::uint32_t>(area.x * scale.x), window.width - 2);
+    const auto y = std::min(static_cast<std::uint32_t>(area.y * scale.y), window.height - 1);
+    const auto width = std::max(static_cast<std::uint32_t>(area.width * scale.x) & ~1U, 2U);
+    const auto height = std::max(static_cast<std::uint32_t>(area.height * scale.y), 1U);
+    return {{static_cast<int>(x), static_cast<int>(y)},
+            {std::min(width, (window.width - x) & ~1U), std::min(height, window.height - y)}};
+}
+
+ScopeAreas scope_areas(const ui::Ui& ui, vk::Extent2D window) {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    ScopeAreas areas;
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+        const ui::Rect& place = ui.scope_places[i];
+        const auto x = static_cast<std::uint32_t>(std::max(place.x * scale.x, 0.0F));
+        const auto y = static_cast<std::uint32_t>(std::max(place.y * scale.y, 0.0F));
+        const auto width = static_cast<std::uint32_t>(place.width * scale.x);
+        const auto height = static_cast<std::uint32_t>(place.height * scale.y);
+        if (x < window.width && y < window.height && width > 0 && height > 0)
+            areas[i] = vk::Rect2D(
+                {static_cast<int>(x), static_cast<int>(y)},
+                {std::min(width, window.width - x), std::min(height, window.height - y)});
+    }
+    return areas;
+}
+
+FrameSettings window_settings(const ui::Ui& ui, const Options& options, const gpu::Device& device,
+                              Size output) {
+    const ui::State& state = ui.history.draft();
+    const Shown& shown = *state.shown;
+    FrameSettings settings;
+    settings.output = output;
+    settings.orbit = state.orbit;
+    settings.exposure = state.exposure + (shown.scene ? shown.scene->exposure : 0);
+    settings.tonemap = shown.display_encoded() ? nullptr : state.tonemap;
+    settings.bloom = state.bloom;
+    settings.bloom_settings = state.bloom_settings;
+    settings.compare = ui.held != nullptr ? ui.held : state.compare;
+    settings.split = state.split;
+    settings.heat_scale = state.heat_scale;
+    settings.without = state.without;
+    settings.scope_side = state.scopes_seen.side;
+    settings.scope_logarithmic = state.scopes_seen.logarithmic;
+    if (ui.pointer)
+        settings.probe = {std::clamp(ui.pointer->x, 0, static_cast<int>(output.width) - 1),
+                          std::clamp(ui.pointer->y, 0, static_cast<int>(output.height) - 1)};
+    settings.axes = ui.shows_curves ? state.recipe.input : nullptr;
+    settings.shadow_size = options.shadow_size;
+    settings.force_all = options.force_all;
+    settings.raster = raster_of(options, device, picture_size(output, *settings.compare));
+    return settings;
+}
+
+void FrameReader::forget() {
+    hdr_maximum_.reset();
+    frames_of_light_ = 0;
+}
+
+std::optional<float> FrameReader::hdr_maximum_for(const FrameSettings& settings,
+                                                  const std::vector<PointLight>& lights) {
+    if (!same_light(settings, measured_for_) || lights != lights_) {
+        forget();
+        measured_for_ = settings;
+        lights_ = lights;
+    }
+    return hdr_maximum_;
+}
+
+bool FrameReader::read(Executor& executor, const Graph& graph, const FrameHandles& handles,
+                       ui::Ui& ui) {
+    ui.facts.explanation = explain(graph, executor.plan());
+    if (ui.shows_passes) {
+        ui.facts.passes.clear();
+        for (const StepTime& step : executor.timings())
+            ui.facts.passes.push_back({step.name, step.milliseconds});
+    }
+    // Once every frame in flight has this light, the newest that has finished measured it.
+    if (++frames_of_light_ >= frames_in_flight_ && !hdr_maximum_) {
+        const std::vector<std::byte> bytes = executor.finished_buffer("hdr maximum");
+        if (bytes.size() == sizeof(float)) {
+            float maximum = 0;
+            std::memcpy(&maximum, bytes.data(), sizeof maximum);
+            hdr_maximum_ = maximum;
+        }
+    }
+    ui::Measured measured;
+    if (handles.figures)
+        measured.figures = figures_of(executor, size_of(graph, handles.graded));
+    if (handles.probe)
+        measured.probe = probe_from(executor.finished_buffer("probe"));
+    if (handles.axis_counts)
+        measured.axis_counts = words_of(executor.finished_buffer("axis counts"));
+    if (measured == ui.facts.measured)
+        return false;
+    ui.facts.measured = std::move(measured);
+    return true;
+}
+
+} // namespace preview

@@ -1,0 +1,304 @@
+#include "lutlib/io/formats.h"
+
+#include "lutlib/error.h"
+#include "lutlib/io/file.h"
+#include "lutlib/io/fit_format.h"
+#include "lutlib/io/ocio_formats.h"
+#include "tests/lutlib/io/looks.h"
+#include "tests/lutlib/io/scratch.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace lutlib::io {
+namespace {
+
+std::vector<Rgb> colors_in(const Domain& domain, int count = 5000) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> position(0, 1);
+    std::vector<Rgb> out{domain.min, domain.max};
+    for (int i = 0; i < count; ++i) {
+        Rgb c;
+        for (std::size_t k = 0; k < 3; ++k) {
+            c[k] = domain.min[k] + position(random) * (domain.max[k] - domain.min[k]);
+        }
+        out.push_back(c);
+    }
+    return out;
+}
+
+double largest_difference(const std::vector<Rgb>& a, const std::vector<Rgb>& b) {
+    double worst = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        worst = std::max(worst, largest_magnitude(to_double(a[i]) - to_double(b[i])));
+    }
+    return worst;
+}
+
+std::vector<Rgb> evaluated(const Lut& lut, const std::vector<Rgb>& in) {
+    std::vector<Rgb> out;
+    for (const Rgb& c : in) {
+        out.push_back(evaluate(lut, c));
+    }
+    return out;
+}
+
+// What a format's numbers may differ from the look's: half a step, interpolated, and float noise.
+double precision_of(const Holds& holds) {
+    const double half_step = holds.integer_bits ? 0.5 / (std::ldexp(1, holds.integer_bits) - 1)
+                             : holds.decimals   ? 0.5 * std::pow(10, -holds.decimals)
+                                                : 0;
+    return half_step + 2e-6;
+}
+
+std::vector<std::string> names(bool readable_too) {
+    std::vector<std::string> out;
+    for (const FileFormat& row : file_formats()) {
+        if (row.write && (!readable_too || row.read)) {
+            out.push_back(row.name);
+        }
+    }
+    return out;
+}
+
+std::string test_name(std::string name) {
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+// The error that a list of losses admits, values clamped included.
+double admitted(const std::vector<Loss>& losses) {
+    double sum = 0;
+    for (const Loss& loss : losses) {
+        sum += loss.unit.empty() ? loss.figure : 0;
+    }
+    return sum;
+}
+
+// Small where the format needs a cube of another make; 16 is a size that every layout has.
+Encoded encode(const Lut& lut, const FileFormat& format) {
+    SaveOptions options;
+    options.size = can_hold(lut, format.holds) && !format.picture ? 0 : 16;
+    return encode_lut(lut, format, options);
+}
+
+class EveryWriter : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Formats, EveryWriter, testing::ValuesIn(names(true)),
+                         [](const auto& row) { return test_name(row.param); });
+
+TEST_P(EveryWriter, what_it_writes_reads_back_as_the_look_it_said) {
+    const FileFormat& format = require_file_format(GetParam());
+    for (const auto& [name, lut] : looks_of_every_shape(9)) {
+        SCOPED_TRACE(name);
+        const Encoded file = encode(lut, format);
+        const Lut back =
+            decode_lut(file.bytes, "x." + format.extensions.front(), {}, format.name).lut;
+        const Domain domain = file.lut.domain();
+        EXPECT_EQ(back.domain(), domain);
+        const auto in = colors_in(domain);
+        EXPECT_LE(largest_difference(evaluated(back, in), evaluated(file.lut, in)),
+                  precision_of(format.holds) + admitted(file.losses));
+    }
+}
+
+TEST_P(EveryWriter, loses_nothing_that_it_does_not_report) {
+    const FileFormat& format = require_file_format(GetParam());
+    for (const auto& [name, lut] : looks_of_every_shape(9)) {
+        SCOPED_TRACE(name);
+        const Encoded file = encode(lut, format);
+        const auto in = colors_in(file.lut.domain());
+        const Lut back =
+            decode_lut(file.bytes, "x." + format.extensions.front(), {}, format.name).lut;
+        // The errors are measured on other colours, so the largest may be a little larger here.
+        EXPECT_LE(largest_difference(evaluated(back, in), evaluated(lut, in)),
+                  1.3 * admitted(file.losses) + precision_of(format.holds));
+        const bool whole = file.lut.domain() == lut.domain();
+        EXPECT_TRUE(whole || !file.losses.empty());
+    }
+}
+
+TEST_P(EveryWriter, what_it_writes_is_recognised_without_its_name) {
+    const FileFormat& format = require_file_format(GetParam());
+    for (const auto& [name, lut] : looks_of_every_shape(9)) {
+        SCOPED_TRACE(name);
+        const std::string path = "x." + format.extensions.front();
+        const std::string bytes = encode(lut, format).bytes;
+        const auto in = colors_in({});
+        EXPECT_EQ(evaluated(decode_lut(bytes, path).lut, in),
+                  evaluated(decode_lut(bytes, path, {}, format.name).lut, in));
+    }
+}
+
+TEST(Formats, of_comparison_only_are_written_and_read_back_by_our_own_reader) {
+    for (const FileFormat& format : file_formats()) {
+        if (!format.read) {
+            const Encoded file = encode_lut(looks_of_every_shape()[0].lut, format);
+            const Lut back = decode_lut(file.bytes, "x." + format.extensions.front()).lut;
+            const auto in = colors_in({});
+            EXPECT_LE(largest_difference(evaluated(back, in), evaluated(file.lut, in)),
+                      precision_of(format.holds))
+                << format.name;
+        }
+    }
+}
+
+TEST(Formats, cover_every_extension_that_opencolorio_reads) {
+    for (const std::string& extension : ocio().readable_extensions()) {
+        const bool known =
+            std::any_of(file_formats().begin(), file_formats().end(), [&](const FileFormat& row) {
+                return row.read &&
+                       std::count(row.extensions.begin(), row.extensions.end(), extension) > 0;
+            });
+        EXPECT_TRUE(known) << extension;
+    }
+}
+
+TEST(Formats, have_names_of_their_own) {
+    for (const FileFormat& row : file_formats()) {
+        EXPECT_EQ(file_format_named(row.name), &row);
+        EXPECT_FALSE(row.extensions.empty());
+        EXPECT_FALSE(row.label.empty());
+    }
+}
+
+TEST(Formats, refuse_nonsense_of_every_extension_with_an_error_that_names_the_file) {
+    for (const FileFormat& row : file_formats()) {
+        for (const std::string& extension : row.extensions) {
+            for (const std::string& bytes : {std::string("nonsense\n"), std::string(300, '\0'),
+                                             std::string("<?xml>\n<a/>"), std::string("0 1 2\n")}) {
+                try {
+                    decode_lut(bytes, "bad." + extension);
+                    ADD_FAILURE() << extension << " accepted " << bytes;
+                } catch (const Error& e) {
+                    EXPECT_EQ(std::string(e.what()).rfind("bad." + extension, 0), 0U) << e.what();
+                    EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << e.what();
+                }
+            }
+        }
+    }
+}
+
+TEST(Formats, refuse_every_truncated_file) {
+    const Lut lut = looks_of_every_shape(5)[0].lut;
+    for (const std::string& name : names(true)) {
+        const FileFormat& format = require_file_format(name);
+        const Encoded file = encode_lut(lut, format);
+        const std::string path = "x." + format.extensions.front();
+        for (int cut = 1; cut < 12; ++cut) {
+            const std::size_t length =
+                file.bytes.size() * static_cast<std::size_t>(cut) / std::size_t{12};
+            try {
+                decode_lut(file.bytes.substr(0, length), path, {}, name);
+                ADD_FAILURE() << name << " accepted " << cut << "/12 of a file";
+            } catch (const Error&) {
+            }
+        }
+    }
+}
+
+TEST(FitTo, keeps_a_domain_as_a_shaper_where_that_loses_nothing) {
+    const Lut hdr = looks_of_every_shape()[1].lut;
+    const Holds holds{.curve = true, .cube = true, .curve_and_cube = true, .curve_domain = true};
+    const FitToFormat fit = fit_to(hdr, holds);
+    EXPECT_TRUE(fit.losses.empty());
+    EXPECT_TRUE(fit.lut.cube->domain.is_unit());
+    const auto in = colors_in(hdr.domain());
+    EXPECT_LE(largest_difference(evaluated(fit.lut, in), evaluated(hdr, in)), 1e-6);
+}
+
+TEST(FitTo, says_how_much_input_is_cut_where_a_domain_cannot_be_kept) {
+    const Lut hdr = looks_of_every_shape()[1].lut;
+    const FitToFormat fit = fit_to(hdr, Holds{.cube = true});
+    ASSERT_FALSE(fit.losses.empty());
+    EXPECT_EQ(fit.losses[0].what, "input 0..4 cut to 0..1");
+    EXPECT_DOUBLE_EQ(fit.losses[0].figure, 3);
+    EXPECT_EQ(fit.losses[0].unit, "units of input");
+}
+
+TEST(FitTo, counts_the_values_that_integers_clamp) {
+    Lut lut;
+    lut.cube = identity_cube(2);
+    lut.cube->nodes[0] = {-0.5F, 0, 0};
+    lut.cube->nodes[7] = {1.25F, 1.1F, 1};
+    const FitToFormat fit = fit_to(lut, Holds{.cube = true, .integer_bits = 12});
+    ASSERT_EQ(fit.losses.size(), 1U);
+    EXPECT_EQ(fit.losses[0].what, "3 values outside 0..1 clamped, the furthest by");
+    EXPECT_DOUBLE_EQ(fit.losses[0].figure, 0.5);
+}
+
+TEST(FitTo, sees_a_single_node_that_resampling_loses) {
+    Lut spike;
+    spike.cube = identity_cube(33);
+    spike.cube->at(5, 17, 9) = {1, 0, 1};
+    const FitToFormat fit = fit_to(spike, Holds{.cube = true}, 17);
+    ASSERT_EQ(fit.losses.size(), 1U);
+    EXPECT_GT(fit.losses[0].figure, 0.5);
+}
+
+TEST(FitTo, tells_keywords_that_the_format_drops) {
+    Lut lut = looks_of_every_shape()[0].lut;
+    lut.keywords = {"LUT_IN_VIDEO_RANGE", "VENDOR 1 2"};
+    const FitToFormat fit = fit_to(lut, Holds{.cube = true});
+    ASSERT_EQ(fit.losses.size(), 1U);
+    EXPECT_NE(fit.losses[0].what.find("(LUT_IN_VIDEO_RANGE, VENDOR)"), std::string::npos);
+    EXPECT_EQ(fit.losses[0].figure, 2);
+    EXPECT_TRUE(fit_to(lut, Holds{.cube = true, .keywords = true}).losses.empty());
+}
+
+TEST(FitTo, leaves_a_look_alone_that_the_format_can_hold) {
+    for (const auto& [name, lut] : looks_of_every_shape()) {
+        for (const FileFormat& format : file_formats()) {
+            if (format.write && can_hold(lut, format.holds) && format.holds.integer_bits == 0) {
+                const FitToFormat fit = fit_to(lut, format.holds);
+                EXPECT_EQ(fit.lut.shaper, lut.shaper) << format.name << ' ' << name;
+                EXPECT_EQ(fit.lut.cube, lut.cube) << format.name << ' ' << name;
+            }
+        }
+    }
+}
+
+TEST(WriteLut, chooses_the_cube_dialect_that_keeps_the_look) {
+    const ScratchFolder folder;
+    for (const auto& [name, lut] : looks_of_every_shape()) {
+        const std::string path = folder.file(name + ".cube");
+        const Encoded file = write_lut(path, lut);
+        EXPECT_TRUE(file.losses.empty()) << name;
+        const Lut back = read_lut(path).lut;
+        EXPECT_EQ(back.shaper, lut.shaper) << name;
+        EXPECT_EQ(back.cube, lut.cube) << name;
+        EXPECT_EQ(back.provenance, path);
+    }
+}
+
+TEST(WriteLut, refuses_unknown_names_and_extensions_as_usage_errors) {
+    const Lut lut = looks_of_every_shape()[0].lut;
+    EXPECT_THROW(write_lut("/nowhere/x.unknown", lut), UsageError);
+    EXPECT_THROW(write_lut("/nowhere/x.cube", lut, {}, "unknown"), UsageError);
+    EXPECT_THROW(write_lut("/nowhere/x.cc", lut), UsageError);
+}
+
+TEST(Autodesk3dl, a_look_that_no_reader_takes_back_is_refused) {
+    Lut black;
+    black.cube = identity_cube(17);
+    std::fill(black.cube->nodes.begin(), black.cube->nodes.end(), Rgb{});
+    EXPECT_THROW(encode_lut(black, require_file_format("flame")), Error);
+}
+
+TEST(Autodesk3dl, a_dark_look_whose_codes_are_misread_is_reported) {
+    Lut dark;
+    dark.cube = identity_cube(17);
+    for (Rgb& node : dark.cube->nodes) {
+        node = node * 0.1F;
+    }
+    const Encoded file = encode_lut(dark, require_file_format("flame"));
+    const bool said = std::any_of(file.losses.begin(), file.losses.end(), [](const Loss& loss) {
+        return loss.what.find("another depth") != std::string::npos && loss.figure > 0.1;
+    });
+    EXPECT_TRUE(said);
+}
+
+} // namespace
+} // namespace lutlib::io

@@ -1,0 +1,113 @@
+#include "lutlib/io/ocio.h"
+
+#include "lutlib/error.h"
+#include "lutlib/formats/cube.h"
+#include "lutlib/io/file.h"
+#include "tests/lutlib/io/looks.h"
+#include "tests/lutlib/io/scratch.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace lutlib::io {
+namespace {
+
+std::vector<Rgb> random_colors(const Domain& domain, int count, float margin = 0.1F) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> position(-margin, 1 + margin);
+    std::vector<Rgb> out;
+    for (int i = 0; i < count; ++i) {
+        Rgb c;
+        for (std::size_t k = 0; k < 3; ++k) {
+            c[k] = domain.min[k] + position(random) * (domain.max[k] - domain.min[k]);
+        }
+        out.push_back(c);
+    }
+    return out;
+}
+
+double largest_difference(const Lut& lut, const OcioTransform& oracle, Interpolation how) {
+    const std::vector<Rgb> in = random_colors(lut.domain(), 100000);
+    std::vector<Rgb> expected = in;
+    oracle.apply(expected);
+    double worst = 0;
+    for (std::size_t i = 0; i < in.size(); ++i) {
+        const Rgb difference = evaluate(lut, in[i], how) - expected[i];
+        worst = std::max(worst, largest_magnitude(to_double(difference)));
+    }
+    return worst;
+}
+
+class Oracle : public testing::TestWithParam<std::tuple<Interpolation, Optimization>> {};
+INSTANTIATE_TEST_SUITE_P(
+    Ocio, Oracle,
+    testing::Combine(testing::Values(Interpolation::trilinear, Interpolation::tetrahedral),
+                     testing::Values(Optimization::none, Optimization::lossless)),
+    [](const auto& row) {
+        return std::string(name_of(std::get<0>(row.param))) +
+               (std::get<1>(row.param) == Optimization::none ? "_as_is" : "_lossless");
+    });
+
+// The two compute a cell's fraction from products that differ by a rounding of the coordinate,
+// 33 * 2^-25, times a cell's steepest step, about 0.1.
+constexpr double agreement = 5e-7;
+
+TEST_P(Oracle, agrees_with_our_evaluation_of_a_look_in_memory) {
+    const auto& [how, optimization] = GetParam();
+    for (const auto& [name, lut] : looks_of_every_shape(33)) {
+        const auto oracle = ocio().from_lut(lut, {how, optimization});
+        EXPECT_LT(largest_difference(lut, *oracle, how), agreement) << name;
+    }
+}
+
+TEST_P(Oracle, agrees_with_our_evaluation_of_a_file_that_it_parses_itself) {
+    const auto& [how, optimization] = GetParam();
+    for (const auto& [name, lut] : looks_of_every_shape(33)) {
+        const std::string bytes = write_cube(lut, best_dialect(lut));
+        const auto oracle = ocio().parse(bytes, "cube", "x.cube", {how, optimization});
+        EXPECT_LT(largest_difference(lut, *oracle, how), agreement) << name;
+    }
+}
+
+TEST(Ocio, opens_files_with_upper_case_suffixes_blanks_and_variables_in_their_names) {
+    const ScratchFolder folder;
+    const Lut lut = looks_of_every_shape()[0].lut;
+    const std::string path = folder.file("My $HOME %d Look 100.CUBE");
+    write_file(path, write_cube(lut, CubeDialect::adobe));
+    EXPECT_LT(largest_difference(lut, *open_in_ocio(path), Interpolation::tetrahedral), agreement);
+}
+
+TEST(Ocio, reads_a_changed_file_anew) {
+    const ScratchFolder folder;
+    const std::string path = folder.file("x.cube");
+    std::vector<Rgb> color{{0.5F, 0.5F, 0.5F}};
+    write_file(path, "LUT_1D_SIZE 2\n0 0 0\n1 1 1\n");
+    open_in_ocio(path)->apply(color);
+    EXPECT_FLOAT_EQ(color[0].r, 0.5F);
+    write_file(path, "LUT_1D_SIZE 2\n0 0 0\n3 3 3\n");
+    open_in_ocio(path)->apply(color);
+    EXPECT_FLOAT_EQ(color[0].r, 1.5F);
+}
+
+TEST(Ocio, says_which_file_it_cannot_read_in_one_line) {
+    try {
+        ocio().parse("nonsense", "spi3d", "my look.spi3d", {});
+        FAIL();
+    } catch (const Error& e) {
+        const std::string text = e.what();
+        EXPECT_EQ(text.rfind("my look.spi3d: OpenColorIO cannot read it", 0), 0U) << text;
+        EXPECT_EQ(text.find('\n'), std::string::npos);
+        EXPECT_EQ(text.find("lutlib-"), std::string::npos) << text;
+    }
+}
+
+TEST(Ocio, refuses_nearest_which_it_would_silently_replace_by_linear) {
+    EXPECT_THROW(ocio().from_lut(looks_of_every_shape()[0].lut,
+                                 {Interpolation::nearest, Optimization::none}),
+                 UsageError);
+}
+
+} // namespace
+} // namespace lutlib::io

@@ -1,0 +1,275 @@
+#include "lutlib/verify/diagnose.h"
+
+#include "lutlib/color/transfer.h"
+#include "lutlib/verify/verify.h"
+#include "tests/lutlib/looks.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+namespace lutlib {
+namespace {
+
+Oracle oracle_of(RgbD (*f)(RgbD)) {
+    return [f](std::vector<Rgb>& colors) {
+        for (Rgb& c : colors) {
+            c = to_float(f(to_double(c)));
+        }
+    };
+}
+
+// Pictures with one mistake each, made here without diagnose.cpp's table.
+class Diagnosed : public testing::Test {
+  protected:
+    static constexpr int n = 16;
+    const Engine& engine = *engine_named("unreal");
+    RgbD (*look)(RgbD) = test_looks()[3].f;
+    CodePicture right = bake(look, engine, n, 8).picture;
+
+    std::string words(const CodePicture& picture) const {
+        const Verification result = verify(picture, engine, n, oracle_of(look), {{0, 0, 0}});
+        EXPECT_GT(result.texels.wrong, 0U);
+        return result.diagnosis ? result.diagnosis->words : "";
+    }
+
+    template <class F>
+    CodePicture made(F&& code) const {
+        CodePicture out = right;
+        for (int b = 0; b < n; ++b) {
+            for (int g = 0; g < n; ++g) {
+                for (int r = 0; r < n; ++r) {
+                    const RgbD value = code(r, g, b);
+                    for (std::size_t c = 0; c < 3; ++c) {
+                        out.code({b * n + r, g}, c) = static_cast<std::uint16_t>(value[c]);
+                    }
+                }
+            }
+        }
+        return out;
+    }
+
+    RgbD codes(RgbD value) const {
+        return {std::floor(value.r * 255 + 0.5), std::floor(value.g * 255 + 0.5),
+                std::floor(value.b * 255 + 0.5)};
+    }
+    RgbD at(double r, double g, double b) const { return look({r / 15, g / 15, b / 15}); }
+};
+
+TEST_F(Diagnosed, swapped_green_and_blue) {
+    EXPECT_NE(words(made([&](int r, int g, int b) {
+                  return codes(at(r, b, g));
+              })).find("green and blue are swapped"),
+              std::string::npos);
+}
+
+TEST_F(Diagnosed, flipped) {
+    EXPECT_NE(
+        words(made([&](int r, int g, int b) { return codes(at(r, 15 - g, b)); })).find("flipped"),
+        std::string::npos);
+}
+
+TEST_F(Diagnosed, half_texel) {
+    EXPECT_NE(words(made([&](int r, int g, int b) {
+                  return codes(look({(r + 0.5) / 16, (g + 0.5) / 16, (b + 0.5) / 16}));
+              })).find("half texel"),
+              std::string::npos);
+}
+
+TEST_F(Diagnosed, srgb_decoded_twice) {
+    EXPECT_NE(words(made([&](int r, int g, int b) {
+                  const RgbD v = at(r, g, b);
+                  return codes({srgb_decode(v.r), srgb_decode(v.g), srgb_decode(v.b)});
+              })).find("decoded twice"),
+              std::string::npos);
+}
+
+TEST_F(Diagnosed, truncated_instead_of_rounded) {
+    EXPECT_NE(words(made([&](int r, int g, int b) {
+                  const RgbD v = at(r, g, b);
+                  return RgbD{std::floor(v.r * 255), std::floor(v.g * 255), std::floor(v.b * 255)};
+              })).find("truncated instead of rounded"),
+              std::string::npos);
+}
+
+TEST_F(Diagnosed, lowest_sixteen_of_thirty_three_nodes) {
+    EXPECT_NE(words(made([&](int r, int g, int b) {
+                  return codes(look({r / 32.0, g / 32.0, b / 32.0}));
+              })).find("wrong size: these are the lowest nodes of a lattice of 33"),
+              std::string::npos);
+}
+
+TEST_F(Diagnosed, lossy_compression) {
+    std::mt19937 random(1);
+    EXPECT_NE(words(made([&](int r, int g, int b) {
+                  RgbD v = codes(at(r, g, b));
+                  for (std::size_t c = 0; c < 3; ++c) {
+                      v[c] = std::clamp(v[c] + static_cast<int>(random() % 9) - 4.0, 0.0, 255.0);
+                  }
+                  return v;
+              })).find("lossy compression"),
+              std::string::npos);
+}
+
+TEST_F(Diagnosed, single_damaged_texels) {
+    CodePicture picture = right;
+    picture.code({77, 3}, 1) ^= 0x40;
+    EXPECT_NE(words(picture).find("single texels differ"), std::string::npos);
+}
+
+TEST_F(Diagnosed, another_look_is_not_explained_away) {
+    const CodePicture other = bake(test_looks()[2].f, engine, n, 8).picture;
+    EXPECT_EQ(words(other), "");
+}
+
+TEST_F(Diagnosed, flipped_along_red_and_blue) {
+    EXPECT_NE(words(made([&](int r, int g, int b) {
+                  return codes(at(15 - r, g, b));
+              })).find("flipped: red"),
+              std::string::npos);
+    EXPECT_NE(words(made([&](int r, int g, int b) {
+                  return codes(at(r, g, 15 - b));
+              })).find("flipped: blue"),
+              std::string::npos);
+}
+
+TEST_F(Diagnosed, nodes_that_stop_one_short) {
+    EXPECT_NE(words(made([&](int r, int g, int b) {
+                  return codes(look({r / 16.0, g / 16.0, b / 16.0}));
+              })).find("one node short"),
+              std::string::npos);
+}
+
+TEST_F(Diagnosed, colour_at_half_resolution) {
+    // What JPEG 4:2:0 does at any quality: luma stays, chroma becomes means of 2 x 2.
+    CodePicture picture = right;
+    for (int y = 0; y < picture.height; y += 2) {
+        for (int x = 0; x < picture.width; x += 2) {
+            std::array<Pixel, 4> four{{{x, y}, {x + 1, y}, {x, y + 1}, {x + 1, y + 1}}};
+            const auto luma = [&](Pixel p) {
+                return 0.299 * right.code(p, 0) + 0.587 * right.code(p, 1) +
+                       0.114 * right.code(p, 2);
+            };
+            std::array<double, 3> chroma{};
+            for (const Pixel p : four) {
+                for (std::size_t c = 0; c < 3; ++c) {
+                    chroma[c] += (right.code(p, c) - luma(p)) / 4;
+                }
+            }
+            for (const Pixel p : four) {
+                for (std::size_t c = 0; c < 3; ++c) {
+                    picture.code(p, c) = static_cast<std::uint16_t>(
+                        std::clamp(std::floor(luma(p) + chroma[c] + 0.5), 0.0, 255.0));
+                }
+            }
+        }
+    }
+    EXPECT_NE(words(picture).find("lossy compression with colour at half resolution"),
+              std::string::npos);
+}
+
+TEST_F(Diagnosed, no_compression_in_a_look_that_is_nearly_this_one) {
+    const CodePicture other = made([&](int r, int g, int b) {
+        const RgbD v = at(r, g, b);
+        const double y = test_luma(v);
+        return codes(
+            saturate(RgbD{y + 1.05 * (v.r - y), y + 1.05 * (v.g - y), y + 1.05 * (v.b - y)}));
+    });
+    const Verification result = verify(other, engine, n, oracle_of(look), {{0, 0, 0}});
+    EXPECT_FALSE(result.diagnosis) << result.diagnosis->words;
+    EXPECT_GT(result.nearest.explained, 0);
+    EXPECT_FALSE(result.nearest.words.empty());
+}
+
+TEST_F(Diagnosed, no_compression_where_few_codes_are_off_by_one) {
+    CodePicture picture = right;
+    for (std::size_t i = 0; i < picture.codes.size(); i += 29) {
+        picture.codes[i] = static_cast<std::uint16_t>(picture.codes[i] ^ 1);
+    }
+    EXPECT_EQ(words(picture), "");
+}
+
+TEST_F(Diagnosed, a_lone_wrong_code_of_a_look_that_truncation_would_leave_alone) {
+    for (RgbD (*const f)(RgbD) : {+[](RgbD c) { return c; },
+                                  +[](RgbD c) {
+                                      return RgbD{1 - c.r, 1 - c.g, 1 - c.b};
+                                  },
+                                  +[](RgbD c) {
+                                      return RgbD{c.g, c.b, c.r};
+                                  }}) {
+        CodePicture picture = bake(f, engine, n, 8).picture;
+        --picture.code({33, 5}, 0);
+        const Verification result = verify(picture, engine, n, oracle_of(f), {{0, 0, 0}});
+        ASSERT_TRUE(result.diagnosis);
+        EXPECT_NE(result.diagnosis->words.find("single texels differ"), std::string::npos)
+            << result.diagnosis->words;
+    }
+}
+
+// Mistakes between any engine and any look.
+std::string words_of(const CodePicture& picture, const Engine& engine, int n, RgbD (*f)(RgbD)) {
+    const Verification result = verify(picture, engine, n, oracle_of(f), {{0, 0, 0}});
+    EXPECT_GT(result.texels.wrong, 0U);
+    return result.diagnosis ? result.diagnosis->words : "";
+}
+
+TEST(Diagnose, names_the_identity_rather_than_a_way_to_round_a_look_near_it) {
+    const Engine& engine = *engine_named("piccolo");
+    const auto near = [](RgbD c) { return RgbD{0.998 * c.r, c.g, c.b}; };
+    const CodePicture identity = bake([](RgbD c) { return c; }, engine, 16, 8).picture;
+    EXPECT_NE(words_of(identity, engine, 16, near).find("is the identity"), std::string::npos);
+}
+
+TEST(Diagnose, says_nothing_of_bytes_in_a_black_picture_of_16_bits) {
+    const Engine& engine = *engine_named("hald");
+    CodePicture black = bake([](RgbD) { return RgbD{}; }, engine, 16, 16).picture;
+    EXPECT_EQ(words_of(black, engine, 16, test_looks()[2].f), "");
+}
+
+TEST(Diagnose, knows_codes_of_8_bits_in_16) {
+    const Engine& engine = *engine_named("hald");
+    const auto look = test_looks()[2].f;
+    const CodePicture narrow = bake(look, engine, 16, 8).picture;
+    for (const int times : {257, 256}) {
+        CodePicture wide = narrow;
+        wide.bits = 16;
+        for (std::uint16_t& code : wide.codes) {
+            code = static_cast<std::uint16_t>(code * times);
+        }
+        EXPECT_NE(words_of(wide, engine, 16, look).find("times " + std::to_string(times)),
+                  std::string::npos);
+    }
+}
+
+TEST(Diagnose, names_the_engine_whose_picture_has_the_same_dimensions) {
+    struct Mixup {
+        std::string_view made_for, taken_for;
+        int size;
+        std::string_view words;
+    };
+    constexpr std::array<Mixup, 5> table{{{"hald", "godot", 16, "a picture for HALD"},
+                                          {"obs", "hald", 64, "a picture for OBS"},
+                                          {"godot", "obs", 64, "a picture for Godot"},
+                                          {"ocio", "unity", 16, "a picture for OpenColorIO"},
+                                          {"unity", "ocio", 16, "a picture for Unity"}}};
+    const auto look = test_looks()[2].f;
+    for (const Mixup& m : table) {
+        const CodePicture picture = bake(look, *engine_named(m.made_for), m.size, 8).picture;
+        const std::string found = words_of(picture, *engine_named(m.taken_for), m.size, look);
+        EXPECT_NE(found.find(m.words), std::string::npos) << m.made_for << ": " << found;
+    }
+}
+
+TEST(Diagnose, knows_texel_centres_from_the_end_nodes_that_godot_reads) {
+    const Engine& engine = *engine_named("godot");
+    const auto look = test_looks()[3].f;
+    Engine centred = engine;
+    centred.node_input = [](int i, int n) { return (i + 0.5) / n; };
+    const CodePicture picture = bake(look, centred, 16, 8).picture;
+    EXPECT_NE(words_of(picture, engine, 16, look).find("all nodes were sampled at texel centres"),
+              std::string::npos);
+}
+
+} // namespace
+} // namespace lutlib

@@ -1,0 +1,78 @@
+// Tone maps without a GPU: defined for every input, bounded, monotone.
+#include "preview/finish/tonemaps.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace preview {
+namespace {
+
+using lutlib::RgbD;
+
+class EveryTonemap : public testing::TestWithParam<const Tonemap*> {};
+
+TEST_P(EveryTonemap, gives_0_to_1_for_every_input) {
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const double values[]{0, -0.0, 1e-30, 1e-5, 0.18, 0.5, 1, 7, 65504, 1e30, inf, -1, -inf, nan};
+    for (const double r : values)
+        for (const double g : values)
+            for (const double b : values) {
+                const RgbD out = GetParam()->apply({r, g, b});
+                for (std::size_t c = 0; c < 3; ++c) {
+                    ASSERT_GE(out[c], 0) << r << ' ' << g << ' ' << b;
+                    ASSERT_LE(out[c], 1) << r << ' ' << g << ' ' << b;
+                }
+            }
+}
+
+TEST_P(EveryTonemap, maps_black_to_black_and_keeps_greys_grey_in_rising_order) {
+    EXPECT_NEAR(GetParam()->apply({0, 0, 0}).g, 0, 2e-3);
+    double last = -1;
+    for (int i = -400; i <= 400; ++i) {
+        const double light = std::exp2(i / 25.0);
+        const RgbD out = GetParam()->apply({light, light, light});
+        ASSERT_GE(out.g, last) << light;
+        // The published matrices of Hill's and Sobotka's maps sum to 1 within their digits.
+        ASSERT_NEAR(out.r, out.g, 2e-3) << light;
+        ASSERT_NEAR(out.b, out.g, 2e-3) << light;
+        last = out.g;
+    }
+    EXPECT_GT(last, 0.95);
+}
+
+TEST_P(EveryTonemap, is_found_by_its_name_and_has_a_shader_number_of_its_own) {
+    EXPECT_EQ(tonemap_named(GetParam()->name), GetParam());
+    for (const Tonemap& other : tonemaps())
+        EXPECT_TRUE(&other == GetParam() || other.shader != GetParam()->shader);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, EveryTonemap, testing::ValuesIn([] {
+                             std::vector<const Tonemap*> rows;
+                             for (const Tonemap& row : tonemaps())
+                                 rows.push_back(&row);
+                             return rows;
+                         }()),
+                         [](const auto& row) {
+                             std::string name(row.param->name);
+                             for (char& c : name)
+                                 c = c == '-' ? '_' : c;
+                             return name;
+                         });
+
+TEST(Tonemaps, hit_published_values) {
+    EXPECT_NEAR(srgb_decode(tonemap_named("reinhard")->apply({1, 1, 1}).g), 0.5, 1e-12);
+    // Piccolo's white point: 11.2 / 4.5 maps to 1.
+    EXPECT_NEAR(tonemap_named("uncharted2")->apply({11.2 / 4.5, 0, 0}).r, 1, 1e-12);
+    // Narkowicz reaches 0.8 of the display's light at 1.
+    EXPECT_NEAR(srgb_decode(tonemap_named("aces-narkowicz")->apply({1, 1, 1}).g), 0.8038, 1e-4);
+    // Neutral keeps what lies between its toe and its shoulder but for the 4 % of Fresnel.
+    EXPECT_NEAR(srgb_decode(tonemap_named("khronos-neutral")->apply({0.5, 0.5, 0.5}).g), 0.46,
+                1e-12);
+    // The sigmoid of AgX passes through its pivot, 0.18 of light, at half of the display's code.
+    EXPECT_NEAR(tonemap_named("agx")->apply({0.18, 0.18, 0.18}).g, 0.5, 0.005);
+}
+
+} // namespace
+} // namespace preview

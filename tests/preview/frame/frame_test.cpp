@@ -1,0 +1,377 @@
+// The whole frame on a device: what it leaves out, that leaving out changes nothing, and that a
+// steady frame costs nothing but its passes.
+#include "lutlib/error.h"
+#include "preview/finish/curve_counts.h"
+#include "preview/cli/headless.h"
+#include "preview/look/look_bake.h"
+#include "tests/preview/graph/gpu_test.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace preview {
+namespace {
+
+constexpr Size size{160, 90};
+
+FrameSettings settings_for(const Scene& scene) {
+    FrameSettings settings;
+    settings.output = size;
+    settings.orbit = scene.orbit;
+    settings.tonemap = tonemap_named("agx");
+    settings.bloom = bloom_named("glare");
+    settings.bloom_settings.knee = 0.2F;
+    settings.shadow_size = 256;
+    return settings;
+}
+
+lutlib::Lut inverting_look() {
+    lutlib::Lut look;
+    look.cube = lutlib::identity_cube(5);
+    for (lutlib::Rgb& node : look.cube->nodes)
+        node = {1 - node.b, node.r, node.g};
+    return look;
+}
+
+class FrameTest : public GpuTest {
+  protected:
+    struct Loaded {
+        explicit Loaded(const Scene& shown) : scene(shown), gpu(device(), scene) {}
+        FrameInputs inputs() const {
+            FrameInputs out;
+            out.scene = &scene;
+            out.gpu_scene = &gpu;
+            return out;
+        }
+        Scene scene;
+        GpuScene gpu;
+    };
+
+    static bool kept(const Rendered& rendered, const std::string& pass) {
+        return rendered.explanation.find("kept      " + pass + " ") != std::string::npos;
+    }
+};
+
+TEST_F(FrameTest, everything_forced_on_equals_the_automatic_frame_bit_for_bit) {
+    for (const SceneInfo& info : scenes()) {
+        const Loaded loaded(scene_at(info, 1.5));
+        FrameSettings settings = settings_for(loaded.scene);
+        Executor executor(device());
+        const Rendered automatic = render_frame(executor, loaded.inputs(), settings);
+        settings.force_all = true;
+        const Rendered forced = render_frame(executor, loaded.inputs(), settings);
+        EXPECT_EQ(automatic.rgba, forced.rgba) << info.name;
+        EXPECT_TRUE(kept(forced, "bloom 0")) << forced.explanation;
+    }
+}
+
+TEST_F(FrameTest, a_plain_scene_leaves_out_shadows_and_bloom_and_says_why) {
+    const Loaded loaded(scene_at(*scene_named("plain"), 0));
+    Executor executor(device());
+    const Rendered rendered = render_frame(executor, loaded.inputs(), settings_for(loaded.scene));
+    EXPECT_FALSE(kept(rendered, "bloom 0")) << rendered.explanation;
+    for (const char* reason : {"the light casts none", "no light is bright enough to bloom"})
+        EXPECT_NE(rendered.explanation.find(reason), std::string::npos) << rendered.explanation;
+    // g-buffer, lighting, clear, resolve, finish, fxaa
+    EXPECT_EQ(executor.plan().steps.size(), 6U) << rendered.explanation;
+}
+
+TEST_F(FrameTest, the_sample_scene_keeps_its_shadows_and_blooms) {
+    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    Executor executor(device());
+    const Rendered rendered = render_frame(executor, loaded.inputs(), settings_for(loaded.scene));
+    for (const char* pass : {"shadow of light key", "shadow of light spark", "g-buffer", "lighting",
+                             "hdr resolve", "bloom 0", "finish", "fxaa"})
+        EXPECT_TRUE(kept(rendered, pass)) << pass << "\n" << rendered.explanation;
+}
+
+TEST_F(FrameTest, a_picture_leaves_out_all_that_comes_before_the_resolve) {
+    const std::vector<float> texels(std::size_t{4} * size.width * size.height, 0.25F);
+    const GpuPicture picture(device(), size, texels, false);
+    FrameInputs inputs;
+    inputs.picture = &picture;
+    FrameSettings settings = settings_for({});
+    settings.without.set(Effect::fxaa, true);
+    settings.keep_hdr = true;
+    Executor executor(device());
+    const Rendered rendered = render_frame(executor, inputs, settings);
+    EXPECT_EQ(executor.plan().steps.size(), 3U) << rendered.explanation; // clear, resolve, finish
+    for (std::size_t at = 0; at < rendered.hdr.size(); at += 4)
+        ASSERT_EQ(rendered.hdr[at], 0.25F);
+    settings.exposure = 2;
+    EXPECT_EQ(render_frame(executor, inputs, settings).hdr[0], 1.0F);
+}
+
+TEST_F(FrameTest, every_effect_can_be_switched_off_and_is_said_to_be) {
+    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const GpuLook look(device(), look_for(inverting_look(), *lookup_named("tetrahedral")).data);
+    FrameInputs inputs = loaded.inputs();
+    inputs.look_a = &look;
+    FrameSettings settings = settings_for(loaded.scene);
+    Executor executor(device());
+    const Rendered whole = render_frame(executor, inputs, settings);
+    EXPECT_EQ(whole.explanation.find("switched off"), std::string::npos) << whole.explanation;
+    for (const EffectInfo& row : effects) {
+        settings.without = {};
+        settings.without.set(row.effect, true);
+        const Rendered rendered = render_frame(executor, inputs, settings);
+        EXPECT_NE(rendered.rgba, whole.rgba) << row.name;
+        const std::size_t at = rendered.explanation.find("left out  " + std::string(row.name));
+        ASSERT_NE(at, std::string::npos) << rendered.explanation;
+        EXPECT_NE(rendered.explanation.find("switched off", at), std::string::npos) << row.name;
+        settings.force_all = true; // what a person switched off stays off
+        EXPECT_EQ(render_frame(executor, inputs, settings).rgba, rendered.rgba) << row.name;
+        settings.force_all = false;
+    }
+    for (const EffectInfo& row : effects)
+        settings.without.set(row.effect, true);
+    render_frame(executor, inputs, settings);
+    // g-buffer, lighting, clear, resolve, finish
+    EXPECT_EQ(executor.plan().steps.size(), 5U);
+}
+
+TEST_F(FrameTest, a_light_that_is_off_leaves_the_frame_with_its_shadow) {
+    Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const FrameSettings settings = settings_for(loaded.scene);
+    Executor executor(device());
+    loaded.scene.lights[0].is_on = false;
+    const Rendered off = render_frame(executor, loaded.inputs(), settings);
+    EXPECT_NE(off.explanation.find("left out  light key "), std::string::npos) << off.explanation;
+    EXPECT_FALSE(kept(off, "shadow of light key"));
+    EXPECT_TRUE(kept(off, "shadow of light spark"));
+    loaded.scene.lights.erase(loaded.scene.lights.begin());
+    EXPECT_EQ(render_frame(executor, loaded.inputs(), settings).rgba, off.rgba);
+}
+
+TEST_F(FrameTest, every_debug_view_shows_something_and_runs_only_what_it_reads) {
+    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    FrameSettings settings = settings_for(loaded.scene);
+    Executor executor(device());
+    const Rendered whole = render_frame(executor, loaded.inputs(), settings);
+    const std::size_t whole_steps = executor.plan().steps.size();
+    for (const DebugView& view : debug_views()) {
+        settings.view = &view;
+        const Rendered rendered = render_frame(executor, loaded.inputs(), settings);
+        const auto [low, high] = std::minmax_element(rendered.rgba.begin(), rendered.rgba.end());
+        EXPECT_NE(*low, *high) << view.name;
+        EXPECT_LE(executor.plan().steps.size(), whole_steps) << view.name;
+        EXPECT_EQ(kept(rendered, "finish"), view.name == "graded") << view.name;
+    }
+    settings.view = debug_view_named("normal");
+    const Rendered normals = render_frame(executor, loaded.inputs(), settings);
+    EXPECT_EQ(executor.plan().steps.size(), 2U);
+    EXPECT_TRUE(kept(normals, "g-buffer"));
+    EXPECT_EQ(normals.explanation.find("writes normal, material"), std::string::npos);
+}
+
+TEST_F(FrameTest, a_view_of_what_the_frame_withholds_is_an_error) {
+    const Loaded loaded(scene_at(*scene_named("plain"), 0));
+    FrameSettings settings = settings_for(loaded.scene);
+    settings.view = debug_view_named("shadows");
+    Executor executor(device());
+    EXPECT_THROW(render_frame(executor, loaded.inputs(), settings), lutlib::UsageError);
+}
+
+TEST_F(FrameTest, scopes_are_left_out_until_somebody_looks_and_change_nothing_else) {
+    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    FrameSettings settings = settings_for(loaded.scene);
+    Executor executor(device());
+    const Rendered plain = render_frame(executor, loaded.inputs(), settings);
+    const std::size_t steps = executor.plan().steps.size();
+    for (std::size_t i = 0; i < scopes.size(); ++i) {
+        const std::string name(scopes[i].name);
+        EXPECT_FALSE(kept(plain, "count " + name));
+        EXPECT_NE(plain.explanation.find("left out  " + name), std::string::npos);
+        settings.scope_sizes[i] = {200, 120};
+        const Rendered beside = render_frame(executor, loaded.inputs(), settings);
+        EXPECT_EQ(beside.rgba, plain.rgba) << name;
+        EXPECT_TRUE(kept(beside, "count " + name)) << beside.explanation;
+        EXPECT_GT(executor.plan().steps.size(), steps);
+        settings.scope = &scopes[i];
+        const Rendered alone = render_frame(executor, loaded.inputs(), settings);
+        EXPECT_EQ(alone.size, (Size{200, 120})) << name;
+        EXPECT_NE(alone.rgba, plain.rgba) << name;
+        settings.scope = nullptr;
+        settings.scope_sizes[i] = {};
+    }
+}
+
+TEST_F(FrameTest, a_scope_of_what_is_not_shown_is_an_error_and_beside_the_picture_left_out) {
+    const Loaded loaded(scene_at(*scene_named("plain"), 0));
+    FrameSettings settings = settings_for(loaded.scene);
+    settings.scope_sizes[0] = {64, 64};
+    settings.compare = &compare_difference;
+    Executor executor(device());
+    EXPECT_FALSE(kept(render_frame(executor, loaded.inputs(), settings), "count waveform"));
+    settings.scope = &scopes[0];
+    EXPECT_THROW(render_frame(executor, loaded.inputs(), settings), lutlib::UsageError);
+    settings.compare = &compares[0];
+    settings.scope_side = &scope_sides[2];
+    EXPECT_THROW(render_frame(executor, loaded.inputs(), settings), lutlib::UsageError);
+}
+
+TEST_F(FrameTest, a_probe_tells_both_sides_of_the_same_texel_whatever_is_compared) {
+    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const GpuLook look(device(), look_for(inverting_look(), *lookup_named("tetrahedral")).data);
+    FrameInputs inputs = loaded.inputs();
+    inputs.look_b = &look;
+    FrameSettings settings = settings_for(loaded.scene);
+    settings.without.set(Effect::fxaa, true);
+    Executor executor(device());
+    const auto codes_at = [](const Rendered& rendered, std::int32_t x, std::int32_t y) {
+        const std::size_t at =
+            4 * (static_cast<std::size_t>(y) * rendered.size.width + static_cast<std::size_t>(x));
+        return std::array<int, 3>{rendered.rgba[at], rendered.rgba[at + 1], rendered.rgba[at + 2]};
+    };
+    const auto codes = [](lutlib::RgbD color) {
+        const Codes out = codes_of(color);
+        return std::array<int, 3>{out.r, out.g, out.b};
+    };
+    for (const Compare& compare : compares) {
+        settings.compare = &compare;
+        settings.split = 0.25F;
+        settings.probe = {90, 41};
+        const Rendered rendered = render_frame(executor, inputs, settings);
+        ASSERT_TRUE(rendered.probe) << compare.name;
+        EXPECT_EQ(rendered.probe->a, rendered.probe->before) << compare.name;
+        EXPECT_NE(rendered.probe->b, rendered.probe->before) << compare.name;
+        if (&compare == &compare_difference) {
+            continue;
+        }
+        // Side by side, 90 is the tenth column of B.
+        EXPECT_EQ(codes_at(rendered, 90, 41),
+                  codes(compare.shows_b ? rendered.probe->b : rendered.probe->a))
+            << compare.name;
+    }
+    settings.probe.reset();
+    EXPECT_FALSE(kept(render_frame(executor, inputs, settings), "probe"));
+}
+
+TEST_F(FrameTest, axes_are_counted_only_while_a_curve_is_seen) {
+    const Loaded loaded(scene_at(*scene_named("chart"), 0));
+    FrameSettings settings = settings_for(loaded.scene);
+    Executor executor(device());
+    EXPECT_FALSE(kept(render_frame(executor, loaded.inputs(), settings), "count along axes"));
+    settings.axes = &lutlib::srgb();
+    EXPECT_TRUE(kept(render_frame(executor, loaded.inputs(), settings), "count along axes"));
+    const std::vector<std::byte> counts = executor.finished_buffer("axis counts");
+    EXPECT_EQ(counts.size(), counted_axes.size() * axis_bins * sizeof(std::uint32_t));
+    EXPECT_NE(std::count(counts.begin(), counts.end(), std::byte{0}),
+              static_cast<std::ptrdiff_t>(counts.size()));
+}
+
+TEST_F(FrameTest, a_steady_frame_allocates_and_uploads_nothing) {
+    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const GpuLook look(device(), look_for(inverting_look(), *lookup_named("tetrahedral")).data);
+    FrameInputs inputs = loaded.inputs();
+    inputs.look_a = &look;
+    const FrameSettings settings = settings_for(loaded.scene);
+    Executor executor(device());
+    const auto render = [&] {
+        Graph graph;
+        build_frame(graph, inputs, settings);
+        executor.render(graph);
+    };
+    for (int frame = 0; frame < 3; ++frame)
+        render();
+    const std::uint64_t allocations = device().allocation_count();
+    const std::uint64_t uploads = executor.uploads();
+    for (int frame = 0; frame < 4; ++frame)
+        render();
+    EXPECT_EQ(device().allocation_count(), allocations);
+    EXPECT_EQ(executor.uploads(), uploads);
+    EXPECT_EQ(executor.rebuilds(), 1U);
+    EXPECT_LT(executor.pool_bytes(), executor.unshared_bytes());
+}
+
+TEST_F(FrameTest, an_animated_scene_uploads_only_what_moves) {
+    Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const FrameSettings settings = settings_for(loaded.scene);
+    Executor executor(device());
+    for (int frame = 0; frame < 3; ++frame) {
+        loaded.scene = scene_at(*scene_named("sample"), frame * 0.1);
+        Graph graph;
+        build_frame(graph, loaded.inputs(), settings);
+        const std::uint64_t before = executor.uploads();
+        executor.render(graph);
+        if (frame > 0) {
+            EXPECT_EQ(executor.uploads() - before, 2U) << "objects and lights";
+        }
+    }
+    EXPECT_EQ(executor.rebuilds(), 1U);
+}
+
+TEST_F(FrameTest, a_light_that_changes_is_all_that_is_uploaded) {
+    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    std::vector<PointLight> lights = loaded.scene.lights;
+    FrameInputs inputs = loaded.inputs();
+    inputs.lights = &lights;
+    const FrameSettings settings = settings_for(loaded.scene);
+    Executor executor(device());
+    const Rendered before = render_frame(executor, inputs, settings);
+    for (PointLight& light : lights) {
+        light.intensity *= 0.5F;
+        light.position += glm::vec3(0.1F);
+        const std::uint64_t uploads = executor.uploads();
+        const std::uint64_t rebuilds = executor.rebuilds();
+        Graph graph;
+        build_frame(graph, inputs, settings);
+        executor.render(graph);
+        EXPECT_EQ(executor.uploads() - uploads, 1U) << light.name;
+        EXPECT_EQ(executor.rebuilds(), rebuilds) << light.name;
+    }
+    EXPECT_NE(render_frame(executor, inputs, settings).rgba, before.rgba);
+}
+
+TEST_F(FrameTest, the_same_moment_renders_the_same_picture_and_another_one_does_not) {
+    Executor executor(device());
+    const auto at = [&](double seconds) {
+        const Loaded loaded(scene_at(*scene_named("sample"), seconds));
+        return render_frame(executor, loaded.inputs(), settings_for(loaded.scene)).rgba;
+    };
+    const auto picture = at(2);
+    EXPECT_EQ(picture, at(2));
+    EXPECT_NE(picture, at(3));
+}
+
+TEST_F(FrameTest, a_look_reaches_its_own_side_only) {
+    const Loaded loaded(scene_at(*scene_named("chart"), 0));
+    const GpuLook look(device(), look_for(inverting_look(), *lookup_named("tetrahedral")).data);
+    FrameInputs inputs = loaded.inputs();
+    FrameSettings settings = settings_for(loaded.scene);
+    settings.without.set(Effect::fxaa, true);
+    Executor executor(device());
+    const auto plain = render_frame(executor, inputs, settings).rgba;
+    inputs.look_b = &look;
+    EXPECT_EQ(render_frame(executor, inputs, settings).rgba, plain);
+    settings.compare = compare_named("b");
+    const auto graded = render_frame(executor, inputs, settings).rgba;
+    EXPECT_NE(graded, plain);
+    settings.compare = compare_named("split");
+    const auto split = render_frame(executor, inputs, settings).rgba;
+    const std::size_t row = std::size_t{size.height / 2} * size.width * 4;
+    EXPECT_TRUE(std::equal(split.begin() + static_cast<long>(row),
+                           split.begin() + static_cast<long>(row + 4 * 70),
+                           plain.begin() + static_cast<long>(row)));
+    EXPECT_TRUE(std::equal(split.begin() + static_cast<long>(row + 4 * 90),
+                           split.begin() + static_cast<long>(row + 4 * 160),
+                           graded.begin() + static_cast<long>(row + 4 * 90)));
+}
+
+TEST(LookBakeTest, a_look_that_does_nothing_is_skipped_and_says_so) {
+    lutlib::Lut look;
+    look.cube = lutlib::identity_cube(16);
+    for (const Lookup& lookup : lookups()) {
+        if (lookup.source == Lookup::Source::none)
+            continue;
+        EXPECT_NE(look_for(look, lookup).skip_reason, "") << lookup.name;
+        EXPECT_EQ(look_for(inverting_look(), lookup).skip_reason, "") << lookup.name;
+    }
+    look.cube->nodes[7].r = std::nanf("");
+    EXPECT_EQ(skip_reason_of(look), "");
+    look.cube = lutlib::identity_cube(16, {{0, 0, 0}, {2, 2, 2}});
+    EXPECT_EQ(skip_reason_of(look), "");
+}
+
+} // namespace
+} // namespace preview

@@ -1,0 +1,270 @@
+// The finishing passes on a device against their oracles in double.
+#include "lutlib/color/difference.h"
+#include "lutlib/color/transfer.h"
+#include "preview/passes/fxaa.h"
+#include "preview/reference/bloom.h"
+#include "preview/reference/fxaa.h"
+#include "tests/preview/passes/finish_fixture.h"
+
+#include <string>
+
+namespace preview {
+namespace {
+
+using lutlib::Rgb;
+using lutlib::RgbD;
+using reference::Image;
+
+std::string without_dashes(std::string_view name) {
+    std::string out(name);
+    for (char& c : out)
+        c = c == '-' ? '_' : c;
+    return out;
+}
+
+template <class Row>
+std::vector<const Row*> rows_of(std::span<const Row> table) {
+    std::vector<const Row*> rows;
+    for (const Row& row : table)
+        rows.push_back(&row);
+    return rows;
+}
+
+class EveryTonemapOnGpu : public FinishTest, public testing::WithParamInterface<const Tonemap*> {};
+
+TEST_P(EveryTonemapOnGpu, equals_its_twin_in_double) {
+    std::vector<Rgb> lights = test_colors(8);
+    for (int i = -300; i <= 320; ++i) {
+        const float light = std::exp2(static_cast<float>(i) / 20);
+        lights.push_back({light, light, light});
+        lights.push_back({light, 0, light / 3});
+    }
+    FinishSettings settings;
+    settings.tonemap = GetParam();
+    for (const float exposure : {0.0f, -2.5f}) {
+        settings.exposure = exposure;
+        const std::vector<Rgb> got = finished(lights, nullptr, settings);
+        double worst = 0;
+        std::size_t at = 0;
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            // The picture is sanitised before exposure is applied.
+            const RgbD light = lutlib::to_double(lights[i]) * std::exp2(exposure);
+            const RgbD wanted = GetParam()->apply(light);
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double error = std::abs(static_cast<double>(got[i][c]) - wanted[c]);
+                if (!(error <= worst)) {
+                    worst = error;
+                    at = i;
+                }
+            }
+        }
+        // The slope of the encoding at black, 12.92, times the rounding of sums of float products,
+        // and the shader's pow and log2: a fiftieth of an 8-bit code.
+        EXPECT_LE(worst, 8e-5) << lights[at].r << ' ' << lights[at].g << ' ' << lights[at].b;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, EveryTonemapOnGpu, testing::ValuesIn(rows_of(tonemaps())),
+                         [](const auto& row) { return without_dashes(row.param->name); });
+
+// Lights of all sizes on a dim ramp, in half floats so that the device starts from the same values.
+Image night(int width, int height) {
+    Image image(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            image.at(x, y) = {x / 256.0, y / 256.0, 0.125};
+    image.at(width / 2, height / 2) = {60000, 30000, 8000};
+    image.at(width / 5, height / 3) = {4, 9, 2};
+    for (int y = height / 2; y < height / 2 + 4 && y < height; ++y)
+        for (int x = 3 * width / 4; x < 3 * width / 4 + 9 && x < width; ++x)
+            image.at(x, y) = {2.5, 1.5, 6};
+    return image;
+}
+
+class EveryBloomOnGpu : public FinishTest, public testing::WithParamInterface<const Bloom*> {
+  protected:
+    // The light after bloom: the finishing pass without a tone map knows only display-encoded
+    // pictures, so what `none` encodes is decoded again.
+    static std::vector<RgbD> run(const Image& picture, const BloomPlan& plan, Format work,
+                                 float exposure) {
+        const gpu::Image image = image_of(picture);
+        FinishSettings settings;
+        settings.tonemap = tonemap_named("none");
+        settings.exposure = exposure;
+        settings.format = Format::rgba32f;
+        Graph graph;
+        const Handle source = graph.import("night", image, image.desc());
+        const BloomLayers layers = add_bloom(graph, source, plan, work);
+        const Handle out = add_finish(graph, source, layers, nullptr, nullptr, settings).picture;
+        graph.present(out);
+        std::vector<RgbD> light;
+        for (const Rgb& c : colors_of(run_and_read<float>(graph, out))) {
+            const double scale = std::exp2(-static_cast<double>(exposure));
+            light.push_back({scale * srgb_decode(static_cast<double>(c.r)),
+                             scale * srgb_decode(static_cast<double>(c.g)),
+                             scale * srgb_decode(static_cast<double>(c.b))});
+        }
+        return light;
+    }
+};
+
+TEST_P(EveryBloomOnGpu, equals_its_twin_in_double) {
+    for (const auto& [width, height] : {std::pair{135, 67}, {320, 180}, {3, 2}}) {
+        SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height));
+        const Image picture = night(width, height);
+        const BloomPlan plan = bloom_plan(*GetParam(), {width, height}, {});
+        const Image wanted = reference::with_bloom(plan, picture);
+        // 2^-16 brings 65504 into the 0..1 that the encoding keeps.
+        const std::vector<RgbD> got = run(picture, plan, Format::rgba16f, -16);
+        double error = 0, total = 0, worst = 0;
+        for (std::size_t i = 0; i < got.size(); ++i)
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double off = got[i][c] - wanted.pixels[i][c];
+                error += off * off;
+                total += wanted.pixels[i][c] * wanted.pixels[i][c];
+                worst = std::max(worst, std::abs(off) / (wanted.pixels[i][c] + 1));
+            }
+        EXPECT_LT(std::sqrt(error / total), 5e-4);
+        // Every stored level rounds to a half float, 2^-11 of a value; at most a dozen levels.
+        EXPECT_LT(worst, 12.0 / 2048);
+    }
+}
+
+TEST_P(EveryBloomOnGpu, conserves_energy_in_half_floats_where_it_says_so) {
+    if (!GetParam()->conserves_energy)
+        GTEST_SKIP() << "does not claim to";
+    Image picture(512, 512);
+    picture.at(255, 256) = {30000, 20000, 10000};
+    for (int i = 0; i < 12; ++i)
+        picture.at(250 + i, 240) = {3, 2, 5};
+    const BloomPlan plan = bloom_plan(*GetParam(), {512, 512}, {0.5f, 1, 0.5f, 0.35f});
+    const std::vector<RgbD> got = run(picture, plan, Format::rgba16f, -15);
+    RgbD before, after;
+    for (std::size_t i = 0; i < got.size(); ++i) {
+        before = before + picture.pixels[i];
+        after = after + got[i];
+    }
+    for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(after[c] / before[c], 1, 1e-3);
+}
+
+TEST_P(EveryBloomOnGpu, changes_no_bit_where_nothing_is_bright) {
+    Image dim(135, 67);
+    for (std::size_t i = 0; i < dim.pixels.size(); ++i)
+        dim.pixels[i] = {1, static_cast<double>(i % 32) / 64, 0.25};
+    const BloomPlan plan = bloom_plan(*GetParam(), {135, 67}, {});
+    EXPECT_EQ(run(dim, plan, Format::rgba16f, 0), run(dim, {}, Format::rgba16f, 0));
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, EveryBloomOnGpu, testing::ValuesIn(rows_of(blooms())),
+                         [](const auto& row) { return without_dashes(row.param->name); });
+
+using PassTest = FinishTest;
+
+TEST_F(PassTest, fxaa_equals_its_twin_in_double) {
+    Image picture(135, 67);
+    for (int y = 0; y < 67; ++y)
+        for (int x = 0; x < 135; ++x) {
+            const bool inside = (x - 60) * (x - 60) + (y - 30) * (y - 30) < 500 || 3 * y > x + 90;
+            const double texture = 0.05 * ((x * 7 + y * 13) % 11) / 11.0;
+            picture.at(x, y) =
+                inside ? RgbD{0.9, 0.7 - texture, 0.2} : RgbD{0.1, 0.15 + texture, 0.3};
+        }
+    const Image wanted = reference::fxaa(picture);
+    const gpu::Image image = image_of(picture);
+    Graph graph;
+    const Handle out = add_fxaa(graph, graph.import("picture", image, image.desc()));
+    graph.present(out);
+    const std::vector<Rgb> got = colors_of(run_and_read<float>(graph, out));
+    std::size_t changed = 0, apart = 0;
+    for (std::size_t i = 0; i < got.size(); ++i) {
+        changed += wanted.pixels[i] != picture.pixels[i];
+        for (std::size_t c = 0; c < 3; ++c)
+            apart += std::abs(static_cast<double>(got[i][c]) - wanted.pixels[i][c]) > 1e-5;
+    }
+    EXPECT_GT(changed, 100U);
+    // Comparisons that hang on a rounding may fall either way.
+    EXPECT_LE(apart, 3 * got.size() / 1000);
+}
+
+TEST_F(PassTest, differences_are_ciede2000_and_their_figures_those_of_the_picture) {
+    lutlib::Lut look;
+    look.cube = lutlib::identity_cube(9);
+    for (Rgb& node : look.cube->nodes)
+        node = {0.9f * node.r + 0.05f * node.b, node.g * node.g, 0.1f + 0.8f * node.b};
+    const std::vector<Rgb> colors = lutlib::sample_colors(8, {256, 4000, true});
+    const gpu::Image image = image_of(colors);
+    const GpuLook gpu_look(device(), look_data(look, *lookup_named("tetrahedral")));
+    FinishSettings settings;
+    settings.compare = &compare_difference;
+    Graph graph;
+    const Handle source = graph.import("colours", image, image.desc());
+    const Finished out = add_finish(graph, source, {}, nullptr, &gpu_look, settings);
+    graph.present(out.picture);
+    graph.present(out.figures);
+    Executor executor(device());
+    executor.render(graph);
+    const std::uint64_t texels = std::uint64_t{image.desc().width} * image.desc().height;
+    const DifferenceFigures got =
+        difference_figures(as<std::uint32_t>(executor.read_buffer(out.figures)), texels);
+
+    std::vector<double> wanted(texels, lutlib::delta_e_2000(RgbD{0, 0, 0}, RgbD{0, 0, 0.1}));
+    double sum = 0;
+    for (std::size_t i = 0; i < texels; ++i) {
+        const Rgb in = i < colors.size() ? colors[i] : Rgb{0, 0, 0};
+        wanted[i] = lutlib::delta_e_2000(lutlib::to_double(in),
+                                         lutlib::to_double(lutlib::evaluate(look, in)));
+        sum += wanted[i];
+    }
+    std::sort(wanted.begin(), wanted.end());
+    // Bins are 1/40 wide; the shader's Lab is in float.
+    EXPECT_NEAR(got.max, wanted.back(), 0.01);
+    EXPECT_NEAR(got.mean, sum / static_cast<double>(texels), 0.02);
+    EXPECT_NEAR(got.p95, wanted[texels * 95 / 100], 0.05);
+    EXPECT_NEAR(got.p99, wanted[texels * 99 / 100], 0.1);
+}
+
+TEST_F(PassTest, sides_and_halves_show_the_look_they_are_named_for) {
+    std::vector<Rgb> colors(std::size_t{64} * 36, Rgb{0.25f, 0.5f, 0.75f});
+    const gpu::Image image = image_of(colors, 64);
+    lutlib::Lut black;
+    black.cube = lutlib::identity_cube(2);
+    for (Rgb& node : black.cube->nodes)
+        node = {0, 0, 0};
+    const GpuLook look(device(), look_data(black, *lookup_named("tetrahedral")));
+    for (const Compare& compare : compares) {
+        FinishSettings settings;
+        settings.compare = &compare;
+        settings.split = 0.25f;
+        settings.format = Format::rgba32f;
+        Graph graph;
+        const Handle source = graph.import("colours", image, image.desc());
+        const Handle out = add_finish(graph, source, {}, nullptr, &look, settings).picture;
+        graph.present(out);
+        const std::uint32_t width = graph.image_desc(out).width;
+        EXPECT_EQ(width, &compare == &compare_side ? 128U : 64U);
+        EXPECT_EQ(picture_size({width, 36}, compare), (Size{64, 36}));
+        const std::vector<Rgb> got = colors_of(run_and_read<float>(graph, out));
+        const auto at = [&](std::uint32_t x) { return got[x + std::size_t{width} * 20]; };
+        const Rgb original = colors[0], none{0, 0, 0};
+        const std::string name(compare.name);
+        SCOPED_TRACE(name);
+        if (name == "a") {
+            EXPECT_EQ(at(0), original);
+            EXPECT_EQ(at(63), original);
+        } else if (name == "b") {
+            EXPECT_EQ(at(0), none);
+            EXPECT_EQ(at(63), none);
+        } else if (name == "split") {
+            EXPECT_EQ(at(14), original);
+            EXPECT_EQ(at(18), none);
+            EXPECT_EQ(at(16), (Rgb{1, 1, 1}));
+        } else if (name == "side") {
+            EXPECT_EQ(at(63), original);
+            EXPECT_EQ(at(64), none);
+        }
+    }
+}
+
+} // namespace
+} // namespace preview

@@ -1,0 +1,272 @@
+// G-buffer, shadow maps, lighting and HDR resolve on a device, against what they must show.
+#include "preview/scene/gpu_scene.h"
+#include "preview/passes/lighting.h"
+#include "preview/passes/resolve.h"
+#include "preview/passes/shadow.h"
+#include "preview/reference/ggx.h"
+#include "tests/preview/graph/gpu_test.h"
+
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace preview {
+namespace {
+
+constexpr Size size{96, 64};
+
+float float_of_half(std::uint16_t half) {
+    const int exponent = half >> 10 & 31;
+    const float sign = (half & 0x8000) != 0 ? -1.0F : 1.0F;
+    const auto mantissa = static_cast<float>(half & 1023);
+    if (exponent == 31)
+        return mantissa > 0 ? std::numeric_limits<float>::quiet_NaN()
+                            : sign * std::numeric_limits<float>::infinity();
+    return sign *
+           (exponent == 0 ? std::ldexp(mantissa, -24) : std::ldexp(mantissa + 1024, exponent - 25));
+}
+
+std::vector<float> floats_of(const std::vector<std::uint16_t>& halves) {
+    std::vector<float> floats;
+    for (const std::uint16_t half : halves)
+        floats.push_back(float_of_half(half));
+    return floats;
+}
+
+/// A floor of 20 m at y = 0 under one light; the camera looks down at it from the front.
+Scene floor_scene(const Material& material) {
+    Scene scene;
+    scene.meshes.push_back(plane());
+    scene.materials.push_back(material);
+    Object floor;
+    floor.transform = glm::scale(glm::mat4(1), glm::vec3(10));
+    scene.objects.push_back(floor);
+    PointLight light;
+    light.position = {0.7F, 2, -0.4F};
+    light.intensity = {30, 20, 10};
+    light.shadow_angle = 100;
+    scene.lights.push_back(light);
+    scene.orbit.elevation = 35;
+    scene.orbit.distance = 4;
+    return scene;
+}
+
+class GeometryTest : public GpuTest {
+  protected:
+    /// Radiance of the scene, four floats a pixel.
+    std::vector<float> light(const Scene& scene) {
+        const GpuScene gpu_scene(device(), scene);
+        Graph graph;
+        SceneHandles handles;
+        handles.vertices = graph.import("vertices", gpu_scene.vertices, gpu_scene.vertices.bytes());
+        handles.indices = graph.import("indices", gpu_scene.indices, gpu_scene.indices.bytes());
+        const auto objects = object_blocks(scene);
+        const auto materials = material_blocks(scene);
+        handles.objects = graph.data("objects", std::as_bytes(std::span(objects)));
+        handles.materials = graph.data("materials", std::as_bytes(std::span(materials)));
+        handles.environment = graph.data_of("environment", environment_block(scene.environment));
+        const ViewBlock view = view_block(scene.orbit, 1.5F);
+        handles.view = graph.data_of("view", view);
+        std::vector<ShadowMap> maps;
+        std::vector<int> layers;
+        for (std::uint32_t index = 0; index < scene.lights.size(); ++index) {
+            const auto casters = shadow_casters(scene, gpu_scene.geometry, scene.lights[index]);
+            layers.push_back(casters.objects.empty() ? -1 : static_cast<int>(maps.size()));
+            if (!casters.objects.empty())
+                maps.push_back(
+                    {"light", index, draws_of(scene, gpu_scene.geometry, casters.objects)});
+        }
+        const auto lights = light_blocks(scene.lights, layers, 512);
+        if (!lights.empty())
+            handles.lights = graph.data("lights", std::as_bytes(std::span(lights)));
+        handles.light_count = static_cast<std::uint32_t>(lights.size());
+        LightingInputs inputs;
+        inputs.shadow_maps = add_shadows(graph, handles, 512, std::move(maps));
+        inputs.surfaces =
+            add_gbuffer(graph, handles, size,
+                        draws_of(scene, gpu_scene.geometry,
+                                 visible_objects(scene, gpu_scene.geometry, view.clip)));
+        inputs.environment = !scene.environment.is_black();
+        const Handle lit = add_lighting(graph, handles, inputs);
+        graph.present(lit);
+        return floats_of(run_and_read<std::uint16_t>(graph, lit));
+    }
+};
+
+TEST_F(GeometryTest, lights_a_floor_as_the_double_reference_does) {
+    for (const float metalness : {0.0F, 1.0F})
+        for (const float roughness : {0.0F, 0.2F, 0.5F, 1.0F}) {
+            const Material material{{0.8F, 0.4F, 0.1F}, roughness, metalness, {}};
+            const Scene scene = floor_scene(material);
+            const auto pixels = light(scene);
+            const ViewBlock view = view_block(scene.orbit, 1.5F);
+            for (std::uint32_t y = 0; y < size.height; ++y)
+                for (std::uint32_t x = 0; x < size.width; ++x) {
+                    const double sx = (x + 0.5) / size.width * 2 - 1;
+                    const double sy = (y + 0.5) / size.height * 2 - 1;
+                    const glm::dvec3 ray = glm::dvec3(view.forward) + sx * glm::dvec3(view.right) +
+                                           sy * glm::dvec3(view.up);
+                    const glm::dvec3 eye(view.position_near);
+                    const glm::dvec3 at = eye - ray * (eye.y / ray.y);
+                    if (ray.y >= 0 || std::abs(at.x) > 9 || std::abs(at.z) > 9)
+                        continue;
+                    const glm::dvec3 towards = glm::dvec3(scene.lights[0].position) - at;
+                    const reference::Surface surface{
+                        {0, 1, 0}, {0.8, 0.4, 0.1}, roughness, metalness};
+                    const lutlib::RgbD shaded =
+                        reference::shade(surface, -glm::normalize(ray), glm::normalize(towards));
+                    for (std::size_t c = 0; c < 3; ++c) {
+                        const double expected =
+                            shaded[c] *
+                            static_cast<double>(scene.lights[0].intensity[static_cast<int>(c)]) /
+                            glm::dot(towards, towards);
+                        const double found =
+                            static_cast<double>(pixels[(std::size_t{y} * size.width + x) * 4 + c]);
+                        // Half floats are truncated (2^-10), and the sharpest lobe turns the last
+                        // bits of depth and 16-bit normals into 1 % of its value.
+                        const double bound = (roughness < 0.1F ? 0.03 : 0.004) * expected + 1e-4;
+                        ASSERT_NEAR(found, expected, bound)
+                            << "roughness " << roughness << " at " << x << "," << y;
+                    }
+                }
+        }
+}
+
+TEST_F(GeometryTest, a_lit_floor_does_not_shadow_itself) {
+    Scene scene = floor_scene({});
+    const auto free_of_shadows = light(scene);
+    scene.lights[0].casts_shadow = true;
+    const auto pixels = light(scene);
+    for (std::size_t at = 0; at < pixels.size(); ++at)
+        ASSERT_EQ(pixels[at], free_of_shadows[at]) << at;
+}
+
+TEST_F(GeometryTest, a_ball_shadows_what_lies_behind_it_and_nothing_else) {
+    Scene scene = floor_scene({});
+    scene.meshes.push_back(sphere(24, 48));
+    Object ball;
+    ball.mesh = 1;
+    ball.transform = glm::translate(glm::mat4(1), glm::vec3(0.35F, 1, -0.2F)) *
+                     glm::scale(glm::mat4(1), glm::vec3(0.2F));
+    scene.objects.push_back(ball);
+    const auto free_of_shadows = light(scene);
+    scene.lights[0].casts_shadow = true;
+    const auto pixels = light(scene);
+    const ViewBlock view = view_block(scene.orbit, 1.5F);
+    const auto at_floor = [&](glm::vec3 point) {
+        const glm::vec4 clip = view.clip * glm::vec4(point, 1);
+        const auto x = static_cast<std::size_t>((clip.x / clip.w * 0.5F + 0.5F) * size.width);
+        const auto y = static_cast<std::size_t>((clip.y / clip.w * 0.5F + 0.5F) * size.height);
+        return (y * size.width + x) * 4;
+    };
+    const std::size_t shadowed = at_floor({0, 0, 0}); // the light through the ball's centre
+    EXPECT_GT(free_of_shadows[shadowed], 0.1F);
+    EXPECT_EQ(pixels[shadowed], 0);
+    for (const glm::vec3 point : {glm::vec3(1.4F, 0, 0.5F), glm::vec3(-1.2F, 0, 0.3F)})
+        EXPECT_EQ(pixels[at_floor(point)], free_of_shadows[at_floor(point)]);
+}
+
+TEST_F(GeometryTest, every_scene_is_finite_and_not_black) {
+    for (const SceneInfo& info : scenes()) {
+        const auto pixels = light(scene_at(info, 0));
+        float sum = 0;
+        for (const float value : pixels) {
+            ASSERT_TRUE(std::isfinite(value)) << info.name;
+            ASSERT_GE(value, 0) << info.name;
+            sum += value;
+        }
+        EXPECT_GT(sum / static_cast<float>(pixels.size()), 0.01F) << info.name;
+    }
+}
+
+TEST_F(GeometryTest, without_lights_and_surroundings_a_scene_is_black) {
+    Scene scene = floor_scene({});
+    scene.lights.clear();
+    const auto pixels = light(scene);
+    for (std::size_t at = 0; at < pixels.size(); at += 4)
+        ASSERT_EQ(pixels[at] + pixels[at + 1] + pixels[at + 2], 0);
+}
+
+class ResolveTest : public GpuTest {
+  protected:
+    struct Result {
+        std::vector<float> texels;
+        float maximum = 0;
+    };
+    Result resolve(const ImageDesc& desc, const std::vector<float>& texels, Size target,
+                   float exposure) {
+        const gpu::Image image = upload(desc, texels);
+        Graph graph;
+        const Resolved out =
+            add_resolve(graph, graph.import("source", image, desc), target, exposure);
+        graph.present(out.hdr);
+        graph.present(out.maximum);
+        Executor executor(device());
+        executor.render(graph);
+        Result result;
+        result.texels = floats_of(as<std::uint16_t>(executor.read_image(out.hdr)));
+        result.maximum = as<float>(executor.read_buffer(out.maximum)).front();
+        return result;
+    }
+};
+
+TEST_F(ResolveTest, everything_becomes_finite_and_the_maximum_is_exact) {
+    const float inf = std::numeric_limits<float>::infinity();
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const std::vector<float> texels{nan, inf, -inf, 1,   -1, 0, 1e30F, 1, 0.5F, 1, 2, nan,
+                                    4,   8,   -nan, inf, 3,  1, 1,     1, 7,    0, 0, 0};
+    const Result result = resolve({Format::rgba32f, 3, 2}, texels, {3, 2}, 2);
+    const std::vector<float> expected{0, 65504, 0, 1, 0, 0, 65504, 1, 1,  2, 4, 1,
+                                      8, 16,    0, 1, 6, 2, 2,     1, 14, 0, 0, 1};
+    EXPECT_EQ(result.texels, expected);
+    EXPECT_EQ(result.maximum, 65504);
+    EXPECT_EQ(resolve({Format::rgba32f, 1, 1}, {0.25F, 0.125F, 0, 1}, {1, 1}, 1).maximum, 0.25F);
+    EXPECT_EQ(resolve({Format::rgba32f, 1, 1}, {0, -4, 0, 1}, {1, 1}, 1).maximum, 0);
+}
+
+TEST_F(ResolveTest, another_size_keeps_the_mean_and_ignores_what_is_not_finite) {
+    const ImageDesc desc{Format::rgba32f, 12, 9};
+    std::vector<float> texels;
+    double mean = 0;
+    for (std::uint32_t index = 0; index < desc.width * desc.height; ++index) {
+        const auto value = static_cast<float>(index % 7);
+        mean += static_cast<double>(value) / (desc.width * desc.height);
+        texels.insert(texels.end(), {value, value, value, 1});
+    }
+    for (const Size target : {Size{4, 3}, Size{24, 18}, Size{6, 5}}) {
+        const Result result = resolve(desc, texels, target, 1);
+        double found = 0;
+        for (std::size_t at = 0; at < result.texels.size(); at += 4)
+            found += static_cast<double>(result.texels[at]) / (target.width * target.height);
+        // Texels are rounded to halves, and where it is enlarged the border repeats.
+        EXPECT_NEAR(found, mean, 0.05) << target.width;
+    }
+    texels[0] = std::numeric_limits<float>::quiet_NaN();
+    for (const float value : resolve(desc, texels, {4, 3}, 1).texels)
+        EXPECT_TRUE(std::isfinite(value));
+}
+
+TEST_F(ResolveTest, a_picture_keeps_its_proportions_between_black_bars) {
+    const ImageDesc desc{Format::rgba32f, 4, 2};
+    const std::vector<float> texels(std::size_t{4} * 4 * 2, 3);
+    struct Case {
+        Size target, low, high; ///< the picture from low to before high
+    };
+    for (const auto& [target, low, high] :
+         {Case{{4, 6}, {0, 2}, {4, 4}}, Case{{9, 2}, {2, 0}, {6, 2}}, Case{{2, 7}, {0, 3}, {2, 4}},
+          Case{{1, 1}, {0, 0}, {1, 1}}}) {
+        const Result result = resolve(desc, texels, target, 1);
+        for (std::uint32_t y = 0; y < target.height; ++y)
+            for (std::uint32_t x = 0; x < target.width; ++x) {
+                const bool inside =
+                    x >= low.width && x < high.width && y >= low.height && y < high.height;
+                EXPECT_EQ(result.texels[std::size_t{4} * (y * target.width + x)], inside ? 3 : 0)
+                    << target.width << "x" << target.height << ": " << x << "," << y;
+            }
+    }
+}
+
+} // namespace
+} // namespace preview

@@ -1,0 +1,194 @@
+// The scopes on a device: every count against the twin's, and what their pictures must show.
+#include "preview/passes/scope.h"
+#include "preview/reference/scopes.h"
+#include "tests/preview/passes/finish_fixture.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace preview {
+namespace {
+
+using Codes = std::vector<std::uint8_t>;
+
+/// Codes that differ from texel to texel, with flat areas between; the alpha is noise.
+Codes noise(std::uint32_t width, std::uint32_t height, std::uint32_t seed) {
+    Codes codes;
+    std::uint32_t state = seed * 747796405U + 2891336453U;
+    for (std::uint32_t i = 0; i < 4 * width * height; ++i) {
+        state = state * 747796405U + 2891336453U;
+        const bool flat = i / 4 / 7 % 3 == 0;
+        codes.push_back(static_cast<std::uint8_t>(flat ? 200 - 40 * (i % 4) : state >> 24));
+    }
+    return codes;
+}
+
+Codes flat(std::uint32_t width, std::uint32_t height, std::array<std::uint8_t, 4> code) {
+    Codes codes;
+    for (std::uint32_t i = 0; i < width * height; ++i)
+        codes.insert(codes.end(), code.begin(), code.end());
+    return codes;
+}
+
+class EveryScope : public FinishTest, public testing::WithParamInterface<Scope> {
+  protected:
+    struct Result {
+        std::vector<std::uint32_t> counts;
+        Codes picture; ///< the drawing
+    };
+
+    static Result run(const Codes& codes, std::uint32_t width, ColumnRange range, Size size,
+                      bool logarithmic = true) {
+        const auto height = static_cast<std::uint32_t>(codes.size() / 4 / width);
+        const gpu::Image image = upload({Format::rgba8, width, height}, codes);
+        Graph graph;
+        const ScopePicture out = add_scope(graph, graph.import("codes", image, image.desc()),
+                                           GetParam(), range, size, logarithmic);
+        graph.present(out.counts);
+        graph.present(out.picture);
+        Executor executor(device());
+        executor.render(graph);
+        return {as<std::uint32_t>(executor.read_buffer(out.counts)),
+                as<std::uint8_t>(executor.read_image(out.picture))};
+    }
+
+    static std::vector<std::uint32_t> wanted(const Codes& codes, std::uint32_t width,
+                                             ColumnRange range, Size size) {
+        return reference::scope_counts(GetParam(), codes, width, range,
+                                       scope_columns(GetParam(), range, size));
+    }
+};
+
+constexpr Size drawing{301, 203};
+
+TEST_P(EveryScope, counts_what_its_twin_counts_and_each_texel_once_in_each_plane) {
+    struct Picture {
+        std::uint32_t width, height;
+        ColumnRange range;
+    };
+    for (const Picture& picture : {Picture{1, 1, {0, 1}},
+                                   {1, 37, {0, 1}},
+                                   {613, 1, {0, 613}},
+                                   {257, 131, {0, 257}},
+                                   {640, 400, {0, 640}},
+                                   {257, 131, {100, 33}},
+                                   {64, 64, {63, 1}}}) {
+        SCOPED_TRACE(std::to_string(picture.width) + "x" + std::to_string(picture.height));
+        const Codes codes = noise(picture.width, picture.height, picture.width);
+        const auto got = run(codes, picture.width, picture.range, drawing).counts;
+        EXPECT_EQ(got, wanted(codes, picture.width, picture.range, drawing));
+        const std::uint64_t planes = GetParam().bins == ScopeBins::chroma ? 1 : GetParam().planes;
+        EXPECT_EQ(std::accumulate(got.begin(), got.end(), std::uint64_t{0}),
+                  planes * picture.range.count * picture.height);
+    }
+}
+
+TEST_P(EveryScope, counts_black_white_and_full_colours_in_their_outermost_places) {
+    for (const std::array<std::uint8_t, 4>& code :
+         std::vector<std::array<std::uint8_t, 4>>{{0, 0, 0, 0},
+                                                  {255, 255, 255, 255},
+                                                  {255, 0, 0, 0},
+                                                  {0, 0, 255, 255},
+                                                  {0, 255, 0, 0}}) {
+        const Codes codes = flat(300, 70, code);
+        const auto got = run(codes, 300, {0, 300}, drawing).counts;
+        EXPECT_EQ(got, wanted(codes, 300, {0, 300}, drawing));
+        if (GetParam().bins == ScopeBins::chroma && code[0] == code[1] && code[1] == code[2]) {
+            EXPECT_EQ(got[128 * 256 + 128], 300U * 70);
+        }
+    }
+}
+
+// What comes out of the finishing pass for NaN, infinite and negative light is some code, and
+// counts as that.
+TEST_P(EveryScope, counts_the_codes_that_broken_light_became) {
+    const std::vector<lutlib::Rgb> colors = test_colors(2);
+    const gpu::Image image = image_of(colors);
+    Graph graph;
+    const Handle picture =
+        add_finish(graph, graph.import("colours", image, image.desc()), {}, nullptr, nullptr, {})
+            .picture;
+    const Size size = size_of(graph, picture);
+    const ColumnRange range{0, size.width};
+    const ScopePicture scope = add_scope(graph, picture, GetParam(), range, drawing, true);
+    graph.present(picture);
+    graph.present(scope.counts);
+    Executor executor(device());
+    executor.render(graph);
+    EXPECT_EQ(as<std::uint32_t>(executor.read_buffer(scope.counts)),
+              wanted(as<std::uint8_t>(executor.read_image(picture)), size.width, range, drawing));
+}
+
+TEST_P(EveryScope, draws_in_any_size_and_another_picture_for_other_codes) {
+    const Codes dark = flat(40, 30, {20, 24, 60, 255}), bright = noise(40, 30, 3);
+    for (const Size size : {Size{1, 1}, {7, 3}, {64, 200}, {640, 360}})
+        for (const bool logarithmic : {false, true}) {
+            const auto a = run(dark, 40, {0, 40}, size, logarithmic).picture;
+            ASSERT_EQ(a.size(), std::size_t{4} * size.width * size.height);
+            if (size.width == 640) {
+                EXPECT_NE(a, run(bright, 40, {0, 40}, size, logarithmic).picture);
+            }
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, EveryScope, testing::ValuesIn(scopes),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST(ScopeRangeTest, of_a_side_has_no_column_of_the_other_nor_of_the_line) {
+    constexpr std::uint32_t width = 200, height = 2160;
+    const ScopeSide &a = scope_sides[1], &b = scope_sides[2];
+    for (const Compare& compare : compares)
+        for (const float split : {0.0F, 0.3F, 0.5F, 1.0F}) {
+            SCOPED_TRACE(std::string(compare.name) + " " + std::to_string(split));
+            const auto range = [&](const ScopeSide& side) {
+                return scope_range(side, compare, split, width, height);
+            };
+            const bool heat = &compare == &compare_difference;
+            EXPECT_EQ(range(scope_side_shown), heat ? ColumnRange{} : (ColumnRange{0, width}));
+            EXPECT_LE(range(a).first + range(a).count, width);
+            EXPECT_LE(range(b).first + range(b).count, width);
+            if (heat || !compare.shows_a || !compare.shows_b) {
+                EXPECT_EQ(range(a).count, compare.shows_a && !heat ? width : 0);
+                EXPECT_EQ(range(b).count, compare.shows_b && !heat ? width : 0);
+                continue;
+            }
+            EXPECT_LE(range(a).count, range(b).first);
+            if (&compare == &compare_side) {
+                EXPECT_EQ(range(a), (ColumnRange{0, 100}));
+                EXPECT_EQ(range(b), (ColumnRange{100, 100}));
+            } else if (split == 0.5F) {
+                // The line is four texels wide at 2160 lines; antialiasing takes one more each
+                // side.
+                EXPECT_EQ(range(a), (ColumnRange{0, 97}));
+                EXPECT_EQ(range(b), (ColumnRange{103, 97}));
+            } else if (split == 0.0F) {
+                EXPECT_EQ(range(a).count, 0U);
+            } else if (split == 1.0F) {
+                EXPECT_EQ(range(b).count, 0U);
+            }
+        }
+}
+
+TEST(ScopeTwinTest, luma_and_differences_lie_within_half_a_code_of_bt709) {
+    for (int r = 0; r < 256; r += 15)
+        for (int g = 0; g < 256; g += 15)
+            for (int b = 0; b < 256; b += 15) {
+                const Codes code{static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
+                                 static_cast<std::uint8_t>(b), 0};
+                const double luma = 0.2126 * r + 0.7152 * g + 0.0722 * b;
+                const auto waveform = reference::scope_counts(scopes[0], code, 1, {0, 1}, 1);
+                const auto level =
+                    std::find(waveform.begin(), waveform.end(), 1U) - waveform.begin();
+                // Half a code of rounding, and 3 weights that are each 2^-17 off.
+                EXPECT_NEAR(static_cast<double>(level), luma, 0.506);
+                const auto chroma = reference::scope_counts(scopes[2], code, 1, {0, 1}, 1);
+                const auto place = std::find(chroma.begin(), chroma.end(), 1U) - chroma.begin();
+                // The largest difference, 127.5, rounds to a code that 8 bits do not have.
+                EXPECT_NEAR(static_cast<double>(place % 256) - 128, (b - luma) / 1.8556, 0.506);
+                EXPECT_NEAR(static_cast<double>(place / 256) - 128, (r - luma) / 1.5748, 0.506);
+            }
+}
+
+} // namespace
+} // namespace preview

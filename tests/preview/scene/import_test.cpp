@@ -1,0 +1,431 @@
+// glTF files as scenes: what is taken over, what is told, what is refused.
+#include "lutlib/error.h"
+#include "lutlib/io/file.h"
+#include "lutlib/io/png.h"
+#include "preview/cli/headless.h"
+#include "preview/cli/light_edit.h"
+#include "preview/scene/builtin.h"
+#include "preview/scene/import.h"
+#include "preview/frame/shown.h"
+#include "tests/preview/scene/gltf_writer.h"
+#include "tests/preview/graph/gpu_test.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace preview {
+namespace {
+
+namespace fs = std::filesystem;
+using json = nlohmann::json;
+
+class ImportTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        char name[] = "/tmp/lutpreview_import_XXXXXX";
+        folder_ = mkdtemp(name);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string file(const std::string& name) const { return (folder_ / name).string(); }
+    ImportedScene import(const GltfWriter& gltf) const {
+        gltf.write(file("model.gltf"));
+        return import_scene(file("model.gltf"));
+    }
+    /// The error's text.
+    std::string refused(const GltfWriter& gltf) const {
+        gltf.write(file("model.gltf"));
+        return refused();
+    }
+    std::string refused() const {
+        try {
+            import_scene(file("model.gltf"));
+        } catch (const lutlib::Error& error) {
+            EXPECT_NE(std::string(error.what()).find("model.gltf"), std::string::npos)
+                << error.what();
+            return error.what();
+        }
+        return "it was not refused";
+    }
+
+    fs::path folder_;
+};
+
+GltfWriter one_square() {
+    GltfWriter gltf;
+    gltf.add_node({{"mesh", gltf.add_mesh(square_corners())}});
+    return gltf;
+}
+
+bool tells(const ImportedScene& imported, const std::string& what) {
+    for (const std::string& line : imported.left_out)
+        if (line.find(what) != std::string::npos)
+            return true;
+    return false;
+}
+
+void expect_near(glm::vec3 got, glm::vec3 want, float bound) {
+    EXPECT_LT(glm::length(got - want), bound) << got.x << " " << got.y << " " << got.z << ", not "
+                                              << want.x << " " << want.y << " " << want.z;
+}
+
+// Float arithmetic on numbers of about 1.
+constexpr float rounding = 1e-4F;
+
+TEST_F(ImportTest, takes_triangles_with_the_transforms_of_their_nodes) {
+    GltfWriter gltf;
+    const std::size_t mesh = gltf.add_mesh(square_corners());
+    const std::size_t child = gltf.add("nodes", {{"mesh", mesh}, {"translation", {10, 0, 0}}});
+    gltf.add_node({{"mesh", mesh}, {"children", {child}}, {"scale", {2, 2, 2}}});
+    const ImportedScene imported = import(gltf);
+    const Scene& scene = imported.scene;
+    EXPECT_TRUE(imported.left_out.empty());
+    ASSERT_EQ(scene.objects.size(), 2U);
+    // 2 wide about 0, and 4 wide about 20.
+    const glm::vec3 first(scene.objects[0].transform[3]);
+    const glm::vec3 second(scene.objects[1].transform[3]);
+    const float scale = glm::length(glm::vec3(scene.objects[0].transform[0])) / 2;
+    expect_near(second - first, {20 * scale, 0, 0}, rounding);
+    const Bounds box = scene.bounds();
+    expect_near(box.max - box.min, glm::vec3(24, 4, 0) * scale, rounding);
+    for (const Vertex& vertex : scene.meshes[0].vertices)
+        expect_near(vertex.normal, {0, 0, 1}, rounding);
+}
+
+TEST_F(ImportTest, frames_all_of_a_file_without_a_camera_at_any_scale) {
+    for (const float size : {1e-3F, 1.0F, 1e4F}) {
+        GltfWriter gltf;
+        gltf.add_node({{"mesh", gltf.add_mesh(square_corners())}, {"scale", {size, size, size}}});
+        const Scene scene = import(gltf).scene;
+        const Camera camera = camera_of(scene.orbit, 16.0F / 9);
+        for (const float x : {-1.0F, 1.0F})
+            for (const float y : {-1.0F, 1.0F}) {
+                const glm::vec4 clip = camera.projection * camera.view *
+                                       scene.objects[0].transform * glm::vec4(x, y, 0, 1);
+                EXPECT_LT(std::abs(clip.x), clip.w) << size;
+                EXPECT_LT(std::abs(clip.y), clip.w) << size;
+                EXPECT_GT(std::abs(clip.y), 0.4F * clip.w) << size;
+            }
+    }
+}
+
+TEST_F(ImportTest, takes_the_factors_of_materials) {
+    GltfWriter gltf;
+    gltf.add("materials",
+             {{"pbrMetallicRoughness",
+               {{"baseColorFactor", {0.25, 0.5, 0.75, 1}},
+                {"metallicFactor", 0.125},
+                {"roughnessFactor", 0.625}}},
+              {"emissiveFactor", {1, 0.5, 0.25}},
+              {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 8}}}}}});
+    gltf.root["extensionsUsed"] = {"KHR_materials_emissive_strength"};
+    gltf.add_node({{"mesh", gltf.add_mesh(square_corners())}});
+    const ImportedScene imported = import(gltf);
+    const Scene& scene = imported.scene;
+    const Material& material = scene.materials[scene.objects[0].material];
+    expect_near(material.albedo, {0.25F, 0.5F, 0.75F}, rounding);
+    EXPECT_NEAR(material.metalness, 0.125F, rounding);
+    EXPECT_NEAR(material.roughness, 0.625F, rounding);
+    expect_near(material.emission, {8, 4, 2}, rounding);
+}
+
+TEST_F(ImportTest, puts_the_mean_of_a_texture_in_its_place_and_says_so) {
+    lutlib::io::CodeImage image;
+    image.width = 2;
+    image.height = 1;
+    image.samples = {255, 255, 255, 0, 0, 0};
+    lutlib::io::write_file(file("half.png"), lutlib::io::write_png(image));
+    GltfWriter gltf;
+    gltf.add("images", {{"uri", "half.png"}});
+    gltf.add("images", {{"uri", "missing.png"}});
+    gltf.add("textures", {{"source", 0}});
+    gltf.add("textures", {{"source", 1}});
+    gltf.add("materials", {{"pbrMetallicRoughness",
+                            {{"baseColorFactor", {0.5, 1, 1, 1}},
+                             {"metallicFactor", 0.5},
+                             {"baseColorTexture", {{"index", 0}}},
+                             {"metallicRoughnessTexture", {{"index", 0}}}}},
+                           {"emissiveFactor", {1, 1, 1}},
+                           {"emissiveTexture", {{"index", 1}}}});
+    gltf.add_node({{"mesh", gltf.add_mesh(square_corners())}});
+    const ImportedScene imported = import(gltf);
+    const Material& material = imported.scene.materials[imported.scene.objects[0].material];
+    expect_near(material.albedo, {0.25F, 0.5F, 0.5F}, rounding);
+    EXPECT_NEAR(material.roughness, 0.5F, rounding);
+    EXPECT_NEAR(material.metalness, 0.25F, rounding);
+    EXPECT_TRUE(tells(imported, "2 textures' detail"));
+    EXPECT_TRUE(tells(imported, "1 textures that cannot be read"));
+}
+
+TEST_F(ImportTest, looks_through_the_file_s_camera) {
+    GltfWriter gltf = one_square();
+    gltf.add("cameras", {{"type", "perspective"},
+                         {"perspective", {{"yfov", 0.5}, {"aspectRatio", 2}, {"znear", 0.1}}}});
+    gltf.add("cameras", {{"type", "perspective"},
+                         {"perspective", {{"yfov", 1.0}, {"aspectRatio", 2}, {"znear", 0.1}}}});
+    // Turned to the right by 90 degrees about y it looks along -x.
+    const double turn = std::numbers::sqrt2 / 2;
+    gltf.add_node({{"camera", 0}, {"translation", {6, 0, 0}}, {"rotation", {0, turn, 0, turn}}});
+    gltf.add_node({{"camera", 1}});
+    const ImportedScene imported = import(gltf);
+    const Scene& scene = imported.scene;
+    const Camera camera = camera_of(scene.orbit, 16.0F / 9);
+    const glm::mat4& fit = scene.objects[0].transform;
+    expect_near(camera.position, glm::vec3(fit * glm::vec4(6, 0, 0, 1)), rounding);
+    expect_near(scene.orbit.target, glm::vec3(fit * glm::vec4(0, 0, 0, 1)), rounding);
+    EXPECT_NEAR(scene.orbit.field_of_view, 0.5 * 180 / std::numbers::pi, 1e-3);
+    EXPECT_TRUE(tells(imported, "1 cameras"));
+}
+
+TEST_F(ImportTest, shines_with_the_file_s_lights_as_bright_as_they_were) {
+    GltfWriter gltf = one_square();
+    gltf.root["extensionsUsed"] = {"KHR_lights_punctual"};
+    gltf.root["extensions"]["KHR_lights_punctual"]["lights"] = {
+        {{"type", "point"}, {"color", {1, 0.5, 0.25}}, {"intensity", 8}, {"name", "lamp"}},
+        {{"type", "directional"}, {"intensity", 3}, {"name", "sun"}},
+        {{"type", "spot"}, {"intensity", 2}, {"spot", {{"outerConeAngle", 0.5}}}}};
+    const auto light_node = [](int light, json at) {
+        return json{{"extensions", {{"KHR_lights_punctual", {{"light", light}}}}},
+                    {"translation", std::move(at)},
+                    {"name", light == 0   ? "lamp"
+                             : light == 1 ? "sun"
+                                          : "spot"}};
+    };
+    gltf.add_node(light_node(0, {0, 0, 4}));
+    gltf.add_node(light_node(1, {0, 0, 0}));
+    gltf.add_node(light_node(2, {0, 0, 4}));
+    const ImportedScene imported = import(gltf);
+    const Scene& scene = imported.scene;
+    ASSERT_EQ(scene.lights.size(), 3U);
+    const glm::mat4& fit = scene.objects[0].transform;
+    const glm::vec3 middle(fit * glm::vec4(0, 0, 0, 1));
+    const auto irradiance = [&](const PointLight& light) {
+        const glm::vec3 away = light.position - middle;
+        return light.intensity / glm::dot(away, away);
+    };
+    EXPECT_EQ(scene.lights[0].name, "lamp");
+    expect_near(scene.lights[0].position, glm::vec3(fit * glm::vec4(0, 0, 4, 1)), rounding);
+    expect_near(irradiance(scene.lights[0]), glm::vec3(1, 0.5F, 0.25F) * 8.0F / 16.0F, rounding);
+    expect_near(irradiance(scene.lights[1]), glm::vec3(3), 1e-3F);
+    expect_near(glm::normalize(scene.lights[1].position - middle), {0, 0, 1}, rounding);
+    EXPECT_TRUE(tells(imported, "1 cones of spot lights"));
+    EXPECT_NEAR(std::exp2(scene.exposure) * (0.5F + 3 + 0.125F), std::numbers::pi_v<float>, 1e-2F);
+    expect_near(scene.environment.zenith * std::exp2(scene.exposure),
+                sample_scene().environment.zenith, rounding);
+    for (const PointLight& light : scene.lights)
+        EXPECT_TRUE(light.casts_shadow);
+}
+
+TEST_F(ImportTest, drops_triangles_with_a_vertex_that_is_not_finite_and_counts_them) {
+    std::vector<float> corners = square_corners();
+    for (const float bad : {std::nanf(""), HUGE_VALF, 1e30F}) {
+        std::vector<float> both = corners;
+        both.insert(both.end(), corners.begin(), corners.end());
+        both[both.size() - 1] = bad;
+        GltfWriter gltf;
+        gltf.add_node({{"mesh", gltf.add_mesh(both)}});
+        const ImportedScene imported = import(gltf);
+        EXPECT_EQ(imported.scene.meshes[0].indices.size(), 9U) << bad;
+        EXPECT_TRUE(tells(imported, "1 triangles with a vertex that is not")) << bad;
+        const Bounds box = imported.scene.bounds();
+        EXPECT_LT(glm::length(box.max - box.min), 3.1F);
+    }
+}
+
+TEST_F(ImportTest, shows_both_sides_of_a_double_sided_material) {
+    GltfWriter gltf;
+    gltf.add("materials", {{"doubleSided", true}});
+    gltf.add_node({{"mesh", gltf.add_mesh(square_corners())}});
+    const Mesh mesh = import(gltf).scene.meshes[0];
+    ASSERT_EQ(mesh.indices.size(), 12U);
+    float sum = 0;
+    for (const std::uint32_t index : mesh.indices)
+        sum += mesh.vertices[index].normal.z;
+    EXPECT_EQ(sum, 0);
+}
+
+TEST_F(ImportTest, tells_what_it_leaves_out) {
+    GltfWriter gltf;
+    gltf.add("materials", {{"alphaMode", "BLEND"},
+                           {"normalTexture", {{"index", 0}}},
+                           {"extensions", {{"KHR_materials_clearcoat", json::object()}}}});
+    gltf.add("images", {{"uri", "missing.png"}});
+    gltf.add("textures", {{"source", 0}});
+    gltf.add_node({{"mesh", gltf.add_mesh(square_corners())}});
+    const ImportedScene imported = import(gltf);
+    for (const char* what :
+         {"1 transparency", "1 normal and occlusion", "1 materials' KHR_materials_clearcoat"})
+        EXPECT_TRUE(tells(imported, what)) << what;
+}
+
+struct Damage {
+    const char* name;
+    const char* told; ///< part of the message
+    void (*apply)(GltfWriter& gltf);
+};
+constexpr Damage damages[] = {
+    {"an old version", "glTF 1.0", [](GltfWriter& g) { g.root["asset"]["version"] = "1.0"; }},
+    {"no version", "asset.version", [](GltfWriter& g) { g.root.erase("asset"); }},
+    {"nothing in it", "no triangle", [](GltfWriter& g) { g.root["nodes"][0].erase("mesh"); }},
+    {"a view beyond its buffer", "beyond its buffer",
+     [](GltfWriter& g) { g.root["bufferViews"][0]["byteLength"] = 1'000'000; }},
+    {"a view whose end overflows", "beyond its buffer",
+     [](GltfWriter& g) { g.root["bufferViews"][0]["byteOffset"] = UINT64_MAX - 4; }},
+    {"an accessor beyond its view", "beyond its bufferView",
+     [](GltfWriter& g) { g.root["accessors"][0]["count"] = 7; }},
+    {"a huge accessor", "the limit",
+     [](GltfWriter& g) { g.root["accessors"][0]["count"] = UINT64_MAX; }},
+    {"a huge accessor of nothing", "the limit",
+     [](GltfWriter& g) {
+         g.root["accessors"][0].erase("bufferView");
+         g.root["accessors"][0]["count"] = 4'000'000'000U;
+     }},
+    {"a negative count", "is no count",
+     [](GltfWriter& g) { g.root["accessors"][0]["count"] = -1; }},
+    {"a sparse accessor", "sparse",
+     [](GltfWriter& g) {
+         g.root["accessors"][0]["sparse"] = {{"count", 1}};
+     }},
+    {"a node above itself", "ring", [](GltfWriter& g) { g.root["nodes"][0]["children"] = {0}; }},
+    {"a child that is not there", "not there",
+     [](GltfWriter& g) { g.root["nodes"][0]["children"] = {5}; }},
+    {"a mesh that is not there", "", [](GltfWriter& g) { g.root["nodes"][0]["mesh"] = 5; }},
+    {"compressed meshes", "compressed",
+     [](GltfWriter& g) { g.root["extensionsRequired"] = {"KHR_draco_mesh_compression"}; }},
+    {"a buffer that is shorter than it says", "",
+     [](GltfWriter& g) { g.root["accessors"][0]["count"] = 2'000; }},
+    {"too many nodes", "nodes",
+     [](GltfWriter& g) {
+         for (std::size_t i = 0; i <= import_limits.nodes; ++i)
+             g.root["nodes"].push_back(json::object());
+     }},
+};
+
+TEST_F(ImportTest, refuses_a_broken_file_by_one_error_that_names_it) {
+    for (const Damage& damage : damages) {
+        GltfWriter gltf = one_square();
+        damage.apply(gltf);
+        const std::string message = refused(gltf);
+        EXPECT_EQ(message.find("it was not refused"), std::string::npos) << damage.name;
+        EXPECT_NE(message.find(damage.told), std::string::npos) << damage.name << ": " << message;
+    }
+}
+
+TEST_F(ImportTest, refuses_what_is_no_gltf_at_all) {
+    std::string deep(100'000, '[');
+    const std::string binary = std::string("glTF\2\0\0\0\xff\xff\xff\0", 12);
+    for (const std::string& bytes :
+         {std::string("{"), std::string("[]"), std::string("null"), std::string("\x89PNG\r\n"),
+          deep, binary, binary + std::string("\xff\xff\xff\xffJSON{}", 10)}) {
+        lutlib::io::write_file(file("model.gltf"), bytes);
+        EXPECT_EQ(refused().find("it was not refused"), std::string::npos) << bytes.substr(0, 9);
+    }
+    GltfWriter gltf = one_square();
+    gltf.write(file("model.gltf"));
+    fs::remove(file("model.bin"));
+    EXPECT_NE(refused().find("model.bin"), std::string::npos);
+}
+
+TEST_F(ImportTest, survives_every_cut_of_a_file) {
+    one_square().write(file("model.gltf"));
+    const std::string whole = lutlib::io::read_file(file("model.gltf"));
+    for (std::size_t length = 1; length + 3 < whole.size(); length += 29) {
+        lutlib::io::write_file(file("model.gltf"), whole.substr(0, length));
+        EXPECT_EQ(refused().find("it was not refused"), std::string::npos) << length;
+    }
+}
+
+TEST_F(ImportTest, takes_or_refuses_every_model_of_a_foreign_collection) {
+    const fs::path models = "/usr/share/assimp/models/glTF2";
+    if (!fs::exists(models))
+        GTEST_SKIP() << "the package assimp-testmodels is not installed";
+    std::size_t taken = 0;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(models)) {
+        if (!is_model_file(entry.path().string()))
+            continue;
+        try {
+            const Scene scene = import_scene(entry.path().string()).scene;
+            EXPECT_FALSE(scene.objects.empty()) << entry.path();
+            const Bounds box = scene.bounds();
+            EXPECT_NEAR(glm::length(box.max - box.min), 3, 0.01) << entry.path();
+            ++taken;
+        } catch (const lutlib::Error& error) {
+            EXPECT_NE(std::string(error.what()).find(entry.path().filename().string()),
+                      std::string::npos);
+        }
+    }
+    EXPECT_GT(taken, 10U);
+}
+
+class ModelFrameTest : public GpuTest {};
+
+TEST_F(ModelFrameTest, a_model_is_rendered_like_a_built_in_scene) {
+    char name[] = "/tmp/lutpreview_import_XXXXXX";
+    const fs::path folder = mkdtemp(name);
+    GltfWriter gltf;
+    gltf.add("materials", {{"pbrMetallicRoughness",
+                            {{"baseColorFactor", {0.8, 0.1, 0.1, 1}}, {"metallicFactor", 0}}}});
+    gltf.add_node({{"mesh", gltf.add_mesh(square_corners())}});
+    gltf.write(folder / "model.gltf");
+    const auto shown =
+        std::make_shared<const Shown>(load_shown((folder / "model.gltf").string(), 0));
+    fs::remove_all(folder);
+    const GpuShown on_gpu(device(), shown);
+    FrameSettings settings;
+    settings.output = {160, 90};
+    settings.orbit = shown->scene->orbit;
+    settings.tonemap = tonemap_named("none");
+    Executor executor(device());
+    const Rendered rendered = render_frame(executor, on_gpu.inputs(), settings);
+    const auto pixel = [&](std::size_t x, std::size_t y) {
+        const std::size_t at = 4 * (y * 160 + x);
+        return glm::vec3(rendered.rgba[at], rendered.rgba[at + 1], rendered.rgba[at + 2]);
+    };
+    const glm::vec3 middle = pixel(80, 45);
+    EXPECT_GT(middle.r, 100);
+    EXPECT_GT(middle.r, 2 * middle.g);
+    const glm::vec3 corner = pixel(2, 2);
+    EXPECT_LT(corner.r, 1.5F * corner.g);
+}
+
+TEST(LightEdit, takes_a_value_for_every_control_and_keeps_the_rest) {
+    for (const LightControl& control : light_controls()) {
+        Scene scene = scene_at(*scene_named("sample"), 0);
+        const std::vector<PointLight> before = scene.lights;
+        const std::string value = components(control.kind) == 1 ? "0" : "0.25,0.5,1";
+        const bool is_flag = control.kind == LightControl::Kind::flag;
+        edit_light(scene.lights, "key." + std::string(control.name) + "=" +
+                                     (is_flag || value != "0" ? value : "3"));
+        EXPECT_FALSE(scene.lights[0] == before[0]) << control.name;
+        const glm::vec3 got = control.get(scene.lights[0]);
+        EXPECT_NEAR(got.x, is_flag ? 0 : value == "0" ? 3 : 0.25F, 1e-5F) << control.name;
+        for (const LightControl& other : light_controls())
+            if (&other != &control)
+                expect_near(other.get(scene.lights[0]), other.get(before[0]), 1e-4F);
+        for (std::size_t i = 1; i < before.size(); ++i)
+            EXPECT_TRUE(scene.lights[i] == before[i]);
+        edit_light(scene.lights, "1." + std::string(control.name) + "=" +
+                                     (components(control.kind) == 3 ? "1,1,1" : "1"));
+    }
+}
+
+TEST(LightEdit, refuses_what_it_cannot_do_and_names_what_there_is) {
+    const Scene scene = scene_at(*scene_named("sample"), 0);
+    for (const char* text :
+         {"", "key", "key.on", "=1", "key.=1", "nobody.on=1", "key.sound=1",
+          "key.intensity=", "key.intensity=x", "key.intensity=1,2", "key.intensity=nan",
+          "key.intensity=0", "key.intensity=inf", "key.color=1,2", "key.color=1,0.5,0.5,0.5",
+          "key.color=2,0,0", "key.on=2", "key.position=1,2,1e9", "9.on=1"}) {
+        std::vector<PointLight> lights = scene.lights;
+        EXPECT_THROW(edit_light(lights, text), lutlib::UsageError) << text;
+        EXPECT_TRUE(lights == scene.lights) << text;
+    }
+    std::vector<PointLight> none;
+    EXPECT_THROW(edit_light(none, "0.on=1"), lutlib::UsageError);
+}
+
+} // namespace
+} // namespace preview

@@ -1,19 +1,13 @@
 #include "lutlib/io/describe.h"
 
-#include <array>
-#include <charconv>
+#include "lutlib/number_text.h"
 
 namespace lutlib::io {
 namespace {
 
-std::string number(float value) {
-    std::array<char, 32> text;
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
 std::string triple(const Rgb& c) {
-    return c.r == c.g && c.g == c.b ? number(c.r)
-                                    : number(c.r) + "," + number(c.g) + "," + number(c.b);
+    return c.r == c.g && c.g == c.b ? shortest(c.r)
+                                    : shortest(c.r) + "," + shortest(c.g) + "," + shortest(c.b);
 }
 
 } // namespace

@@ -1,7 +1,10 @@
 #include "lutlib/ops/op.h"
 
 #include "lutlib/error.h"
+#include "lutlib/named.h"
+#include "lutlib/number_text.h"
 #include "lutlib/ops/all.h"
+#include "lutlib/text.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +15,7 @@
 namespace lutlib {
 namespace {
 
-constexpr std::array<const Op*, 21> table{
+constexpr auto table = std::to_array<const Op*>({
     &op::exposure,
     &op::white_balance,
     &op::channel_mixer,
@@ -34,21 +37,13 @@ constexpr std::array<const Op*, 21> table{
     &op::sat_vs_lum,
     &op::lum_vs_lum,
     &op::hue_range,
-};
-
-// The shortest text that reads back as the same number, whatever the locale.
-std::string number_text(double x) {
-    std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x).ptr;
-    return {buffer.data(), end};
-}
+});
 
 std::string problem_with_number(double x, double min, double max) {
     if (x >= min && x <= max) {
         return {};
     }
-    return "is " + number_text(x) + "; the range is " + number_text(min) + " to " +
-           number_text(max);
+    return "is " + shortest(x) + "; the range is " + shortest(min) + " to " + shortest(max);
 }
 
 bool is_neutral(const Parameter& parameter, const Value& value) {
@@ -62,12 +57,6 @@ bool is_neutral(const Parameter& parameter, const Value& value) {
     return std::all_of(knots.begin(), knots.end(), [&](const Knot& k) {
         return k.y == (parameter.axis.diagonal ? k.x : parameter.fallback);
     });
-}
-
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t");
-    return first == text.npos ? std::string_view{}
-                              : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -165,9 +154,7 @@ std::span<const Op* const> ops() {
 }
 
 const Op* op_named(std::string_view name) {
-    const auto found =
-        std::find_if(table.begin(), table.end(), [&](const Op* op) { return op->name == name; });
-    return found == table.end() ? nullptr : *found;
+    return find_named(table, name);
 }
 
 Operation default_operation(const Op& op) {
@@ -193,7 +180,7 @@ std::string problem_with(const Parameter& parameter, const Value& value) {
     }
     if (const double* x = std::get_if<double>(&value)) {
         if (parameter.kind == ParameterKind::toggle) {
-            return *x == 0 || *x == 1 ? "" : "is " + number_text(*x) + "; it must be 0 or 1";
+            return *x == 0 || *x == 1 ? "" : "is " + shortest(*x) + "; it must be 0 or 1";
         }
         return problem_with_number(*x, parameter.min, parameter.max);
     }
@@ -250,14 +237,14 @@ Value parse_value(const Parameter& parameter, const std::string& text) {
 
 std::string value_text(const Value& value) {
     if (const double* x = std::get_if<double>(&value)) {
-        return number_text(*x);
+        return shortest(*x);
     }
     if (const RgbD* c = std::get_if<RgbD>(&value)) {
-        return number_text(c->r) + ", " + number_text(c->g) + ", " + number_text(c->b);
+        return shortest(c->r) + ", " + shortest(c->g) + ", " + shortest(c->b);
     }
     std::string out;
     for (const Knot& k : std::get<Knots>(value)) {
-        out += (out.empty() ? "" : ", ") + number_text(k.x) + ":" + number_text(k.y);
+        out += (out.empty() ? "" : ", ") + shortest(k.x) + ":" + shortest(k.y);
     }
     return out;
 }

@@ -1,20 +1,11 @@
 #include "lutlib/recipe/recipe.h"
 
-#include <nlohmann/json.hpp>
+#include "lutlib/number_text.h"
 
-#include <array>
-#include <charconv>
+#include <nlohmann/json.hpp>
 
 namespace lutlib {
 namespace {
-
-// The shortest digits that read back as the same number, for float and double alike.
-template <class T>
-std::string number(T x) {
-    std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x).ptr;
-    return {buffer.data(), end};
-}
 
 // "[a, b]"
 std::string bracketed(const std::vector<std::string>& items) {
@@ -28,7 +19,7 @@ std::string bracketed(const std::vector<std::string>& items) {
 
 template <class T>
 std::string triple(const BasicRgb<T>& c) {
-    return bracketed({number(c.r), number(c.g), number(c.b)});
+    return bracketed({shortest(c.r), shortest(c.g), shortest(c.b)});
 }
 
 std::string json_text(std::string_view text) {
@@ -36,19 +27,20 @@ std::string json_text(std::string_view text) {
 }
 
 std::string corner(const Rgb& c) {
-    return c.r == c.g && c.g == c.b ? number(c.r) : triple(c);
+    return c.r == c.g && c.g == c.b ? shortest(c.r) : triple(c);
 }
 
 std::string value_json(const Parameter& parameter, const Value& value) {
     if (const double* x = std::get_if<double>(&value)) {
-        return parameter.kind == ParameterKind::toggle ? (*x != 0 ? "true" : "false") : number(*x);
+        return parameter.kind == ParameterKind::toggle ? (*x != 0 ? "true" : "false")
+                                                       : shortest(*x);
     }
     if (const RgbD* c = std::get_if<RgbD>(&value)) {
         return triple(*c);
     }
     std::vector<std::string> knots;
     for (const Knot& k : std::get<Knots>(value)) {
-        knots.push_back(bracketed({number(k.x), number(k.y)}));
+        knots.push_back(bracketed({shortest(k.x), shortest(k.y)}));
     }
     return bracketed(knots);
 }
@@ -90,7 +82,7 @@ std::string operation_json(const Operation& operation) {
 std::string bake_json(const BakeSettings& bake) {
     Fields fields;
     if (bake.size) {
-        fields.emplace_back("size", number(*bake.size));
+        fields.emplace_back("size", std::to_string(*bake.size));
     }
     if (bake.domain) {
         fields.emplace_back("domain",
@@ -100,7 +92,7 @@ std::string bake_json(const BakeSettings& bake) {
         fields.emplace_back("shaper", json_text(bake.shaper));
     }
     if (bake.shaper_size != BakeSettings{}.shaper_size) {
-        fields.emplace_back("shaper_size", number(bake.shaper_size));
+        fields.emplace_back("shaper_size", std::to_string(bake.shaper_size));
     }
     return object(fields, "  ");
 }

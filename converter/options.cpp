@@ -3,7 +3,6 @@
 #include "converter/reference.h"
 #include "converter/report.h"
 #include "lutlib/error.h"
-#include "lutlib/formats/cube.h"
 #include "lutlib/io/bake_report.h"
 #include "lutlib/io/describe.h"
 #include "lutlib/io/file.h"
@@ -49,18 +48,18 @@ void complain_of_keywords(const lutlib::Lut& lut, const std::string& name) {
 }
 
 lutlib::Lut lut_from(const std::string& bytes, const std::string& path) {
-    lutlib::io::Reading reading = lutlib::io::decode_lut(bytes, lutlib::io::input_name(path));
+    lutlib::Reading reading = lutlib::io::decode_lut(bytes, lutlib::io::input_name(path));
     complain_of(reading.losses, reading.lut.provenance);
     complain_of_keywords(reading.lut, reading.lut.provenance);
     return std::move(reading.lut);
 }
 
 // A recipe as a table, with what lies between the table's nodes measured.
-lutlib::io::Reading baked(const lutlib::Recipe& recipe) {
+lutlib::Reading baked(const lutlib::Recipe& recipe) {
     // Tables hold floats.
     constexpr double float_rounding = 2e-6;
     constexpr int finest_lattice = 33, spread_colours = 20000;
-    lutlib::io::Reading out{bake_recipe(recipe), {}};
+    lutlib::Reading out{bake_recipe(recipe), {}};
     const lutlib::Edit edit(recipe);
     const int lattice =
         out.lut.cube ? std::min(out.lut.cube->size, finest_lattice) : finest_lattice;
@@ -82,7 +81,7 @@ lutlib::io::Reading baked(const lutlib::Recipe& recipe) {
 // Null where our reading says the same.
 std::shared_ptr<const lutlib::io::OcioTransform> evaluation(const std::string& bytes,
                                                             const std::string& path,
-                                                            const lutlib::io::Reading& reading,
+                                                            const lutlib::Reading& reading,
                                                             lutlib::Interpolation how) {
     if (!is_opencolorios(bytes, path) ||
         (how == lutlib::Interpolation::nearest && reading.losses.empty())) {
@@ -150,14 +149,14 @@ lutlib::Lut read_lut(const std::string& path) {
 }
 
 lutlib::Lut read_look(const std::string& path) {
-    lutlib::io::Reading reading = read_look(path, {}, {});
+    lutlib::Reading reading = read_look(path, {}, {});
     complain_of(reading.losses, lutlib::io::input_name(path));
     complain_of_keywords(reading.lut, lutlib::io::input_name(path));
     return std::move(reading.lut);
 }
 
-lutlib::io::Reading read_look(const std::string& path, const lutlib::io::ReadOptions& options,
-                              const std::string& format) {
+lutlib::Reading read_look(const std::string& path, const lutlib::ReadOptions& options,
+                          const std::string& format) {
     const std::string bytes = lutlib::io::read_file(path);
     if (format.empty() && lutlib::io::is_recipe(bytes)) {
         return baked(lutlib::io::recipe_from(bytes, path, read_lut));
@@ -180,7 +179,7 @@ Look open_look(const std::string& path, lutlib::Interpolation how) {
                 recipe.bake.domain.value_or(usual), recipe.title};
     }
     const std::string name = lutlib::io::input_name(path);
-    lutlib::io::Reading reading = lutlib::io::decode_lut(bytes, name);
+    lutlib::Reading reading = lutlib::io::decode_lut(bytes, name);
     const lutlib::Domain domain = reading.lut.domain();
     const std::string title = reading.lut.title;
     if (const auto transform = evaluation(bytes, path, reading, how)) {
@@ -199,11 +198,7 @@ Look open_look(const std::string& path, lutlib::Interpolation how) {
 }
 
 void write_look(const lutlib::Lut& lut, const std::string& path) {
-    const std::string_view format =
-        path == lutlib::io::standard_stream
-            ? (best_dialect(lut) == lutlib::CubeDialect::resolve ? "cube-resolve" : "cube")
-            : "";
-    complain_of(lutlib::io::write_lut(path, lut, {}, format).losses, lutlib::io::output_name(path));
+    complain_of(lutlib::io::write_lut(path, lut).losses, lutlib::io::output_name(path));
 }
 
 } // namespace converter

@@ -3,8 +3,8 @@
 
 #include "lutlib/bake/bake.h"
 #include "lutlib/engine/engine.h"
+#include "lutlib/format.h"
 #include "lutlib/interpolation/interpolation.h"
-#include "lutlib/io/ocio.h"
 
 #include <CLI/App.hpp>
 
@@ -44,8 +44,8 @@ lutlib::Lut read_lut(const std::string& path);
 /// The same, and a recipe, baked as its own settings say; what that loses is measured.
 lutlib::Lut read_look(const std::string& path);
 /// The same with the losses handed back; an empty `format` is recognised.
-lutlib::io::Reading read_look(const std::string& path, const lutlib::io::ReadOptions& options,
-                              const std::string& format);
+lutlib::Reading read_look(const std::string& path, const lutlib::ReadOptions& options,
+                          const std::string& format);
 /// The same of bytes that have been read from `path`.
 lutlib::Lut look_from(const std::string& bytes, const std::string& path);
 

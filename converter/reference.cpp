@@ -4,25 +4,15 @@
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
-#include "lutlib/io/ocio_formats.h"
+#include "lutlib/io/formats/opencolorio.h"
 #include "lutlib/io/png.h"
 #include "lutlib/io/recipe_file.h"
-
-#include <algorithm>
 
 namespace converter {
 namespace {
 
 namespace io = lutlib::io;
 using lutlib::Interpolation;
-
-// The extension under which OpenColorIO knows the file: its own, unless that says nothing.
-std::string extension_for(const io::FileFormat& format, const std::string& path) {
-    const std::string own = io::extension_of(path);
-    const bool known = std::find(format.extensions.begin(), format.extensions.end(), own) !=
-                       format.extensions.end();
-    return known ? own : format.extensions.front();
-}
 
 template <class F>
 lutlib::Oracle each_color(F f) {
@@ -36,17 +26,15 @@ lutlib::Oracle each_color(F f) {
 } // namespace
 
 bool is_opencolorios(const std::string& bytes, const std::string& path) {
-    const std::string& name = io::recognise_format(bytes, io::input_name(path)).name;
-    const auto rows = io::ocio_formats();
-    return std::any_of(rows.begin(), rows.end(),
-                       [&](const io::OcioFormat& row) { return row.name == name; });
+    return io::recognise_format(bytes, io::input_name(path)).opencolorio;
 }
 
 std::shared_ptr<const io::OcioTransform>
 in_opencolorio(const std::string& bytes, const std::string& path, Interpolation how) {
     const std::string name = io::input_name(path);
-    const io::FileFormat& format = io::recognise_format(bytes, name);
-    return io::ocio().parse(bytes, extension_for(format, path), name, {.interpolation = how});
+    const lutlib::FileFormat& format = io::recognise_format(bytes, name);
+    return io::ocio().parse(bytes, lutlib::formats::opencolorio_extension(format, path), name,
+                            {.interpolation = how});
 }
 
 Reference::Reference(const std::string& path) : bytes_(io::read_file(path)), path_(path) {

@@ -3,12 +3,17 @@
 
 #include "lutlib/lut.h"
 
-#include <span>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace lutlib {
+
+struct Layout;
 
 /// One thing that a conversion could not keep, with its figure: {"domain 0..4 cut to 0..1", 3,
 /// "of 4 units of input"}. A list of them is printed, and is an error under --strict.
@@ -28,26 +33,76 @@ struct Holds {
     bool per_channel_domain = false; ///< the interval may differ between channels
     bool title = false;
     bool keywords = false; ///< Lut::keywords
-    int integer_bits = 0; ///< codes of so many bits over 0..1, values outside clamped; 0: float
-    int decimals = 0;     ///< decimals of a text format that rounds; 0: every bit kept
+    int integer_bits = 0;  ///< codes of so many bits over 0..1, values outside clamped; 0: float
+    int decimals = 0;      ///< decimals of a text format that rounds; 0: every bit kept
+};
+
+struct ReadOptions {
+    /// Nodes per side of the cube onto which a transform is sampled that is no shaper and cube.
+    /// 0: 65, or for a transform with a cube in it, the next multiple of its cells from there.
+    int size = 0;
+    /// Which of a picture's stacked lattices, from the top.
+    int row = 0;
 };
 
 struct WriteOptions {
     std::string title; ///< replaces the look's own when not empty
+    int size = 0;      ///< nodes per side of the cube; 0: the look's own, or as the format needs
+    int bits = 16;     ///< of pictures: 8 or 16
 };
 
-/// One row of a format table. `read` and `write` are null where the format is write- or read-only.
-struct Format {
-    std::string_view name;                        ///< as in --format
-    std::string_view label;                       ///< for help
-    std::span<const std::string_view> extensions; ///< lower case, without the dot, first is default
-    /// How surely these bytes (the whole file or its head) are of this format: 0 no .. 100 yes.
-    int (*sniff)(std::string_view bytes) = nullptr;
-    /// Parses a whole file. `file` names it in errors. Throws Error.
-    Lut (*read)(std::string_view bytes, const std::string& file) = nullptr;
-    /// The file's bytes. Expects a Lut that `holds` can hold; throws Error otherwise.
-    std::string (*write)(const Lut& lut, const WriteOptions& options) = nullptr;
+/// A look with what the reading could not keep.
+struct Reading {
+    Lut lut;
+    std::vector<Loss> losses;
+};
+
+/// File name extensions, lower case and without the dot; the first is what new files are given.
+class Extensions {
+  public:
+    constexpr Extensions(std::initializer_list<std::string_view> all) {
+        for (const std::string_view extension : all) {
+            all_.at(count_++) = extension;
+        }
+    }
+    constexpr const std::string_view* begin() const { return all_.data(); }
+    constexpr const std::string_view* end() const { return all_.data() + count_; }
+    constexpr bool contain(std::string_view extension) const {
+        return std::find(begin(), end(), extension) != end();
+    }
+    std::string first() const { return std::string(all_.front()); }
+
+  private:
+    std::array<std::string_view, 4> all_{};
+    std::size_t count_ = 0;
+};
+
+/// A format of LUT files: one row, at the end of the file that knows the format. Functions that are
+/// null make a format that is only written or only read; each is handed its own row.
+struct FileFormat {
+    std::string_view name;  ///< as in --format
+    std::string_view label; ///< for help
+    Extensions extensions;
     Holds holds;
+    /// A text within the first 4096 bytes of every such file, and of no other format's.
+    std::string_view magic{};
+    /// For formats that no such text marks: how surely these bytes (the whole file) are of this
+    /// format, 0 no .. 100 yes. With neither only the extension tells.
+    int (*recognise)(std::string_view bytes) = nullptr;
+    /// Parses a whole file. `file` names it in errors and lends its extension. Throws Error.
+    Reading (*read)(const FileFormat& format, std::string_view bytes, const std::string& file,
+                    const ReadOptions& options) = nullptr;
+    /// As `read`, but values that are no numbers are read as NaN instead of refused: for examining
+    /// and repairing. Null where a file of the format cannot hold any.
+    Lut (*read_broken)(std::string_view bytes, const std::string& file) = nullptr;
+    /// The file's bytes. Expects a Lut that `holds` can hold; throws Error otherwise.
+    std::string (*write)(const FileFormat& format, const Lut& lut,
+                         const WriteOptions& options) = nullptr;
+    /// OpenColorIO reads it: its own evaluation of a file may say more than a table of ours.
+    bool opencolorio = false;
+    std::string_view opencolorio_writer{}; ///< its name for its writer, where it writes the format
+    bool picture = false;                  ///< pixels; the extension does not tell that it is a LUT
+    const Layout* layout = nullptr;        ///< of pictures in one layout
 };
 
 } // namespace lutlib

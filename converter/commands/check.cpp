@@ -5,7 +5,6 @@
 #include "converter/report.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
-#include "lutlib/formats/cube.h"
 #include "lutlib/health/health.h"
 #include "lutlib/health/repair.h"
 #include "lutlib/io/bake_report.h"
@@ -32,13 +31,16 @@ struct Options {
     lutlib::RepairOptions repairs;
 };
 
-// As every verb reads a look, except that a .cube may hold values that are no numbers: they are
+// As every verb reads a look, except that a file may hold values that are no numbers: they are
 // what is looked for.
 lutlib::Lut read_to_check(const std::string& path) {
     const std::string bytes = io::read_file(path);
     const std::string name = io::input_name(path);
-    if (!io::is_recipe(bytes) && io::recognise_format(bytes, name).name.starts_with("cube")) {
-        return lutlib::read_broken_cube(bytes, name);
+    if (!io::is_recipe(bytes)) {
+        const lutlib::FileFormat& format = io::recognise_format(bytes, name);
+        if (format.read_broken) {
+            return format.read_broken(bytes, name);
+        }
     }
     return look_from(bytes, path);
 }

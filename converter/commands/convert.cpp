@@ -25,17 +25,17 @@ namespace io = lutlib::io;
 
 struct Options {
     std::string input, output, from, format;
-    io::SaveOptions save;
+    lutlib::WriteOptions save;
     int row = 0;
     bool strict = false, explain = false, json = false;
 };
 
 std::string format_list() {
     std::string out = "Formats:\n";
-    for (const io::FileFormat& row : io::file_formats()) {
-        const char* const ways = !row.write ? "read" : !row.read ? "write" : "read, write";
-        out += fmt::format("  {:<18} {:<12} .{:<7} {}\n", row.name, ways, row.extensions.front(),
-                           row.label);
+    for (const lutlib::FileFormat* const row : io::file_formats()) {
+        const char* const ways = !row->write ? "read" : !row->read ? "write" : "read, write";
+        out += fmt::format("  {:<18} {:<12} .{:<7} {}\n", row->name, ways, row->extensions.first(),
+                           row->label);
     }
     return out;
 }
@@ -51,8 +51,8 @@ std::optional<Explanation> leave_out(lutlib::Lut& lut, const Options& o) {
     if (!less.shaper && !less.cube) {
         less.cube = lutlib::identity_cube(lutlib::limits::min_cube_size, lut.domain());
     }
-    const io::FileFormat& format = o.format.empty() ? io::format_for_writing(o.output, less)
-                                                    : io::require_file_format(o.format);
+    const lutlib::FileFormat& format = o.format.empty() ? io::format_for_writing(o.output, less)
+                                                        : io::require_file_format(o.format);
     if (io::can_hold(less, format.holds)) {
         lut = std::move(less);
         out.left_out = true;
@@ -62,7 +62,7 @@ std::optional<Explanation> leave_out(lutlib::Lut& lut, const Options& o) {
     return out;
 }
 
-nlohmann::ordered_json as_json(const Options& o, const io::FileFormat& format,
+nlohmann::ordered_json as_json(const Options& o, const lutlib::FileFormat& format,
                                const io::Encoded& file) {
     nlohmann::ordered_json losses = nlohmann::ordered_json::array();
     for (const lutlib::Loss& loss : file.losses) {
@@ -76,7 +76,7 @@ nlohmann::ordered_json as_json(const Options& o, const io::FileFormat& format,
             {"losses", losses}};
 }
 
-std::string as_text(const Options& o, const io::FileFormat& format, const io::Encoded& file) {
+std::string as_text(const Options& o, const lutlib::FileFormat& format, const io::Encoded& file) {
     std::string out =
         fmt::format("{} -> {}\n  {}\n  {}, input {}\n", input_text(o.input), output_text(o.output),
                     format.label, io::shape_of(file.lut), io::domain_text(file.lut.domain()));
@@ -87,10 +87,11 @@ std::string as_text(const Options& o, const io::FileFormat& format, const io::En
 }
 
 int run(const Options& o) {
-    io::Reading source = read_look(o.input, {o.save.size, o.row}, o.from);
+    lutlib::Reading source = read_look(o.input, {o.save.size, o.row}, o.from);
     const std::optional<Explanation> explanation = leave_out(source.lut, o);
-    const io::FileFormat& format = o.format.empty() ? io::format_for_writing(o.output, source.lut)
-                                                    : io::require_file_format(o.format);
+    const lutlib::FileFormat& format = o.format.empty()
+                                           ? io::format_for_writing(o.output, source.lut)
+                                           : io::require_file_format(o.format);
     io::Encoded file = io::encode_lut(source.lut, format, o.save);
     file.losses.insert(file.losses.begin(), source.losses.begin(), source.losses.end());
     if (o.strict && !file.losses.empty()) {

@@ -37,7 +37,7 @@ std::string bytes_of(const Options& o) {
     lutlib::Lut lut;
     lut.cube = lutlib::identity_cube(o.size ? o.size : usual_size);
     lut.title = "Identity";
-    return encode_lut(lut, lutlib::io::format_for_writing(o.output, lut)).bytes;
+    return lutlib::io::encode_lut(lut, lutlib::io::format_for_writing(o.output, lut)).bytes;
 }
 
 } // namespace

@@ -14,10 +14,10 @@
 //           | other [text]                       kept, written back and not acted on
 //   row     = number number number               blanks or tabs between; a decimal comma is read
 //
-// Keywords are read in any case. They may stand anywhere, but sizes before the first row, and unknown
-// ones not among the rows, where they are taken for damaged rows. The rows are the 1D table's, if
-// there is one, then the 3D table's, red fastest. With both tables the 1D table shapes the input of
-// the 3D table, and DOMAIN_MIN/MAX belong to the 1D table.
+// Keywords are read in any case. They may stand anywhere, but sizes before the first row, and
+// unknown ones not among the rows, where they are taken for damaged rows. The rows are the 1D
+// table's, if there is one, then the 3D table's, red fastest. With both tables the 1D table shapes
+// the input of the 3D table, and DOMAIN_MIN/MAX belong to the 1D table.
 //
 // Sources: Adobe, "Cube LUT Specification 1.0" (2013); Blackmagic Design, DaVinci Resolve's
 // "LUT files" readme.
@@ -25,7 +25,6 @@
 
 #include "lutlib/format.h"
 
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -42,11 +41,8 @@ Lut read_cube(std::string_view bytes, const std::string& file);
 Lut read_broken_cube(std::string_view bytes, const std::string& file);
 
 /// The shortest decimals that read back bit-identically. Throws Error for what the dialect cannot
-/// say (formats/cube.cpp's table, Holds): fit the Lut first.
+/// say (the `holds` of its row): fit the Lut first.
 std::string write_cube(const Lut& lut, CubeDialect dialect, const WriteOptions& options = {});
-
-/// The rows `cube` (Adobe/Iridas) and `cube-resolve`.
-std::span<const Format> cube_formats();
 
 /// The dialect that keeps most of this look: Resolve for a shaper before a cube, else Adobe.
 CubeDialect best_dialect(const Lut& lut);

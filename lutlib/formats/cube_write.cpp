@@ -1,37 +1,17 @@
 #include "lutlib/error.h"
+#include "lutlib/formats/all.h"
 #include "lutlib/formats/cube.h"
 #include "lutlib/limits.h"
+#include "lutlib/number_text.h"
 #include "lutlib/text.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 
 namespace lutlib {
 namespace {
 
-constexpr std::array<std::string_view, 1> extensions{"cube"};
-
-// Points without exponents in the range that looks use: some readers know no exponents.
-void append(std::string& out, float value) {
-    const float magnitude = std::abs(value);
-    const bool plain = value == 0 || (magnitude >= 1e-9F && magnitude < 1e9F);
-    std::array<char, 64> text;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
-                                   plain ? std::chars_format::fixed : std::chars_format::scientific)
-                         .ptr;
-    out.append(text.data(), end);
-}
-
-void append_row(std::string& out, const Rgb& row) {
-    append(out, row.r);
-    out += ' ';
-    append(out, row.g);
-    out += ' ';
-    append(out, row.b);
-    out += '\n';
-}
+// Some readers know no exponents.
+constexpr Exponents exponents = Exponents::rare;
 
 bool equal_channels(const Rgb& c) {
     return c.r == c.g && c.g == c.b;
@@ -46,9 +26,9 @@ void append_domain(std::string& out, const Domain& domain) {
         return;
     }
     out += "DOMAIN_MIN ";
-    append_row(out, domain.min);
+    append_row(out, domain.min, exponents);
     out += "DOMAIN_MAX ";
-    append_row(out, domain.max);
+    append_row(out, domain.max, exponents);
 }
 
 void append_range(std::string& out, std::string_view keyword, const Domain& domain) {
@@ -57,9 +37,9 @@ void append_range(std::string& out, std::string_view keyword, const Domain& doma
     }
     out += keyword;
     out += ' ';
-    append(out, domain.min.r);
+    append_number(out, domain.min.r, exponents);
     out += ' ';
-    append(out, domain.max.r);
+    append_number(out, domain.max.r, exponents);
     out += '\n';
 }
 
@@ -94,13 +74,6 @@ void append_head(std::string& out, const Lut& lut, CubeDialect dialect,
     }
 }
 
-std::string write_adobe(const Lut& lut, const WriteOptions& options) {
-    return write_cube(lut, CubeDialect::adobe, options);
-}
-std::string write_resolve(const Lut& lut, const WriteOptions& options) {
-    return write_cube(lut, CubeDialect::resolve, options);
-}
-
 bool head_has(std::string_view bytes, std::string_view keyword) {
     const std::string_view head = bytes.substr(0, 1U << 16);
     const auto same = [](char a, char b) { return upper(a) == b; };
@@ -108,35 +81,18 @@ bool head_has(std::string_view bytes, std::string_view keyword) {
            head.end();
 }
 
-int sniff(std::string_view bytes) {
+int recognise(std::string_view bytes) {
     return head_has(bytes, "LUT_3D_SIZE") || head_has(bytes, "LUT_1D_SIZE") ? 90 : 0;
 }
 
-int sniff_resolve(std::string_view bytes) {
-    return sniff(bytes) == 0 ? 0 : head_has(bytes, "D_INPUT_RANGE") ? 95 : 80;
+int recognise_resolve(std::string_view bytes) {
+    return recognise(bytes) == 0 ? 0 : head_has(bytes, "D_INPUT_RANGE") ? 95 : 80;
 }
 
-constexpr Holds adobe_holds{.curve = true,
-                            .cube = true,
-                            .curve_domain = true,
-                            .cube_domain = true,
-                            .per_channel_domain = true,
-                            .title = true,
-                            .keywords = true};
-constexpr Holds resolve_holds{.curve = true,
-                              .cube = true,
-                              .curve_and_cube = true,
-                              .curve_domain = true,
-                              .cube_domain = true,
-                              .title = true,
-                              .keywords = true};
-
-constexpr std::array<Format, 2> table{{
-    {"cube", "Adobe/Iridas .cube: a 1D or a 3D table with its domain", extensions, sniff, read_cube,
-     write_adobe, adobe_holds},
-    {"cube-resolve", "Resolve .cube: a 1D shaper, a 3D table or both, with their input ranges",
-     extensions, sniff_resolve, read_cube, write_resolve, resolve_holds},
-}};
+Reading read(const FileFormat& /*format*/, std::string_view bytes, const std::string& file,
+             const ReadOptions& /*options*/) {
+    return {read_cube(bytes, file), {}};
+}
 
 } // namespace
 
@@ -146,7 +102,8 @@ std::string write_cube(const Lut& lut, CubeDialect dialect, const WriteOptions& 
         throw Error("a .cube needs a table; bake the identity to a size first");
     }
     if (dialect == CubeDialect::adobe && lut.shaper && lut.cube) {
-        throw Error("the Adobe dialect holds a shaper or a cube, not both; use cube-resolve");
+        throw Error("the Adobe dialect holds a shaper or a cube, not both; use " +
+                    std::string(formats::cube_resolve.name));
     }
     std::string out;
     const std::size_t rows =
@@ -165,24 +122,56 @@ std::string write_cube(const Lut& lut, CubeDialect dialect, const WriteOptions& 
                 : append_domain(out, lut.cube->domain);
     }
     if (lut.shaper) {
-        for (const Rgb& row : lut.shaper->entries) {
-            append_row(out, row);
-        }
+        append_rows(out, lut.shaper->entries, exponents);
     }
     if (lut.cube) {
-        for (const Rgb& row : lut.cube->nodes) {
-            append_row(out, row);
-        }
+        append_rows(out, lut.cube->nodes, exponents);
     }
     return out;
-}
-
-std::span<const Format> cube_formats() {
-    return table;
 }
 
 CubeDialect best_dialect(const Lut& lut) {
     return lut.shaper && lut.cube ? CubeDialect::resolve : CubeDialect::adobe;
 }
+
+constinit const FileFormat formats::cube{
+    .name = "cube",
+    .label = "Adobe/Iridas .cube: a 1D or a 3D table with its domain",
+    .extensions = {"cube"},
+    .holds = {.curve = true,
+              .cube = true,
+              .curve_domain = true,
+              .cube_domain = true,
+              .per_channel_domain = true,
+              .title = true,
+              .keywords = true},
+    .recognise = recognise,
+    .read = read,
+    .read_broken = read_broken_cube,
+    .write =
+        [](const FileFormat& /*format*/, const Lut& lut, const WriteOptions& options) {
+            return write_cube(lut, CubeDialect::adobe, options);
+        },
+};
+
+constinit const FileFormat formats::cube_resolve{
+    .name = "cube-resolve",
+    .label = "Resolve .cube: a 1D shaper, a 3D table or both, with their input ranges",
+    .extensions = {"cube"},
+    .holds = {.curve = true,
+              .cube = true,
+              .curve_and_cube = true,
+              .curve_domain = true,
+              .cube_domain = true,
+              .title = true,
+              .keywords = true},
+    .recognise = recognise_resolve,
+    .read = read,
+    .read_broken = read_broken_cube,
+    .write =
+        [](const FileFormat& /*format*/, const Lut& lut, const WriteOptions& options) {
+            return write_cube(lut, CubeDialect::resolve, options);
+        },
+};
 
 } // namespace lutlib

@@ -1,11 +1,12 @@
 #include "lutlib/io/formats.h"
 
 #include "lutlib/error.h"
-#include "lutlib/formats/cube.h"
+#include "lutlib/formats/all.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/fit_format.h"
-#include "lutlib/io/ocio_formats.h"
-#include "lutlib/io/picture_format.h"
+#include "lutlib/io/formats/all.h"
+#include "lutlib/io/formats/picture.h"
+#include "lutlib/named.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,95 +14,50 @@
 namespace lutlib::io {
 namespace {
 
-constexpr std::size_t sniffed_bytes = 4096;
-constexpr int magic_score = 80;
-constexpr int extension_score = 40;
+constexpr auto rows = std::to_array<const FileFormat*>({
+    &formats::cube,
+    &formats::cube_resolve,
+    &formats::csp,
+    &formats::spi1d,
+    &formats::spi3d,
+});
 
-bool has_extension(const FileFormat& format, std::string_view extension) {
-    return std::find(format.extensions.begin(), format.extensions.end(), extension) !=
-           format.extensions.end();
-}
-
-FileFormat own_format(const Format& row) {
-    FileFormat out;
-    out.name = row.name;
-    out.label = row.label;
-    out.extensions.assign(row.extensions.begin(), row.extensions.end());
-    out.holds = row.holds;
-    out.sniff = row.sniff;
-    if (row.read) {
-        out.read = [read = row.read](std::string_view bytes, const std::string& file,
-                                     const ReadOptions&) {
-            return Reading{read(bytes, file), {}};
-        };
-    }
-    if (row.write) {
-        out.write = [write = row.write](const Lut& lut, const SaveOptions& options) {
-            return write(lut, WriteOptions{options.title});
-        };
-    }
-    return out;
-}
-
-FileFormat ocio_format(const OcioFormat& row) {
-    FileFormat out;
-    out.name = row.name;
-    out.label = row.label;
-    out.extensions.assign(row.extensions.begin(), row.extensions.end());
-    out.holds = row.holds;
-    if (row.readable) {
-        out.sniff = [magic = row.magic](std::string_view bytes) {
-            const bool found = !magic.empty() &&
-                               bytes.substr(0, sniffed_bytes).find(magic) != std::string_view::npos;
-            return found ? magic_score : 0;
-        };
-        out.read = [extensions = out.extensions](std::string_view bytes, const std::string& file,
-                                                 const ReadOptions& options) {
-            const std::string own = extension_of(file);
-            const bool known =
-                std::find(extensions.begin(), extensions.end(), own) != extensions.end();
-            return ocio().read(bytes, known ? own : extensions.front(), file, options);
-        };
-    }
-    if (row.write) {
-        out.write = [write = row.write](const Lut& lut, const SaveOptions& options) {
-            return write(lut, WriteOptions{options.title});
-        };
-    } else if (!row.ocio_writer.empty()) {
-        out.write = [writer = std::string(row.ocio_writer)](const Lut& lut,
-                                                            const SaveOptions& options) {
-            return ocio().write(lut, writer, WriteOptions{options.title});
-        };
-    }
-    return out;
-}
-
-std::vector<FileFormat> make_table() {
-    std::vector<FileFormat> out;
-    for (const Format& row : cube_formats()) {
-        out.push_back(own_format(row));
-    }
-    for (const OcioFormat& row : ocio_formats()) {
-        out.push_back(ocio_format(row));
-    }
-    out.push_back(recognised_picture_format());
-    for (const Layout& row : layouts()) {
-        out.push_back(picture_format(row));
-    }
-    return out;
-}
-
-enum class Which { read, written, all };
-
-std::string names(Which which) {
-    std::string out;
-    for (const FileFormat& row : file_formats()) {
-        if (which == Which::all || (which == Which::read && row.read) ||
-            (which == Which::written && row.write)) {
-            out += (out.empty() ? "" : ", ") + row.name;
+std::vector<const FileFormat*> make_table() {
+    std::vector<const FileFormat*> out(rows.begin(), rows.end());
+    const auto append = [&out](std::span<const FileFormat> more) {
+        for (const FileFormat& row : more) {
+            out.push_back(&row);
         }
-    }
+    };
+    append(formats::opencolorios());
+    out.push_back(&formats::png);
+    append(formats::pictures());
     return out;
+}
+
+template <class Condition>
+std::vector<const FileFormat*> formats_where(Condition condition) {
+    std::vector<const FileFormat*> out;
+    std::copy_if(file_formats().begin(), file_formats().end(), std::back_inserter(out), condition);
+    return out;
+}
+
+int content_score(const FileFormat& format, std::string_view bytes) {
+    constexpr std::size_t searched_bytes = 4096;
+    constexpr int magic_score = 80;
+    if (format.recognise) {
+        return format.recognise(bytes);
+    }
+    const bool found = !format.magic.empty() &&
+                       bytes.substr(0, searched_bytes).find(format.magic) != std::string_view::npos;
+    return found ? magic_score : 0;
+}
+
+// How much of the look a format keeps: its domains too, its tables, or a resampled table.
+int keeps(const FileFormat& format, const Lut& lut) {
+    return can_hold(lut, format.holds)                             ? 2
+           : lut.shaper && lut.cube && format.holds.curve_and_cube ? 1
+                                                                   : 0;
 }
 
 // What OpenColorIO makes of a file that its own writer wrote. Some formats leave it to the reader
@@ -110,10 +66,10 @@ void check_reading_back(const std::string& bytes, const FileFormat& format, cons
                         std::vector<Loss>& losses) {
     const auto reread = [&] {
         try {
-            return format.read(bytes, "look." + format.extensions.front(), {}).lut;
+            return format.read(format, bytes, "look." + format.extensions.first(), {}).lut;
         } catch (const Error& error) {
             throw Error(
-                "a ." + format.extensions.front() +
+                "a ." + format.extensions.first() +
                 " of this look cannot be read back, take another format: " + error.message());
         }
     };
@@ -134,57 +90,43 @@ void check_reading_back(const std::string& bytes, const FileFormat& format, cons
 
 } // namespace
 
-const std::vector<FileFormat>& file_formats() {
-    static const std::vector<FileFormat> table = make_table();
+std::span<const FileFormat* const> file_formats() {
+    static const std::vector<const FileFormat*> table = make_table();
     return table;
 }
 
-const FileFormat* file_format_named(std::string_view name) {
-    const auto& table = file_formats();
-    const auto row = std::find_if(table.begin(), table.end(),
-                                  [&](const FileFormat& format) { return format.name == name; });
-    return row == table.end() ? nullptr : &*row;
-}
-
 const FileFormat& require_file_format(std::string_view name) {
-    const FileFormat* const row = file_format_named(name);
-    if (!row) {
-        throw UsageError("there is no format '" + std::string(name) + "'; there are " +
-                         names(Which::all));
-    }
-    return *row;
+    return require_named(file_formats(), "format", name);
 }
 
 const FileFormat& format_for_writing(const std::string& path, const Lut& lut) {
-    const std::string extension = path == standard_stream ? "cube" : extension_of(path);
-    const FileFormat* first = nullptr;
-    for (const FileFormat& row : file_formats()) {
-        if (row.write && has_extension(row, extension)) {
-            if (can_hold(lut, row.holds)) {
-                return row;
-            }
-            first = first ? first : &row;
+    const std::string extension =
+        path == standard_stream ? file_formats().front()->extensions.first() : extension_of(path);
+    const auto writers = formats_where([](const FileFormat* row) { return row->write != nullptr; });
+    const FileFormat* best = nullptr;
+    for (const FileFormat* const row : writers) {
+        if (row->extensions.contain(extension) && (!best || keeps(*row, lut) > keeps(*best, lut))) {
+            best = row;
         }
     }
-    if (!first) {
+    if (!best) {
         throw UsageError("no format that can be written has the extension of " + output_name(path) +
-                         "; choose one with --format: " + names(Which::written));
+                         "; choose one with --format: " + names_of(writers));
     }
-    return *first;
+    return *best;
 }
 
 const FileFormat& recognise_format(std::string_view bytes, const std::string& file) {
+    constexpr int extension_score = 40;
     const std::string extension = extension_of(file);
+    const auto readers = formats_where([](const FileFormat* row) { return row->read != nullptr; });
     const FileFormat* best = nullptr;
     int best_score = 0;
-    for (const FileFormat& row : file_formats()) {
-        if (!row.read) {
-            continue;
-        }
-        const int score = (row.sniff ? row.sniff(bytes) : 0) +
-                          (has_extension(row, extension) ? extension_score : 0);
+    for (const FileFormat* const row : readers) {
+        const int score =
+            content_score(*row, bytes) + (row->extensions.contain(extension) ? extension_score : 0);
         if (score > best_score) {
-            best = &row;
+            best = row;
             best_score = score;
         }
     }
@@ -192,7 +134,7 @@ const FileFormat& recognise_format(std::string_view bytes, const std::string& fi
         throw Error(
             "no known LUT format by content or extension; 'lutconv convert --from NAME' reads it "
             "as one of these: " +
-                names(Which::read),
+                names_of(readers),
             {file, 0, {}});
     }
     return *best;
@@ -203,9 +145,9 @@ Reading decode_lut(std::string_view bytes, const std::string& file, const ReadOp
     const FileFormat& row =
         format.empty() ? recognise_format(bytes, file) : require_file_format(format);
     if (!row.read) {
-        throw UsageError("the format '" + row.name + "' can only be written");
+        throw UsageError("the format '" + std::string(row.name) + "' can only be written");
     }
-    Reading out = row.read(bytes, file, options);
+    Reading out = row.read(row, bytes, file, options);
     out.lut.provenance = file;
     return out;
 }
@@ -214,25 +156,25 @@ Reading read_lut(const std::string& path, const ReadOptions& options, std::strin
     return decode_lut(read_file(path), input_name(path), options, format);
 }
 
-Encoded encode_lut(const Lut& lut, const FileFormat& format, const SaveOptions& options) {
+Encoded encode_lut(const Lut& lut, const FileFormat& format, const WriteOptions& options) {
     if (!format.write) {
-        throw UsageError("the format '" + format.name + "' can only be read");
+        throw UsageError("the format '" + std::string(format.name) + "' can only be read");
     }
     Holds holds = format.holds;
     int size = options.size;
-    if (format.picture) {
+    if (format.layout) {
         holds.integer_bits = options.bits;
-        size = picture_cube_size(*format.picture, lut, options.size);
+        size = formats::picture_cube_size(*format.layout, lut, options.size);
     }
     FitToFormat fit = fit_to(lut, holds, size);
-    Encoded out{format.write(fit.lut, options), std::move(fit.lut), std::move(fit.losses)};
+    Encoded out{format.write(format, fit.lut, options), std::move(fit.lut), std::move(fit.losses)};
     if (format.read && holds.integer_bits > 0 && !format.picture) {
         check_reading_back(out.bytes, format, out.lut, out.losses);
     }
     return out;
 }
 
-Encoded write_lut(const std::string& path, const Lut& lut, const SaveOptions& options,
+Encoded write_lut(const std::string& path, const Lut& lut, const WriteOptions& options,
                   std::string_view format) {
     const FileFormat& row =
         format.empty() ? format_for_writing(path, lut) : require_file_format(format);

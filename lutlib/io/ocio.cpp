@@ -15,8 +15,7 @@ const Ocio& ocio() {
 std::unique_ptr<OcioTransform> open_in_ocio(const std::string& path,
                                             const EvaluationOptions& options) {
     const std::string bytes = read_file(path);
-    const std::string extension = path == standard_stream ? "cube" : extension_of(path);
-    return ocio().parse(bytes, extension, input_name(path), options);
+    return ocio().parse(bytes, extension_of(path), path, options);
 }
 
 } // namespace lutlib::io

@@ -33,20 +33,6 @@ class OcioTransform {
     virtual bool mixes_channels() const = 0;
 };
 
-struct ReadOptions {
-    /// Nodes per side of the cube onto which a transform is sampled that is no shaper and cube.
-    /// 0: 65, or for a transform with a cube in it, the next multiple of its cells from there.
-    int size = 0;
-    /// Which of a picture's stacked lattices, from the top.
-    int row = 0;
-};
-
-/// A look with what the reading could not keep.
-struct Reading {
-    Lut lut;
-    std::vector<Loss> losses;
-};
-
 /// The loaded library.
 class Ocio {
   public:
@@ -77,7 +63,7 @@ class Ocio {
 /// Loads OpenColorIO on the first call. Throws Error when it is not installed.
 const Ocio& ocio();
 
-/// A file as OpenColorIO evaluates it; `-` reads a .cube from standard input. Throws Error.
+/// A file as OpenColorIO evaluates it. Throws Error.
 std::unique_ptr<OcioTransform> open_in_ocio(const std::string& path,
                                             const EvaluationOptions& options = {});
 

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace preview::ui {
@@ -39,11 +40,10 @@ bool is_look_file(const std::string& path) {
     } catch (const lutlib::Error&) {
         // A file that says that it is a LUT is one, however broken; its error is for open_look().
         const std::string extension = io::extension_of(path);
-        for (const io::FileFormat& format : io::file_formats())
-            for (const std::string& own : format.extensions)
-                if (own == extension && format.picture == nullptr && extension != "png")
-                    return true;
-        return false;
+        const auto formats = io::file_formats();
+        return std::any_of(formats.begin(), formats.end(), [&](const lutlib::FileFormat* format) {
+            return format->extensions.contain(extension) && !format->picture;
+        });
     }
 }
 

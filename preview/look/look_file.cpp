@@ -62,7 +62,7 @@ LoadedLook load_look(const std::string& path, const Lookup* lookup) {
         };
         return look_of_recipe(lutlib::io::recipe_from(bytes, path, read_base), *lookup);
     }
-    const lutlib::io::Reading reading = lutlib::io::decode_lut(bytes, path);
+    const lutlib::Reading reading = lutlib::io::decode_lut(bytes, path);
     return look_for(reading.lut, *lookup);
 }
 

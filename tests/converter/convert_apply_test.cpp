@@ -22,13 +22,16 @@ constexpr const char* hdr_head = "DOMAIN_MIN 0 0 0\nDOMAIN_MAX 4 4 4\n";
 TEST(Convert, goes_both_ways_between_a_cube_and_every_format_that_is_read_and_written) {
     const Folder folder;
     const std::string look = folder.write("my look.cube", saturated_cube(16));
-    for (const io::FileFormat& format : io::file_formats()) {
+    for (const lutlib::FileFormat* const row : io::file_formats()) {
+        const lutlib::FileFormat& format = *row;
         if (format.read && format.write && format.holds.cube) {
-            const std::string there = folder.path("there." + format.extensions.front());
+            const std::string there = folder.path("there." + format.extensions.first());
             const std::string back = folder.path("back.cube");
-            const Result first = lutconv({"convert", look, "-o", there, "--format", format.name});
+            const Result first =
+                lutconv({"convert", look, "-o", there, "--format", std::string(format.name)});
             ASSERT_EQ(first.exit_code, 0) << format.name << first.err;
-            const Result second = lutconv({"convert", there, "--from", format.name, "-o", back});
+            const Result second =
+                lutconv({"convert", there, "--from", std::string(format.name), "-o", back});
             ASSERT_EQ(second.exit_code, 0) << format.name << second.err;
             const lutlib::Lut before = io::read_lut(look).lut, after = io::read_lut(back).lut;
             const double step = format.holds.integer_bits ? 1.0 / 4095 : 1e-6;

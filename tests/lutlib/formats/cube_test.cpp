@@ -1,6 +1,7 @@
 #include "lutlib/formats/cube.h"
 
 #include "lutlib/error.h"
+#include "lutlib/formats/all.h"
 #include "lutlib/interpolation/interpolation.h"
 #include "tests/lutlib/formats/plain_cube_reader.h"
 
@@ -329,13 +330,13 @@ TEST(Cube, error_after_fast_rows_names_the_right_line) {
     }
 }
 
-TEST(CubeFormats, sniff_their_own_output_and_nothing_else) {
-    for (const Format& format : cube_formats()) {
-        const std::string bytes = format.write(random_lut(0, 3, {}), {});
-        EXPECT_GE(format.sniff(bytes), 50) << format.name;
-        EXPECT_GE(format.sniff("title x\nlut_3d_size 2\n"), 50) << format.name;
-        EXPECT_EQ(format.sniff("\x89PNG\r\n"), 0) << format.name;
-        EXPECT_EQ(format.sniff(""), 0) << format.name;
+TEST(CubeFormats, recognise_their_own_output_and_nothing_else) {
+    for (const FileFormat* const format : {&formats::cube, &formats::cube_resolve}) {
+        const std::string bytes = format->write(*format, random_lut(0, 3, {}), {});
+        EXPECT_GE(format->recognise(bytes), 50) << format->name;
+        EXPECT_GE(format->recognise("title x\nlut_3d_size 2\n"), 50) << format->name;
+        EXPECT_EQ(format->recognise("\x89PNG\r\n"), 0) << format->name;
+        EXPECT_EQ(format->recognise(""), 0) << format->name;
     }
 }
 

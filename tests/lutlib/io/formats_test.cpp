@@ -3,7 +3,8 @@
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/fit_format.h"
-#include "lutlib/io/ocio_formats.h"
+#include "lutlib/io/ocio.h"
+#include "lutlib/named.h"
 #include "tests/lutlib/io/looks.h"
 #include "tests/lutlib/io/scratch.h"
 
@@ -56,9 +57,9 @@ double precision_of(const Holds& holds) {
 
 std::vector<std::string> names(bool readable_too) {
     std::vector<std::string> out;
-    for (const FileFormat& row : file_formats()) {
-        if (row.write && (!readable_too || row.read)) {
-            out.push_back(row.name);
+    for (const FileFormat* const row : file_formats()) {
+        if (row->write && (!readable_too || row->read)) {
+            out.emplace_back(row->name);
         }
     }
     return out;
@@ -80,8 +81,8 @@ double admitted(const std::vector<Loss>& losses) {
 
 // Small where the format needs a cube of another make; 16 is a size that every layout has.
 Encoded encode(const Lut& lut, const FileFormat& format) {
-    SaveOptions options;
-    options.size = can_hold(lut, format.holds) && !format.picture ? 0 : 16;
+    WriteOptions options;
+    options.size = can_hold(lut, format.holds) && !format.layout ? 0 : 16;
     return encode_lut(lut, format, options);
 }
 
@@ -95,7 +96,7 @@ TEST_P(EveryWriter, what_it_writes_reads_back_as_the_look_it_said) {
         SCOPED_TRACE(name);
         const Encoded file = encode(lut, format);
         const Lut back =
-            decode_lut(file.bytes, "x." + format.extensions.front(), {}, format.name).lut;
+            decode_lut(file.bytes, "x." + format.extensions.first(), {}, format.name).lut;
         const Domain domain = file.lut.domain();
         EXPECT_EQ(back.domain(), domain);
         const auto in = colors_in(domain);
@@ -111,7 +112,7 @@ TEST_P(EveryWriter, loses_nothing_that_it_does_not_report) {
         const Encoded file = encode(lut, format);
         const auto in = colors_in(file.lut.domain());
         const Lut back =
-            decode_lut(file.bytes, "x." + format.extensions.front(), {}, format.name).lut;
+            decode_lut(file.bytes, "x." + format.extensions.first(), {}, format.name).lut;
         // The errors are measured on other colours, so the largest may be a little larger here.
         EXPECT_LE(largest_difference(evaluated(back, in), evaluated(lut, in)),
                   1.3 * admitted(file.losses) + precision_of(format.holds));
@@ -124,7 +125,7 @@ TEST_P(EveryWriter, what_it_writes_is_recognised_without_its_name) {
     const FileFormat& format = require_file_format(GetParam());
     for (const auto& [name, lut] : looks_of_every_shape(9)) {
         SCOPED_TRACE(name);
-        const std::string path = "x." + format.extensions.front();
+        const std::string path = "x." + format.extensions.first();
         const std::string bytes = encode(lut, format).bytes;
         const auto in = colors_in({});
         EXPECT_EQ(evaluated(decode_lut(bytes, path).lut, in),
@@ -133,14 +134,14 @@ TEST_P(EveryWriter, what_it_writes_is_recognised_without_its_name) {
 }
 
 TEST(Formats, of_comparison_only_are_written_and_read_back_by_our_own_reader) {
-    for (const FileFormat& format : file_formats()) {
-        if (!format.read) {
-            const Encoded file = encode_lut(looks_of_every_shape()[0].lut, format);
-            const Lut back = decode_lut(file.bytes, "x." + format.extensions.front()).lut;
+    for (const FileFormat* const format : file_formats()) {
+        if (!format->read) {
+            const Encoded file = encode_lut(looks_of_every_shape()[0].lut, *format);
+            const Lut back = decode_lut(file.bytes, "x." + format->extensions.first()).lut;
             const auto in = colors_in({});
             EXPECT_LE(largest_difference(evaluated(back, in), evaluated(file.lut, in)),
-                      precision_of(format.holds))
-                << format.name;
+                      precision_of(format->holds))
+                << format->name;
         }
     }
 }
@@ -148,25 +149,25 @@ TEST(Formats, of_comparison_only_are_written_and_read_back_by_our_own_reader) {
 TEST(Formats, cover_every_extension_that_opencolorio_reads) {
     for (const std::string& extension : ocio().readable_extensions()) {
         const bool known =
-            std::any_of(file_formats().begin(), file_formats().end(), [&](const FileFormat& row) {
-                return row.read &&
-                       std::count(row.extensions.begin(), row.extensions.end(), extension) > 0;
+            std::any_of(file_formats().begin(), file_formats().end(), [&](const FileFormat* row) {
+                return row->read && row->extensions.contain(extension);
             });
         EXPECT_TRUE(known) << extension;
     }
 }
 
 TEST(Formats, have_names_of_their_own) {
-    for (const FileFormat& row : file_formats()) {
-        EXPECT_EQ(file_format_named(row.name), &row);
-        EXPECT_FALSE(row.extensions.empty());
-        EXPECT_FALSE(row.label.empty());
+    for (const FileFormat* const row : file_formats()) {
+        EXPECT_EQ(find_named(file_formats(), row->name), row);
+        EXPECT_FALSE(row->extensions.first().empty());
+        EXPECT_FALSE(row->label.empty());
     }
 }
 
 TEST(Formats, refuse_nonsense_of_every_extension_with_an_error_that_names_the_file) {
-    for (const FileFormat& row : file_formats()) {
-        for (const std::string& extension : row.extensions) {
+    for (const FileFormat* const row : file_formats()) {
+        for (const std::string_view known : row->extensions) {
+            const std::string extension(known);
             for (const std::string& bytes : {std::string("nonsense\n"), std::string(300, '\0'),
                                              std::string("<?xml>\n<a/>"), std::string("0 1 2\n")}) {
                 try {
@@ -186,7 +187,7 @@ TEST(Formats, refuse_every_truncated_file) {
     for (const std::string& name : names(true)) {
         const FileFormat& format = require_file_format(name);
         const Encoded file = encode_lut(lut, format);
-        const std::string path = "x." + format.extensions.front();
+        const std::string path = "x." + format.extensions.first();
         for (int cut = 1; cut < 12; ++cut) {
             const std::size_t length =
                 file.bytes.size() * static_cast<std::size_t>(cut) / std::size_t{12};
@@ -250,11 +251,11 @@ TEST(FitTo, tells_keywords_that_the_format_drops) {
 
 TEST(FitTo, leaves_a_look_alone_that_the_format_can_hold) {
     for (const auto& [name, lut] : looks_of_every_shape()) {
-        for (const FileFormat& format : file_formats()) {
-            if (format.write && can_hold(lut, format.holds) && format.holds.integer_bits == 0) {
-                const FitToFormat fit = fit_to(lut, format.holds);
-                EXPECT_EQ(fit.lut.shaper, lut.shaper) << format.name << ' ' << name;
-                EXPECT_EQ(fit.lut.cube, lut.cube) << format.name << ' ' << name;
+        for (const FileFormat* const format : file_formats()) {
+            if (format->write && can_hold(lut, format->holds) && format->holds.integer_bits == 0) {
+                const FitToFormat fit = fit_to(lut, format->holds);
+                EXPECT_EQ(fit.lut.shaper, lut.shaper) << format->name << ' ' << name;
+                EXPECT_EQ(fit.lut.cube, lut.cube) << format->name << ' ' << name;
             }
         }
     }

@@ -1,5 +1,6 @@
 // Files of every format that is only read, against OpenColorIO's own evaluation of the same file.
 #include "lutlib/io/formats.h"
+#include "lutlib/io/ocio.h"
 
 #include "lutlib/io/file.h"
 
@@ -112,13 +113,13 @@ TEST(ReadFiles, leave_no_file_of_the_folder_untested) {
 }
 
 TEST(ReadFiles, cover_every_format_that_is_only_read) {
-    for (const FileFormat& row : file_formats()) {
-        if (row.read && !row.write && row.extensions.front() != "png") {
+    for (const FileFormat* const row : file_formats()) {
+        if (row->read && !row->write && !row->picture) {
             EXPECT_TRUE(std::any_of(expectations().begin(), expectations().end(),
                                     [&](const Expectation& e) {
-                                        return extension_of(e.file) == row.extensions.front();
+                                        return extension_of(e.file) == row->extensions.first();
                                     }))
-                << row.name;
+                << row->name;
         }
     }
 }

@@ -1,17 +1,21 @@
-#include "lutlib/io/picture_format.h"
+#include "lutlib/io/formats/picture.h"
 
 #include "lutlib/engine/recognise.h"
 #include "lutlib/error.h"
+#include "lutlib/io/formats/all.h"
 #include "lutlib/io/lut_picture.h"
+#include "lutlib/io/png.h"
 #include "lutlib/limits.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace lutlib::io {
+namespace lutlib::formats {
 namespace {
 
-constexpr int sniff_score = 60;
+using io::CodeImage;
+
+constexpr int recognised_score = 60;
 constexpr int made_size = 65;
 
 struct LutPicture {
@@ -21,9 +25,9 @@ struct LutPicture {
 };
 
 LutPicture picture_of(std::string_view bytes, const std::string& file) {
-    const CodeImage image = read_png(bytes, file);
-    return {decoded(code_picture(image)), text_entry(image, "Title").value_or(""),
-            engine_named(text_entry(image, "Engine").value_or(""))};
+    const CodeImage image = io::read_png(bytes, file);
+    return {decoded(io::code_picture(image)), io::text_entry(image, "Title").value_or(""),
+            engine_named(io::text_entry(image, "Engine").value_or(""))};
 }
 
 // The one lattice size whose picture in this layout has these dimensions, if there is one.
@@ -68,8 +72,8 @@ Reading reading_of(const LutPicture& source, const Layout& layout, int size, int
     return out;
 }
 
-std::string encode(const Lut& lut, const Layout& layout, const SaveOptions& options) {
-    const Picture picture = to_picture(*lut.cube, layout);
+std::string write(const FileFormat& format, const Lut& lut, const WriteOptions& options) {
+    const Picture picture = to_picture(*lut.cube, *format.layout);
     CodeImage codes;
     codes.width = picture.width;
     codes.height = picture.height;
@@ -84,7 +88,41 @@ std::string encode(const Lut& lut, const Layout& layout, const SaveOptions& opti
     }
     const std::string& title = options.title.empty() ? lut.title : options.title;
     codes.text = {{"Title", title}, {"Source", lut.provenance}};
-    return write_png(codes);
+    return io::write_png(codes);
+}
+
+Reading read(const FileFormat& format, std::string_view bytes, const std::string& file,
+             const ReadOptions& /*options*/) {
+    const LutPicture source = picture_of(bytes, file);
+    const std::optional<int> size = size_in_layout(source.picture, *format.layout);
+    if (!size) {
+        refuse_size(source.picture, *format.layout, file);
+    }
+    return reading_of(source, *format.layout, *size);
+}
+
+Reading read_recognised(const FileFormat& /*format*/, std::string_view bytes,
+                        const std::string& file, const ReadOptions& options) {
+    const LutPicture source = picture_of(bytes, file);
+    if (source.engine && options.row == 0) {
+        const Layout& layout = *layout_named(source.engine->layout);
+        if (const std::optional<int> size = size_in_layout(source.picture, layout)) {
+            return reading_of(source, layout, *size);
+        }
+    }
+    const Recognition found = recognise_one(source.picture, file);
+    if (options.row < 0 || options.row >= found.rows) {
+        throw UsageError("--row " + std::to_string(options.row) + ": the picture has " +
+                         std::to_string(found.rows) + " lattice" +
+                         (found.rows == 1 ? "" : "s, 0 to " + std::to_string(found.rows - 1)));
+    }
+    Reading reading = reading_of(source, *found.layout, found.size, options.row);
+    if (found.rows > 1) {
+        reading.losses.push_back({"only one of the picture's stacked lattices is read (row " +
+                                      std::to_string(options.row) + "), of",
+                                  static_cast<double>(found.rows), "lattices"});
+    }
+    return reading;
 }
 
 } // namespace
@@ -112,56 +150,41 @@ int picture_cube_size(const Layout& layout, const Lut& lut, int wanted) {
     return largest;
 }
 
-FileFormat picture_format(const Layout& layout) {
-    FileFormat out;
-    out.name = layout.name;
-    out.label = "PNG picture: " + std::string(layout.help);
-    out.extensions = {"png"};
-    out.holds = Holds{.cube = true, .title = true, .integer_bits = 16};
-    out.picture = &layout;
-    out.read = [&layout](std::string_view bytes, const std::string& file, const ReadOptions&) {
-        const LutPicture source = picture_of(bytes, file);
-        const std::optional<int> size = size_in_layout(source.picture, layout);
-        if (!size) {
-            refuse_size(source.picture, layout, file);
+std::span<const FileFormat> pictures() {
+    static const std::vector<std::string> labels = [] {
+        std::vector<std::string> out;
+        for (const Layout& layout : layouts()) {
+            out.push_back("PNG picture: " + std::string(layout.help));
         }
-        return reading_of(source, layout, *size);
-    };
-    out.write = [&layout](const Lut& lut, const SaveOptions& options) {
-        return encode(lut, layout, options);
-    };
-    return out;
+        return out;
+    }();
+    static const std::vector<FileFormat> rows = [] {
+        std::vector<FileFormat> out;
+        for (const Layout& layout : layouts()) {
+            out.push_back({
+                .name = layout.name,
+                .label = labels[out.size()],
+                .extensions = {"png"},
+                .holds = {.cube = true, .title = true, .integer_bits = 16},
+                .read = read,
+                .write = write,
+                .picture = true,
+                .layout = &layout,
+            });
+        }
+        return out;
+    }();
+    return rows;
 }
 
-FileFormat recognised_picture_format() {
-    FileFormat out;
-    out.name = "png";
-    out.label = "PNG picture whose layout is recognised from its content";
-    out.extensions = {"png"};
-    out.sniff = [](std::string_view bytes) { return is_png(bytes) ? sniff_score : 0; };
-    out.read = [](std::string_view bytes, const std::string& file, const ReadOptions& options) {
-        const LutPicture source = picture_of(bytes, file);
-        if (source.engine && options.row == 0) {
-            const Layout& layout = *layout_named(source.engine->layout);
-            if (const std::optional<int> size = size_in_layout(source.picture, layout)) {
-                return reading_of(source, layout, *size);
-            }
-        }
-        const Recognition found = recognise_one(source.picture, file);
-        if (options.row < 0 || options.row >= found.rows) {
-            throw UsageError("--row " + std::to_string(options.row) + ": the picture has " +
-                             std::to_string(found.rows) + " lattice" +
-                             (found.rows == 1 ? "" : "s, 0 to " + std::to_string(found.rows - 1)));
-        }
-        Reading reading = reading_of(source, *found.layout, found.size, options.row);
-        if (found.rows > 1) {
-            reading.losses.push_back({"only one of the picture's stacked lattices is read (row " +
-                                          std::to_string(options.row) + "), of",
-                                      static_cast<double>(found.rows), "lattices"});
-        }
-        return reading;
-    };
-    return out;
-}
+constinit const FileFormat png{
+    .name = "png",
+    .label = "PNG picture whose layout is recognised from its content",
+    .extensions = {"png"},
+    .holds = {},
+    .recognise = [](std::string_view bytes) { return io::is_png(bytes) ? recognised_score : 0; },
+    .read = read_recognised,
+    .picture = true,
+};
 
-} // namespace lutlib::io
+} // namespace lutlib::formats

@@ -1,7 +1,7 @@
-#include "lutlib/io/picture_format.h"
-
 #include "lutlib/bake/bake.h"
 #include "lutlib/error.h"
+#include "lutlib/io/formats.h"
+#include "lutlib/io/formats/all.h"
 #include "lutlib/io/lut_picture.h"
 #include "lutlib/metrics/samples.h"
 #include "tests/lutlib/io/looks.h"
@@ -45,7 +45,7 @@ TEST_P(EveryEngine, reads_its_baked_picture_as_the_engine_does) {
         const Bake bake = baked(engine, look);
         const int size = bake.size;
         const std::string bytes = picture_bytes(bake, {"source", "Title", "tetrahedral"});
-        const Lut read = recognised_picture_format().read(bytes, "x.png", {}).lut;
+        const Lut read = decode_lut(bytes, "x.png", {}, formats::png.name).lut;
         EXPECT_EQ(read.title, "Title");
         const Picture picture = decoded(bake.picture);
         double worst = 0;
@@ -62,7 +62,7 @@ TEST(PictureFormat, goes_by_content_where_the_text_names_an_engine_of_another_si
     Bake bake = baked(*engine_named("piccolo"), graded());
     bake.engine = engine_named("obs");
     const std::string bytes = picture_bytes(bake, {"source", {}, {}});
-    const Lut read = recognised_picture_format().read(bytes, "x.png", {}).lut;
+    const Lut read = decode_lut(bytes, "x.png", {}, formats::png.name).lut;
     EXPECT_EQ(read.cube->size, 16);
     EXPECT_FALSE(read.shaper);
 }
@@ -80,20 +80,19 @@ TEST(PictureFormat, reads_the_row_of_stacked_lattices_that_is_asked_for) {
     }
     stacked.height *= 2;
     const std::string bytes = picture_bytes(bake, {"source", {}, {}});
-    const FileFormat png = recognised_picture_format();
     for (const int row : {0, 1}) {
-        const Reading reading = png.read(bytes, "x.png", {.row = row});
+        const Reading reading = decode_lut(bytes, "x.png", {.row = row});
         EXPECT_EQ(reading.lut.cube->at(3, 15, 0), (Rgb{row == 0 ? 0.2F : 1.0F, 1, 0}));
         ASSERT_EQ(reading.losses.size(), 1U);
         EXPECT_EQ(reading.losses[0].figure, 2);
     }
-    EXPECT_THROW(png.read(bytes, "x.png", {.row = 2}), UsageError);
+    EXPECT_THROW(decode_lut(bytes, "x.png", {.row = 2}), UsageError);
 }
 
 TEST(PictureFormat, refuses_dimensions_that_the_layout_does_not_have) {
     const Bake bake = baked(*engine_named("piccolo"), graded());
     const std::string bytes = picture_bytes(bake, {"source", {}, {}});
-    EXPECT_THROW(picture_format(*layout_named("tiles")).read(bytes, "x.png", {}), Error);
+    EXPECT_THROW(decode_lut(bytes, "x.png", {}, "tiles"), Error);
 }
 
 } // namespace

@@ -1,38 +1,20 @@
-#include "lutlib/io/text_formats.h"
+// cineSpace .csp: a prelut and a table.
+//
+//   "CSPLUTV100" / "1D" or "3D" / "BEGIN METADATA" .. "END METADATA" / three preluts, each: n / n
+//   inputs / n outputs / then either n and n rows r g b, or N N N and N^3 rows, red fastest. A
+//   prelut is piecewise and takes the look's domain, or its shaper, to 0..1.
+//
+// OpenColorIO reads it; we write the shortest decimals that read back bit-identically. Source:
+// Rising Sun Research, "cineSpace LUT file format" (2008).
 
 #include "lutlib/error.h"
 #include "lutlib/interpolation/interpolation.h"
+#include "lutlib/io/formats/all.h"
+#include "lutlib/io/formats/opencolorio.h"
+#include "lutlib/number_text.h"
 
-#include <array>
-#include <charconv>
-
-namespace lutlib::io {
+namespace lutlib::formats {
 namespace {
-
-void append(std::string& out, float value) {
-    std::array<char, 32> text;
-    out.append(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
-}
-
-void append_row(std::string& out, const Rgb& row) {
-    append(out, row.r);
-    out += ' ';
-    append(out, row.g);
-    out += ' ';
-    append(out, row.b);
-    out += '\n';
-}
-
-void append_rows(std::string& out, const std::vector<Rgb>& rows) {
-    for (const Rgb& row : rows) {
-        append_row(out, row);
-    }
-}
-
-std::string triple(int n) {
-    const std::string text = std::to_string(n);
-    return text + ' ' + text + ' ' + text + '\n';
-}
 
 // Comments and titles are single lines of the metadata block.
 std::string one_line(std::string text) {
@@ -52,7 +34,7 @@ void append_prelut(std::string& out, const std::vector<PrelutPoint>& points) {
     out += std::to_string(points.size()) + '\n';
     for (const auto side : {&PrelutPoint::in, &PrelutPoint::out}) {
         for (const PrelutPoint& point : points) {
-            append(out, static_cast<float>(point.*side));
+            append_number(out, static_cast<float>(point.*side), Exponents::allowed);
             out += ' ';
         }
         out.back() = '\n';
@@ -81,46 +63,7 @@ std::vector<PrelutPoint> prelut(const Lut& lut, std::size_t channel) {
     return points;
 }
 
-} // namespace
-
-std::string write_spi1d(const Lut& lut, const WriteOptions& /*options*/) {
-    validate(lut);
-    if (!lut.shaper || lut.cube) {
-        throw Error("an .spi1d file holds one curve and nothing else");
-    }
-    const Domain& domain = lut.shaper->domain;
-    if (domain.min != Rgb{domain.min.r, domain.min.r, domain.min.r} ||
-        domain.max != Rgb{domain.max.r, domain.max.r, domain.max.r}) {
-        throw Error("an .spi1d file has one input range for all channels; this look's differ");
-    }
-    std::string out = "Version 1\nFrom ";
-    append(out, domain.min.r);
-    out += ' ';
-    append(out, domain.max.r);
-    out += "\nLength " + std::to_string(lut.shaper->size()) + "\nComponents 3\n{\n";
-    append_rows(out, lut.shaper->entries);
-    return out + "}\n";
-}
-
-std::string write_spi3d(const Lut& lut, const WriteOptions& /*options*/) {
-    validate(lut);
-    if (!lut.cube || lut.shaper || !lut.cube->domain.is_unit()) {
-        throw Error("an .spi3d file holds one cube of input 0..1 and nothing else");
-    }
-    std::string out = "SPILUT 1.0\n3 3\n" + triple(lut.cube->size);
-    // Blue fastest, as the format's own files are; the indices say it anyway.
-    for (int r = 0; r < lut.cube->size; ++r) {
-        for (int g = 0; g < lut.cube->size; ++g) {
-            for (int b = 0; b < lut.cube->size; ++b) {
-                out += std::to_string(r) + ' ' + std::to_string(g) + ' ' + std::to_string(b) + ' ';
-                append_row(out, lut.cube->at(r, g, b));
-            }
-        }
-    }
-    return out;
-}
-
-std::string write_csp(const Lut& lut, const WriteOptions& options) {
+std::string write(const FileFormat& /*format*/, const Lut& lut, const WriteOptions& options) {
     validate(lut);
     if (!lut.shaper && !lut.cube) {
         throw Error("a .csp file needs a table; bake the identity to a size first");
@@ -139,13 +82,31 @@ std::string write_csp(const Lut& lut, const WriteOptions& options) {
     }
     out += '\n';
     if (lut.cube) {
-        out += triple(lut.cube->size);
-        append_rows(out, lut.cube->nodes);
+        const std::string n = std::to_string(lut.cube->size);
+        out += n + ' ' + n + ' ' + n + '\n';
+        append_rows(out, lut.cube->nodes, Exponents::allowed);
     } else {
         out += std::to_string(lut.shaper->size()) + '\n';
-        append_rows(out, lut.shaper->entries);
+        append_rows(out, lut.shaper->entries, Exponents::allowed);
     }
     return out;
 }
 
-} // namespace lutlib::io
+} // namespace
+
+constinit const FileFormat csp = read_by_opencolorio({
+    .name = "csp",
+    .label = "cineSpace .csp: prelut and table",
+    .extensions = {"csp"},
+    .holds = {.curve = true,
+              .cube = true,
+              .curve_and_cube = true,
+              .curve_domain = true,
+              .cube_domain = true,
+              .per_channel_domain = true,
+              .title = true},
+    .magic = "CSPLUTV100",
+    .write = write,
+});
+
+} // namespace lutlib::formats

@@ -1,0 +1,13 @@
+// The rows of the LUT formats that need no library. A new one is one file beside this one, its line
+// here, in lutlib/CMakeLists.txt and in the table of io/formats.cpp; io/formats/all.h has those
+// that need a library.
+#pragma once
+
+#include "lutlib/format.h"
+
+namespace lutlib::formats {
+
+extern const FileFormat cube; ///< Adobe/Iridas
+extern const FileFormat cube_resolve;
+
+} // namespace lutlib::formats

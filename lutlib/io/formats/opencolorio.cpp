@@ -1,0 +1,186 @@
+#include "lutlib/io/formats/opencolorio.h"
+
+#include "lutlib/io/file.h"
+#include "lutlib/io/formats/all.h"
+#include "lutlib/io/ocio.h"
+
+#include <array>
+
+namespace lutlib::formats {
+namespace {
+
+constexpr Holds operators_and_tables{.curve = true,
+                                     .cube = true,
+                                     .curve_and_cube = true,
+                                     .curve_domain = true,
+                                     .cube_domain = true,
+                                     .per_channel_domain = true,
+                                     .title = true};
+constexpr Holds unit_cube_of_12_bits{.cube = true, .integer_bits = 12};
+constexpr Holds unit_cube_of_6_decimals{.cube = true, .decimals = 6};
+
+// Without a magic text the extension decides.
+constexpr auto rows = std::to_array<FileFormat>({
+    read_by_opencolorio({
+        .name = "flame",
+        .label = "Autodesk Flame .3dl: a cube of integer codes",
+        .extensions = {"3dl"},
+        .holds = unit_cube_of_12_bits,
+        .opencolorio_writer = "flame",
+    }),
+    read_by_opencolorio({
+        .name = "lustre",
+        .label = "Autodesk Lustre .3dl: a cube of integer codes with a mesh header",
+        .extensions = {"3dl"},
+        .holds = unit_cube_of_12_bits,
+        .magic = "3DMESH",
+        .opencolorio_writer = "lustre",
+    }),
+    read_by_opencolorio({
+        .name = "clf",
+        .label = "Academy/ASC Common LUT Format: operators, curves and cubes",
+        .extensions = {"clf"},
+        .holds = operators_and_tables,
+        .magic = "compCLFversion",
+        .opencolorio_writer = "Academy/ASC Common LUT Format",
+    }),
+    read_by_opencolorio({
+        .name = "ctf",
+        .label = "Autodesk Color Transform Format: operators, curves and cubes",
+        .extensions = {"ctf"},
+        .holds = operators_and_tables,
+        .magic = "<ProcessList",
+        .opencolorio_writer = "Color Transform Format",
+    }),
+    read_by_opencolorio({
+        .name = "cc",
+        .label = "ASC ColorCorrection: slope, offset, power, saturation",
+        .extensions = {"cc"},
+        .holds = {},
+        .magic = "<ColorCorrection ",
+    }),
+    read_by_opencolorio({
+        .name = "ccc",
+        .label = "ASC ColorCorrectionCollection: its first correction",
+        .extensions = {"ccc"},
+        .holds = {},
+        .magic = "<ColorCorrectionCollection",
+    }),
+    read_by_opencolorio({
+        .name = "cdl",
+        .label = "ASC ColorDecisionList: its first decision",
+        .extensions = {"cdl"},
+        .holds = {},
+        .magic = "<ColorDecisionList",
+    }),
+    read_by_opencolorio({
+        .name = "look",
+        .label = "Iridas .look: a cube in XML",
+        .extensions = {"look"},
+        .holds = {},
+        .magic = "<look",
+    }),
+    read_by_opencolorio({
+        .name = "itx",
+        .label = "Iridas .itx: a cube",
+        .extensions = {"itx"},
+        .holds = unit_cube_of_6_decimals,
+        .opencolorio_writer = "iridas_itx",
+    }),
+    read_by_opencolorio({
+        .name = "vf",
+        .label = "Nuke .vf: a cube with a matrix",
+        .extensions = {"vf"},
+        .holds = {},
+        .magic = "#Inventor V2.1",
+    }),
+    read_by_opencolorio({
+        .name = "mga",
+        .label = "Pandora .mga: a cube of integer codes",
+        .extensions = {"mga"},
+        .holds = {},
+    }),
+    read_by_opencolorio({
+        .name = "m3d",
+        .label = "Pandora .m3d: a cube of integer codes",
+        .extensions = {"m3d"},
+        .holds = {},
+    }),
+    read_by_opencolorio({
+        .name = "icc",
+        .label = "ICC profile: matrix and curves",
+        .extensions = {"icc", "icm", "pf"},
+        .holds = {},
+    }),
+    read_by_opencolorio({
+        .name = "houdini",
+        .label = "Houdini .lut: a cube",
+        .extensions = {"lut"},
+        .holds = unit_cube_of_6_decimals,
+        .opencolorio_writer = "houdini",
+    }),
+    read_by_opencolorio({
+        .name = "discreet",
+        .label = "Discreet 1D .lut: a curve of integer codes",
+        .extensions = {"lut"},
+        .holds = {},
+    }),
+    read_by_opencolorio({
+        .name = "truelight",
+        .label = "Truelight .cub: a cube",
+        .extensions = {"cub"},
+        .holds = unit_cube_of_6_decimals,
+        .magic = "# Truelight Cube",
+        .opencolorio_writer = "truelight",
+    }),
+    read_by_opencolorio({
+        .name = "spimtx",
+        .label = "Imageworks .spimtx: a matrix",
+        .extensions = {"spimtx"},
+        .holds = {},
+    }),
+    written_by_opencolorio({
+        .name = "ocio-iridas-cube",
+        .label = "OpenColorIO's own writer of Iridas .cube, for comparison",
+        .extensions = {"cube"},
+        .holds = unit_cube_of_6_decimals,
+        .opencolorio_writer = "iridas_cube",
+    }),
+    written_by_opencolorio({
+        .name = "ocio-resolve-cube",
+        .label = "OpenColorIO's own writer of Resolve .cube, for comparison",
+        .extensions = {"cube"},
+        .holds = unit_cube_of_6_decimals,
+        .opencolorio_writer = "resolve_cube",
+    }),
+    written_by_opencolorio({
+        .name = "ocio-csp",
+        .label = "OpenColorIO's own writer of cineSpace .csp, for comparison",
+        .extensions = {"csp"},
+        .holds = unit_cube_of_6_decimals,
+        .opencolorio_writer = "cinespace",
+    }),
+});
+
+} // namespace
+
+std::string opencolorio_extension(const FileFormat& format, const std::string& file) {
+    const std::string own = io::extension_of(file);
+    return format.extensions.contain(own) ? own : format.extensions.first();
+}
+
+Reading read_with_opencolorio(const FileFormat& format, std::string_view bytes,
+                              const std::string& file, const ReadOptions& options) {
+    return io::ocio().read(bytes, opencolorio_extension(format, file), file, options);
+}
+
+std::string write_with_opencolorio(const FileFormat& format, const Lut& lut,
+                                   const WriteOptions& options) {
+    return io::ocio().write(lut, std::string(format.opencolorio_writer), options);
+}
+
+std::span<const FileFormat> opencolorios() {
+    return rows;
+}
+
+} // namespace lutlib::formats

@@ -110,8 +110,8 @@ std::uint64_t bytes_moved(const Graph& graph) {
     for (const Step& step : plan.steps)
         for (const Use& use : graph.passes()[step.pass].uses)
             if (use.version != Version::none && plan.version_lives[use.version] &&
-                graph.resource({use.version}).kind == ResourceKind::image)
-                bytes += graph.image_desc({use.version}).bytes();
+                graph.resource_of(use.version).kind == ResourceKind::image)
+                bytes += graph.resource_of(use.version).image.bytes();
     return bytes;
 }
 
@@ -144,7 +144,7 @@ class Bench {
             gpu::make_image(device_, {Format::rgba32f, size_.width, size_.height},
                             std::as_bytes(std::span(texels)));
         Graph graph;
-        const Handle half =
+        const ImageHandle half =
             add_copy(graph, graph.import("light", light, light.desc()), Format::rgba16f);
         graph.present(half);
         executor_.render(graph);
@@ -173,7 +173,7 @@ class Bench {
 
     /// One pass several times over; declare() adds it and returns what it writes.
     Row measure(std::string group, std::string name, const std::string& pass,
-                const std::function<Handle(Graph&)>& declare) {
+                const std::function<ImageHandle(Graph&)>& declare) {
         Graph once;
         once.present(declare(once));
         Graph graph;
@@ -238,7 +238,7 @@ class Bench {
             for (const float threshold : {0.0F, 1.0F}) {
                 Graph graph;
                 // Written just before, as it is in a frame.
-                const Handle hdr =
+                const ImageHandle hdr =
                     add_copy(graph, graph.import("hdr", *hdr_, hdr_->desc()), Format::rgba16f);
                 BloomSettings bloom_settings;
                 bloom_settings.threshold = threshold;
@@ -247,7 +247,7 @@ class Bench {
                     bloom_settings);
                 FinishSettings settings;
                 settings.tonemap = tonemap_named("agx");
-                const Handle done =
+                const ImageHandle done =
                     add_finish(graph, hdr, add_bloom(graph, hdr, plan), &look, nullptr, settings)
                         .picture;
                 graph.present(done);

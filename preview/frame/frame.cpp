@@ -14,8 +14,8 @@ namespace preview {
 namespace {
 
 template <class T>
-Handle data_or_nothing(Graph& graph, std::string_view name, const std::vector<T>& blocks) {
-    return blocks.empty() ? Handle{} : graph.data(name, std::as_bytes(std::span(blocks)));
+BufferHandle data_or_nothing(Graph& graph, std::string_view name, const std::vector<T>& blocks) {
+    return blocks.empty() ? BufferHandle{} : graph.data(name, std::as_bytes(std::span(blocks)));
 }
 
 struct DeclaredScene {
@@ -85,8 +85,8 @@ DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const Frame
 }
 
 /// Radiance of the scene; fills in what it is made of.
-Handle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
-                    Size size, FrameHandles& handles) {
+ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
+                         Size size, FrameHandles& handles) {
     const Scene& scene = *inputs.scene;
     DeclaredScene declared = declare_scene(graph, inputs, settings, size);
     handles.shadow_maps =
@@ -120,7 +120,7 @@ std::string_view no_bloom_because(const FrameInputs& inputs, const FrameSettings
     return {};
 }
 
-BloomLayers bloom_of(Graph& graph, Handle hdr, const FrameInputs& inputs,
+BloomLayers bloom_of(Graph& graph, ImageHandle hdr, const FrameInputs& inputs,
                      const FrameSettings& settings) {
     if (settings.without.has(Effect::bloom))
         return {};
@@ -183,7 +183,7 @@ Finishing finishing_of(Graph& graph, const FrameInputs& inputs, const FrameSetti
     return out;
 }
 
-Handle antialiased(Graph& graph, Handle picture, const FrameSettings& settings) {
+ImageHandle antialiased(Graph& graph, ImageHandle picture, const FrameSettings& settings) {
     if (settings.without.has(Effect::fxaa))
         return picture;
     if (settings.compare == &compare_difference) {
@@ -234,7 +234,7 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
     handles.output = antialiased(graph, handles.graded, settings);
 
     if (settings.view != nullptr) {
-        const Handle shown = settings.view->handle(handles);
+        const ImageHandle shown = settings.view->handle(handles);
         if (!shown)
             throw lutlib::UsageError("this frame has no '" + std::string(settings.view->name) +
                                      "' to show; --explain says why");

@@ -6,15 +6,15 @@
 
 #include "lutlib/color/encoding.h"
 #include "preview/finish/effects.h"
-#include "preview/scene/gpu_scene.h"
+#include "preview/finish/probe.h"
+#include "preview/finish/scopes.h"
+#include "preview/frame/rasters.h"
 #include "preview/passes/finish.h"
 #include "preview/passes/lighting.h"
 #include "preview/passes/resolve.h"
 #include "preview/passes/view.h"
 #include "preview/passes/visibility.h"
-#include "preview/finish/probe.h"
-#include "preview/frame/rasters.h"
-#include "preview/finish/scopes.h"
+#include "preview/scene/gpu_scene.h"
 
 #include <optional>
 #include <span>
@@ -73,18 +73,19 @@ struct FrameInputs {
 /// Every intermediate of the frame; empty where it is withheld.
 struct FrameHandles {
     GBuffer surfaces;
-    Handle materials; ///< the scene's buffer
-    Handle shadow_maps, lit, hdr, hdr_maximum, bloom, graded, figures;
-    std::array<Handle, scopes.size()> scope_pictures; ///< of those looked at, presented
-    Handle probe, axis_counts;
-    Handle output; ///< rgba8, presented
+    BufferHandle materials; ///< the scene's buffer
+    ImageHandle shadow_maps, lit, hdr, bloom, graded;
+    BufferHandle hdr_maximum, figures;
+    std::array<ImageHandle, scopes.size()> scope_pictures; ///< of those looked at, presented
+    BufferHandle probe, axis_counts;
+    ImageHandle output; ///< rgba8, presented
 };
 
 /// An intermediate that can be shown, and how.
 struct DebugView {
     std::string_view name;
     std::string_view help;
-    Handle (*handle)(const FrameHandles& handles);
+    ImageHandle (*handle)(const FrameHandles& handles);
     ViewMode mode;
 };
 std::span<const DebugView> debug_views();

@@ -105,7 +105,7 @@ void Executor::render(const Graph& graph, const FrameEnd& end) {
     }
     presented_.clear();
     for (const std::uint32_t version : graph.presented()) {
-        const Resource& resource = graph.resource({version});
+        const Resource& resource = graph.resource_of(version);
         presented_[version] = {resource.name, resource.kind == ResourceKind::image
                                                   ? &realised_->image(graph, version)
                                                   : nullptr};
@@ -242,7 +242,7 @@ void Executor::record_raster(const Graph& graph, const PassRecord& pass,
             indices = &realised_->buffer(graph, use.version);
         if (use.access != Access::color_write && use.access != Access::depth_write)
             continue;
-        const ImageDesc& desc = graph.image_desc({use.version});
+        const ImageDesc& desc = graph.resource_of(use.version).image;
         extent = vk::Extent2D(desc.width, desc.height);
         vk::RenderingAttachmentInfo attachment;
         attachment.loadOp = use.clears ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eLoad;
@@ -282,7 +282,7 @@ void Executor::record_presented(const Graph& graph, Slot& slot,
     record_barriers(graph, end_barriers_, commands);
     bool copied = false;
     for (const Presented& end : plan_.presented) {
-        const Resource& resource = graph.resource({end.version});
+        const Resource& resource = graph.resource_of(end.version);
         if (resource.kind == ResourceKind::image)
             continue;
         auto found = slot.copies.find(resource.name);
@@ -307,19 +307,19 @@ void Executor::record_presented(const Graph& graph, Slot& slot,
     }
 }
 
-const gpu::Image& Executor::image(Handle presented) const {
+const gpu::Image& Executor::image(ImageHandle presented) const {
     const auto found = presented_.find(presented.version);
     if (found == presented_.end() || found->second.image == nullptr)
         throw std::logic_error("only a presented image can be looked at after its frame");
     return *found->second.image;
 }
 
-std::vector<std::byte> Executor::read_image(Handle presented) {
+std::vector<std::byte> Executor::read_image(ImageHandle presented) {
     wait();
     return gpu::read_image(device_, image(presented), vk::ImageLayout::eTransferSrcOptimal);
 }
 
-std::vector<std::byte> Executor::read_buffer(Handle presented) {
+std::vector<std::byte> Executor::read_buffer(BufferHandle presented) {
     wait();
     const auto found = presented_.find(presented.version);
     if (found == presented_.end() || found->second.image != nullptr)

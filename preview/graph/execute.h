@@ -50,11 +50,11 @@ class Executor {
     void wait();
 
     /// The image behind a presented handle of the last graph, in eTransferSrcOptimal.
-    const gpu::Image& image(Handle presented) const;
+    const gpu::Image& image(ImageHandle presented) const;
     /// The texels of a presented image of the last graph. Waits.
-    std::vector<std::byte> read_image(Handle presented);
+    std::vector<std::byte> read_image(ImageHandle presented);
     /// The contents of a presented buffer, of the last graph. Waits.
-    std::vector<std::byte> read_buffer(Handle presented);
+    std::vector<std::byte> read_buffer(BufferHandle presented);
     /// The contents of the presented buffer of that name in the newest frame that has finished;
     /// empty when there is none. Does not wait.
     std::vector<std::byte> finished_buffer(const std::string& name) const;

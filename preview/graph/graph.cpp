@@ -16,54 +16,71 @@ namespace {
     throw std::logic_error("render graph: " + message);
 }
 
+/// What a compute shader writes.
+Use written(BindingType binding) {
+    Use use;
+    use.access = Access::compute_write;
+    use.binding = binding;
+    return use;
+}
+
+Use depth_layer_cleared(float clear, std::uint32_t layer) {
+    Use use;
+    use.access = Access::depth_write;
+    use.clears = true;
+    use.clear[0] = clear;
+    use.layer = layer;
+    return use;
+}
+
 } // namespace
 
-Handle Graph::add_resource(Resource resource) {
+std::uint32_t Graph::add_resource(Resource resource) {
     const auto resource_index = static_cast<std::uint32_t>(resources_.size());
     resources_.push_back(std::move(resource));
     versions_.push_back({resource_index, Version::none, Version::none, false});
-    return {static_cast<std::uint32_t>(versions_.size() - 1)};
+    return static_cast<std::uint32_t>(versions_.size() - 1);
 }
 
-Handle Graph::image(std::string_view name, const ImageDesc& desc) {
+ImageHandle Graph::image(std::string_view name, const ImageDesc& desc) {
     if (desc.width == 0 || desc.height == 0)
         fault(fmt::format("image '{}' is empty ({}x{})", name, desc.width, desc.height));
     Resource resource;
     resource.name = name;
     resource.image = desc;
-    return add_resource(std::move(resource));
+    return {add_resource(std::move(resource))};
 }
 
-Handle Graph::buffer(std::string_view name, std::uint64_t bytes) {
+BufferHandle Graph::buffer(std::string_view name, std::uint64_t bytes) {
     if (bytes == 0)
         fault(fmt::format("buffer '{}' is empty", name));
     Resource resource;
     resource.name = name;
     resource.kind = ResourceKind::buffer;
     resource.bytes = bytes;
-    return add_resource(std::move(resource));
+    return {add_resource(std::move(resource))};
 }
 
-Handle Graph::import(std::string_view name, const gpu::Image& image, const ImageDesc& desc) {
+ImageHandle Graph::import(std::string_view name, const gpu::Image& image, const ImageDesc& desc) {
     Resource resource;
     resource.name = name;
     resource.origin = Origin::imported;
     resource.image = desc;
     resource.imported_image = &image;
-    return add_resource(std::move(resource));
+    return {add_resource(std::move(resource))};
 }
 
-Handle Graph::import(std::string_view name, const gpu::Buffer& buffer, std::uint64_t bytes) {
+BufferHandle Graph::import(std::string_view name, const gpu::Buffer& buffer, std::uint64_t bytes) {
     Resource resource;
     resource.name = name;
     resource.kind = ResourceKind::buffer;
     resource.origin = Origin::imported;
     resource.bytes = bytes;
     resource.imported_buffer = &buffer;
-    return add_resource(std::move(resource));
+    return {add_resource(std::move(resource))};
 }
 
-Handle Graph::data(std::string_view name, std::span<const std::byte> bytes) {
+BufferHandle Graph::data(std::string_view name, std::span<const std::byte> bytes) {
     if (bytes.empty() || bytes.size() % 4 != 0)
         fault(fmt::format("data '{}' has {} bytes, not a positive multiple of 4", name,
                           bytes.size()));
@@ -77,7 +94,7 @@ Handle Graph::data(std::string_view name, std::span<const std::byte> bytes) {
     resource.origin = Origin::data;
     resource.bytes = bytes.size();
     resource.data.assign(bytes.begin(), bytes.end());
-    return add_resource(std::move(resource));
+    return {add_resource(std::move(resource))};
 }
 
 Pass Graph::compute(std::string_view name, std::string_view shader) {
@@ -100,7 +117,7 @@ Pass Graph::raster(std::string_view name, std::string_view vertex_shader,
     return {*this, static_cast<std::uint32_t>(passes_.size() - 1)};
 }
 
-Handle Graph::fill(std::string_view name, Handle buffer, std::uint32_t word) {
+BufferHandle Graph::fill(std::string_view name, BufferHandle buffer, std::uint32_t word) {
     PassRecord record;
     record.name = name;
     record.kind = PassKind::fill;
@@ -109,66 +126,55 @@ Handle Graph::fill(std::string_view name, Handle buffer, std::uint32_t word) {
     Pass pass{*this, static_cast<std::uint32_t>(passes_.size() - 1)};
     Use use;
     use.access = Access::transfer_write;
-    return pass.add_write(buffer, use, false);
+    return {pass.add_write(buffer.version, use, false)};
 }
 
 void Graph::withhold(std::string_view name, std::string_view reason) {
     withheld_.push_back({std::string(name), std::string(reason)});
 }
 
-void Graph::present(Handle handle) {
-    current(handle, "the frame's end");
-    if (resource(handle).origin == Origin::transient &&
-        versions_[handle.version].producer == Version::none)
-        fault(fmt::format("'{}' is presented and was never written", resource(handle).name));
-    if (std::find(presented_.begin(), presented_.end(), handle.version) == presented_.end())
-        presented_.push_back(handle.version);
+void Graph::present_version(std::uint32_t version) {
+    current(version, "the frame's end");
+    const Resource& resource = resource_of(version);
+    if (resource.origin == Origin::transient && versions_[version].producer == Version::none)
+        fault(fmt::format("'{}' is presented and was never written", resource.name));
+    if (std::find(presented_.begin(), presented_.end(), version) == presented_.end())
+        presented_.push_back(version);
 }
 
-const ImageDesc& Graph::image_desc(Handle handle) const {
-    return resource(handle).image;
+const Resource& Graph::resource_of(std::uint32_t version) const {
+    if (version >= versions_.size())
+        fault(version == Version::none ? "an empty handle has no resource"
+                                       : "a handle of another graph");
+    return resources_[versions_[version].resource];
 }
 
-std::uint64_t Graph::buffer_bytes(Handle handle) const {
-    return resource(handle).bytes;
-}
-
-const Resource& Graph::resource(Handle handle) const {
-    if (handle.version >= versions_.size())
-        fault(handle ? "a handle of another graph" : "an empty handle has no resource");
-    return resources_[versions_[handle.version].resource];
-}
-
-const Version& Graph::current(Handle handle, std::string_view user) const {
-    const Resource& wanted = resource(handle);
-    const Version& version = versions_[handle.version];
-    if (version.retired)
+const Version& Graph::current(std::uint32_t version, std::string_view user) const {
+    const Resource& wanted = resource_of(version);
+    if (versions_[version].retired)
         fault(fmt::format("'{}' uses a version of '{}' that a later pass has overwritten", user,
                           wanted.name));
-    return version;
+    return versions_[version];
 }
 
 PassRecord& Pass::record() {
     return graph_->passes_[index_];
 }
 
-void Pass::add_read(Handle handle, ResourceKind kind, Use use) {
-    if (handle) {
-        const Version& version = graph_->current(handle, record().name);
-        const Resource& resource = graph_->resources_[version.resource];
-        if (resource.kind != kind)
-            fault(fmt::format("'{}' binds '{}' as the wrong kind of resource", record().name,
-                              resource.name));
-        if (resource.origin == Origin::transient && version.producer == Version::none)
+void Pass::add_read(std::uint32_t version, Use use) {
+    if (version != Version::none) {
+        const Version& read = graph_->current(version, record().name);
+        const Resource& resource = graph_->resources_[read.resource];
+        if (resource.origin == Origin::transient && read.producer == Version::none)
             fault(fmt::format("'{}' reads '{}', which no pass has written", record().name,
                               resource.name));
-        use.version = handle.version;
+        use.version = version;
     }
     record().uses.push_back(use);
 }
 
-Handle Pass::add_write(Handle handle, Use use, bool keeps) {
-    const Version old = graph_->current(handle, record().name);
+std::uint32_t Pass::add_write(std::uint32_t version, Use use, bool keeps) {
+    const Version old = graph_->current(version, record().name);
     const Resource& resource = graph_->resources_[old.resource];
     if (resource.origin != Origin::transient)
         fault(fmt::format("'{}' writes '{}', which the frame may only read", record().name,
@@ -180,96 +186,83 @@ Handle Pass::add_write(Handle handle, Use use, bool keeps) {
         if (other.version != Version::none &&
             graph_->versions_[other.version].resource == old.resource)
             fault(fmt::format("'{}' reads and writes '{}' at once", record().name, resource.name));
-    graph_->versions_[handle.version].retired = true;
-    graph_->versions_.push_back(
-        {old.resource, index_, keeps ? handle.version : Version::none, false});
+    graph_->versions_[version].retired = true;
+    graph_->versions_.push_back({old.resource, index_, keeps ? version : Version::none, false});
     use.version = static_cast<std::uint32_t>(graph_->versions_.size() - 1);
     use.writes = true;
     record().uses.push_back(use);
-    return {use.version};
+    return use.version;
 }
 
-void Pass::sample(Handle image, Sampler sampler, Neutral stand_in) {
+void Pass::sample(ImageHandle image, Sampler sampler, Neutral stand_in) {
     Use use;
     use.access =
         record().kind == PassKind::compute ? Access::compute_sample : Access::graphics_sample;
     use.binding = BindingType::sampled_image;
     use.sampler = sampler;
     use.neutral = stand_in;
-    add_read(image, ResourceKind::image, use);
+    add_read(image.version, use);
 }
 
-void Pass::read(Handle image, Neutral stand_in) {
+void Pass::read(ImageHandle image, Neutral stand_in) {
     sample(image, Sampler::nearest_clamp, stand_in);
 }
 
-void Pass::storage(Handle buffer) {
+void Pass::add_buffer(BufferHandle buffer, BindingType binding) {
     Use use;
     use.access = record().kind == PassKind::compute ? Access::compute_read : Access::graphics_read;
-    use.binding = BindingType::storage_buffer;
+    use.binding = binding;
     use.neutral = Neutral::no_buffer;
-    add_read(buffer, ResourceKind::buffer, use);
+    add_read(buffer.version, use);
 }
 
-void Pass::uniform(Handle buffer) {
-    Use use;
-    use.access = record().kind == PassKind::compute ? Access::compute_read : Access::graphics_read;
-    use.binding = BindingType::uniform_buffer;
-    use.neutral = Neutral::no_buffer;
-    add_read(buffer, ResourceKind::buffer, use);
+void Pass::storage(BufferHandle buffer) {
+    add_buffer(buffer, BindingType::storage_buffer);
 }
 
-Handle Pass::write(Handle handle) {
-    Use use;
-    use.access = Access::compute_write;
-    use.binding = graph_->resource(handle).kind == ResourceKind::image
-                      ? BindingType::storage_image
-                      : BindingType::storage_buffer;
-    return add_write(handle, use, false);
+void Pass::uniform(BufferHandle buffer) {
+    add_buffer(buffer, BindingType::uniform_buffer);
 }
 
-Handle Pass::modify(Handle handle) {
-    const Resource& resource = graph_->resource(handle);
-    if (resource.kind == ResourceKind::image && resource.image.format != Format::r32ui)
+ImageHandle Pass::write(ImageHandle image) {
+    return {add_write(image.version, written(BindingType::storage_image), false)};
+}
+
+BufferHandle Pass::write(BufferHandle buffer) {
+    return {add_write(buffer.version, written(BindingType::storage_buffer), false)};
+}
+
+ImageHandle Pass::modify(ImageHandle image) {
+    if (graph_->image_desc(image).format != Format::r32ui)
         fault(fmt::format("'{}' modifies '{}', and only r32ui images can be", record().name,
-                          resource.name));
-    Use use;
-    use.access = Access::compute_write;
-    use.binding = resource.kind == ResourceKind::image ? BindingType::storage_image
-                                                       : BindingType::storage_buffer;
-    return add_write(handle, use, true);
+                          graph_->resource_of(image.version).name));
+    return {add_write(image.version, written(BindingType::storage_image), true)};
 }
 
-Handle Pass::color(Handle image, std::array<float, 4> clear) {
+BufferHandle Pass::modify(BufferHandle buffer) {
+    return {add_write(buffer.version, written(BindingType::storage_buffer), true)};
+}
+
+ImageHandle Pass::color(ImageHandle image, std::array<float, 4> clear) {
     Use use;
     use.access = Access::color_write;
     use.clears = true;
     use.clear = clear;
-    return add_write(image, use, false);
+    return {add_write(image.version, use, false)};
 }
 
-Handle Pass::depth(Handle image, float clear, std::uint32_t layer) {
-    Use use;
-    use.access = Access::depth_write;
-    use.clears = true;
-    use.clear[0] = clear;
-    use.layer = layer;
-    return add_write(image, use, false);
+ImageHandle Pass::depth(ImageHandle image, float clear, std::uint32_t layer) {
+    return {add_write(image.version, depth_layer_cleared(clear, layer), false)};
 }
 
-Handle Pass::depth_layer(Handle image, float clear, std::uint32_t layer) {
-    Use use;
-    use.access = Access::depth_write;
-    use.clears = true;
-    use.clear[0] = clear;
-    use.layer = layer;
-    return add_write(image, use, true);
+ImageHandle Pass::depth_layer(ImageHandle image, float clear, std::uint32_t layer) {
+    return {add_write(image.version, depth_layer_cleared(clear, layer), true)};
 }
 
-void Pass::index_buffer(Handle buffer) {
+void Pass::index_buffer(BufferHandle buffer) {
     Use use;
     use.access = Access::index_read;
-    add_read(buffer, ResourceKind::buffer, use);
+    add_read(buffer.version, use);
 }
 
 void Pass::state(const RasterState& state) {
@@ -297,10 +290,10 @@ void Pass::dispatch_over(std::uint32_t width, std::uint32_t height, Tile tile) {
     dispatch((width + tile.width - 1) / tile.width, (height + tile.height - 1) / tile.height);
 }
 
-void Pass::dispatch_indirect(Handle buffer) {
+void Pass::dispatch_indirect(BufferHandle buffer) {
     Use use;
     use.access = Access::indirect_read;
-    add_read(buffer, ResourceKind::buffer, use);
+    add_read(buffer.version, use);
     record().indirect_use = static_cast<std::uint32_t>(record().uses.size() - 1);
 }
 

@@ -3,12 +3,12 @@
 // A frame is declared from front to back on a fresh Graph, then planned (plan.h) and executed
 // (execute.h). A pass is declared by a function that takes handles and returns handles:
 //
-//     Handle add_tonemap(Graph& graph, Handle hdr, float exposure) {
+//     ImageHandle add_tonemap(Graph& graph, ImageHandle hdr, float exposure) {
 //         const ImageDesc size = graph.image_desc(hdr);
 //         Pass pass = graph.compute("tone map", "tonemap.comp");       // shaders/tonemap.comp
 //         pass.sample(hdr, Sampler::nearest_clamp);                    // binding 0
-//         const Handle out = pass.write(graph.image("tone mapped",     // binding 1
-//                                       {Format::rgba8, size.width, size.height}));
+//         const ImageHandle out = pass.write(                          // binding 1
+//             graph.image("tone mapped", {Format::rgba8, size.width, size.height}));
 //         pass.constants({row.index});                                 // constant_id 0
 //         pass.push(exposure);                                         // push constants
 //         pass.dispatch_over(size.width, size.height);                 // 16x16 pixels a group
@@ -30,9 +30,10 @@
 //   and touch nothing outside the size that they ask imageSize() of their target for.
 // - Names are for people: they appear in --explain, in --timings and in error messages.
 //
-// Handles are versions. Writing an image returns a new handle and retires the old one; reading a
-// retired handle is an error, so the order of declaration is an order of execution. An empty
-// Handle stands for something that the frame withholds: an image binds its neutral stand-in.
+// Handles are versions, of an image or of a buffer. Writing an image returns a new handle and
+// retires the old one; reading a retired handle is an error, so the order of declaration is an
+// order of execution. An empty handle stands for something that the frame withholds: an image binds
+// its neutral stand-in.
 #pragma once
 
 #include "preview/gpu/types.h"
@@ -63,14 +64,19 @@ struct Tile {
 constexpr Tile one_each{16, 16};  ///< a texel a thread of 16x16
 constexpr Tile many_each{32, 16}; ///< shaders/common/tile.glsl
 
-/// One version of an image or a buffer.
-struct Handle {
+enum class ResourceKind : std::uint8_t { image, buffer };
+
+/// One version of a resource of that kind.
+template <ResourceKind kind>
+struct [[nodiscard]] Handle {
     static constexpr std::uint32_t none = ~std::uint32_t{0};
     std::uint32_t version = none;
 
     explicit operator bool() const { return version != none; }
     friend bool operator==(Handle, Handle) = default;
 };
+using ImageHandle = Handle<ResourceKind::image>;
+using BufferHandle = Handle<ResourceKind::buffer>;
 
 /// What a pass does with a resource; decides layout, stage and memory access.
 enum class Access : std::uint8_t {
@@ -92,7 +98,6 @@ constexpr AccessMask mask(Access access) {
     return AccessMask{1} << static_cast<unsigned>(access);
 }
 
-enum class ResourceKind : std::uint8_t { image, buffer };
 enum class Origin : std::uint8_t {
     transient, ///< lives within the frame, memory is shared with others
     imported,  ///< owned by somebody else, read only, ready for any read
@@ -175,22 +180,23 @@ class Graph;
 class Pass {
   public:
     // Shader resources, in binding order. An empty handle binds the neutral stand-in.
-    void sample(Handle image, Sampler sampler, Neutral stand_in = Neutral::black);
-    void read(Handle image, Neutral stand_in = Neutral::black);
-    void storage(Handle buffer); ///< read-only storage buffer
-    void uniform(Handle buffer);
+    void sample(ImageHandle image, Sampler sampler, Neutral stand_in = Neutral::black);
+    void read(ImageHandle image, Neutral stand_in = Neutral::black);
+    void storage(BufferHandle buffer); ///< read-only storage buffer
+    void uniform(BufferHandle buffer);
     /// Overwrites all that is read later; earlier contents are lost. Returns the new version.
-    Handle write(Handle image_or_buffer);
+    ImageHandle write(ImageHandle image);
+    BufferHandle write(BufferHandle buffer);
     /// Reads and writes; earlier contents count. Returns the new version.
-    Handle modify(Handle image_or_buffer);
+    ImageHandle modify(ImageHandle image);
+    BufferHandle modify(BufferHandle buffer);
 
-    // Raster passes only. `clear` makes the attachment start from that colour or depth; without
-    // it the handle's earlier contents are kept.
-    Handle color(Handle image, std::array<float, 4> clear);
-    Handle depth(Handle image, float clear, std::uint32_t layer = 0);
+    // Raster passes only. The attachment starts from the colour or depth `clear`.
+    ImageHandle color(ImageHandle image, std::array<float, 4> clear);
+    ImageHandle depth(ImageHandle image, float clear, std::uint32_t layer = 0);
     /// Clears and writes one layer, keeping the others.
-    Handle depth_layer(Handle image, float clear, std::uint32_t layer);
-    void index_buffer(Handle buffer);
+    ImageHandle depth_layer(ImageHandle image, float clear, std::uint32_t layer);
+    void index_buffer(BufferHandle buffer);
     void state(const RasterState& state);
     void draws(std::vector<Draw> list);
 
@@ -204,14 +210,16 @@ class Pass {
     /// As many groups as cover the image.
     void dispatch_over(std::uint32_t width, std::uint32_t height, Tile tile = one_each);
     /// Group counts are read from the first 12 bytes of the buffer.
-    void dispatch_indirect(Handle buffer);
+    void dispatch_indirect(BufferHandle buffer);
 
   private:
     friend class Graph;
     Pass(Graph& graph, std::uint32_t index) : graph_(&graph), index_(index) {}
     PassRecord& record();
-    void add_read(Handle handle, ResourceKind kind, Use use);
-    Handle add_write(Handle handle, Use use, bool keeps);
+    void add_read(std::uint32_t version, Use use);
+    void add_buffer(BufferHandle buffer, BindingType binding);
+    /// Returns the new version.
+    std::uint32_t add_write(std::uint32_t version, Use use, bool keeps);
     void push_bytes(std::span<const std::byte> bytes);
 
     Graph* graph_;
@@ -221,16 +229,16 @@ class Pass {
 class Graph {
   public:
     // Transients: no contents until a pass writes them.
-    Handle image(std::string_view name, const ImageDesc& desc);
-    Handle buffer(std::string_view name, std::uint64_t bytes);
+    ImageHandle image(std::string_view name, const ImageDesc& desc);
+    BufferHandle buffer(std::string_view name, std::uint64_t bytes);
     // Imported: read only; must outlive the frame.
-    Handle import(std::string_view name, const gpu::Image& image, const ImageDesc& desc);
-    Handle import(std::string_view name, const gpu::Buffer& buffer, std::uint64_t bytes);
+    ImageHandle import(std::string_view name, const gpu::Image& image, const ImageDesc& desc);
+    BufferHandle import(std::string_view name, const gpu::Buffer& buffer, std::uint64_t bytes);
     /// A small buffer with these contents, for uniform() and storage(). `name` identifies it from
     /// frame to frame: unchanged contents are not uploaded again.
-    Handle data(std::string_view name, std::span<const std::byte> bytes);
+    BufferHandle data(std::string_view name, std::span<const std::byte> bytes);
     template <class T>
-    Handle data_of(std::string_view name, const T& block) {
+    BufferHandle data_of(std::string_view name, const T& block) {
         static_assert(std::is_trivially_copyable_v<T>);
         return data(name, std::as_bytes(std::span(&block, 1)));
     }
@@ -240,17 +248,22 @@ class Graph {
     Pass raster(std::string_view name, std::string_view vertex_shader,
                 std::string_view fragment_shader);
     /// Sets every word of a buffer. Returns the new version.
-    Handle fill(std::string_view name, Handle buffer, std::uint32_t word);
+    BufferHandle fill(std::string_view name, BufferHandle buffer, std::uint32_t word);
 
     /// Records for explain() that something was not declared at all, and why.
     void withhold(std::string_view name, std::string_view reason);
 
     /// Wants this version: its producer lives, and its contents last to the end of the frame.
-    void present(Handle handle);
+    void present(ImageHandle image) { present_version(image.version); }
+    void present(BufferHandle buffer) { present_version(buffer.version); }
 
-    const ImageDesc& image_desc(Handle handle) const;
-    std::uint64_t buffer_bytes(Handle handle) const;
-    const Resource& resource(Handle handle) const;
+    const ImageDesc& image_desc(ImageHandle image) const {
+        return resource_of(image.version).image;
+    }
+    std::uint64_t buffer_bytes(BufferHandle buffer) const {
+        return resource_of(buffer.version).bytes;
+    }
+    const Resource& resource_of(std::uint32_t version) const;
 
     std::span<const Resource> resources() const { return resources_; }
     std::span<const Version> versions() const { return versions_; }
@@ -264,8 +277,9 @@ class Graph {
 
   private:
     friend class Pass;
-    Handle add_resource(Resource resource);
-    const Version& current(Handle handle, std::string_view user) const;
+    std::uint32_t add_resource(Resource resource);
+    void present_version(std::uint32_t version);
+    const Version& current(std::uint32_t version, std::string_view user) const;
 
     std::vector<Resource> resources_;
     std::vector<Version> versions_;

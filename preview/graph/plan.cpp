@@ -76,10 +76,6 @@ class Planner {
     }
 
   private:
-    const Resource& resource_of(std::uint32_t version) const {
-        return graph_.resources()[graph_.versions()[version].resource];
-    }
-
     void sweep_backwards() {
         for (const std::uint32_t version : graph_.presented())
             plan_.version_lives[version] = true;
@@ -120,7 +116,7 @@ class Planner {
                 if (use.version == Version::none || dropped(use))
                     continue;
                 const Version& version = graph_.versions()[use.version];
-                if (resource_of(use.version).origin != Origin::transient)
+                if (graph_.resource_of(use.version).origin != Origin::transient)
                     continue;
                 add_barrier(step, states, use, version);
                 if (lifetime_of[version.resource] == Version::none) {
@@ -134,7 +130,7 @@ class Planner {
         }
         for (const std::uint32_t version : graph_.presented()) {
             const std::uint32_t resource = graph_.versions()[version].resource;
-            if (resource_of(version).origin != Origin::transient)
+            if (graph_.resource_of(version).origin != Origin::transient)
                 continue;
             Presented end;
             end.version = version;
@@ -169,7 +165,7 @@ class Planner {
         std::string names;
         for (const Use& use : graph_.passes()[pass].uses)
             if (use.writes)
-                names += (names.empty() ? "'" : ", '") + resource_of(use.version).name + "'";
+                names += (names.empty() ? "'" : ", '") + graph_.resource_of(use.version).name + "'";
         return names.empty() ? std::string("it writes nothing")
                              : fmt::format("nothing that is shown reads {}", names);
     }

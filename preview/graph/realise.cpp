@@ -105,10 +105,10 @@ gpu::PipelineKey key_of(const Graph& graph, const Plan& plan, const PassRecord& 
             key.bindings.push_back(use.binding);
         if (use.access == Access::color_write)
             key.colors.push_back(plan.version_lives[use.version]
-                                     ? std::optional(graph.image_desc({use.version}).format)
+                                     ? std::optional(graph.resource_of(use.version).image.format)
                                      : std::nullopt);
         if (use.access == Access::depth_write)
-            key.depth = graph.image_desc({use.version}).format;
+            key.depth = graph.resource_of(use.version).image.format;
     }
     return key;
 }

@@ -2,10 +2,10 @@
 
 namespace preview {
 
-Handle add_axes(Graph& graph, Handle picture, const BloomLayers& bloom,
-                const FinishSettings& settings, const lutlib::Encoding& encoding) {
+BufferHandle add_axes(Graph& graph, ImageHandle picture, const BloomLayers& bloom,
+                      const FinishSettings& settings, const lutlib::Encoding& encoding) {
     const Size size = size_of(graph, picture);
-    Handle counts =
+    BufferHandle counts =
         graph.buffer("axis counts", sizeof(std::uint32_t) * axis_bins * counted_axes.size());
     counts = graph.fill("clear axis counts", counts, 0);
     Pass pass = graph.compute("count along axes", "axes.comp");

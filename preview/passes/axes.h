@@ -8,7 +8,7 @@ namespace preview {
 
 /// axis_bins counts for each row of counted_axes. The finishing pass's own inputs; `encoding` says
 /// what the operators take the picture's codes for.
-Handle add_axes(Graph& graph, Handle picture, const BloomLayers& bloom,
-                const FinishSettings& settings, const lutlib::Encoding& encoding);
+BufferHandle add_axes(Graph& graph, ImageHandle picture, const BloomLayers& bloom,
+                      const FinishSettings& settings, const lutlib::Encoding& encoding);
 
 } // namespace preview

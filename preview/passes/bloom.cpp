@@ -8,7 +8,7 @@ namespace preview {
 
 namespace {
 
-Handle taps_block(Graph& graph, const std::string& name, const std::vector<BloomTap>& taps) {
+BufferHandle taps_block(Graph& graph, const std::string& name, const std::vector<BloomTap>& taps) {
     std::array<std::array<float, 4>, BloomPlan::max_taps> block{};
     for (std::size_t i = 0; i < taps.size(); ++i)
         block[i] = {taps[i].x, taps[i].y, taps[i].weight, 0};
@@ -16,7 +16,8 @@ Handle taps_block(Graph& graph, const std::string& name, const std::vector<Bloom
 }
 
 /// The weights of a step that bloom_halve.comp can do, by row.
-Handle texel_weights(Graph& graph, const std::string& name, const std::vector<BloomTap>& taps) {
+BufferHandle texel_weights(Graph& graph, const std::string& name,
+                           const std::vector<BloomTap>& taps) {
     std::array<std::array<float, 4>, 4> rows{};
     for (const BloomTap& tap : taps)
         rows[static_cast<std::size_t>(tap.y + 1.5F)][static_cast<std::size_t>(tap.x + 1.5F)] +=
@@ -35,9 +36,9 @@ bool halves_by_texels(const BloomStep& step) {
 
 } // namespace
 
-BloomLayers add_bloom(Graph& graph, Handle hdr, const BloomPlan& plan, Format work) {
+BloomLayers add_bloom(Graph& graph, ImageHandle hdr, const BloomPlan& plan, Format work) {
     BloomLayers out{plan, {}};
-    std::vector<Handle> images(plan.images.size());
+    std::vector<ImageHandle> images(plan.images.size());
     const auto image = [&](int i) {
         return i == BloomPlan::picture_image ? hdr : images[static_cast<std::size_t>(i)];
     };
@@ -48,7 +49,7 @@ BloomLayers add_bloom(Graph& graph, Handle hdr, const BloomPlan& plan, Format wo
         const auto count = static_cast<std::uint32_t>(step.taps.size());
         const std::string name = "bloom " + std::to_string(step.target);
         const bool separable = step.axis != BloomStep::Axis::both;
-        const Handle target = graph.image(name, {work, width, height});
+        const ImageHandle target = graph.image(name, {work, width, height});
 
         const bool by_texels = !separable && halves_by_texels(step);
 
@@ -57,7 +58,7 @@ BloomLayers add_bloom(Graph& graph, Handle hdr, const BloomPlan& plan, Format wo
                                                     : "bloom_filter.comp");
         pass.sample(image(step.source), Sampler::linear_clamp);
         if (!separable && !by_texels)
-            pass.read(step.own < 0 ? Handle{} : image(step.own));
+            pass.read(step.own < 0 ? ImageHandle{} : image(step.own));
         pass.uniform(by_texels ? texel_weights(graph, name, step.taps)
                                : taps_block(graph, name, step.taps));
         images[static_cast<std::size_t>(step.target)] = pass.write(target);

@@ -1,5 +1,5 @@
-// Bloom: runs the steps of a plan (preview/finish/blooms.h) up to its last filter, which the finishing
-// pass does.
+// Bloom: runs the steps of a plan (preview/finish/blooms.h) up to its last filter, which the
+// finishing pass does.
 #pragma once
 
 #include "preview/finish/blooms.h"
@@ -7,13 +7,13 @@
 
 namespace preview {
 
-struct BloomLayers {
+struct [[nodiscard]] BloomLayers {
     BloomPlan plan; ///< empty: no bloom
-    std::array<Handle, BloomPlan::max_layers> images;
+    std::array<ImageHandle, BloomPlan::max_layers> images;
 };
 
 /// `plan` is made for the picture's size. `work` is the format of the pyramid.
-BloomLayers add_bloom(Graph& graph, Handle hdr, const BloomPlan& plan,
+BloomLayers add_bloom(Graph& graph, ImageHandle hdr, const BloomPlan& plan,
                       Format work = Format::rgba16f);
 
 } // namespace preview

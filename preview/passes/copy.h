@@ -7,6 +7,6 @@
 namespace preview {
 
 /// An image of the same size in `format`.
-Handle add_copy(Graph& graph, Handle source, Format format);
+ImageHandle add_copy(Graph& graph, ImageHandle source, Format format);
 
 } // namespace preview

@@ -40,8 +40,9 @@ std::optional<gpu::Image> upload(const gpu::Device& device, const Texels& texels
     return gpu::make_image(device, texels.desc, texels.bytes);
 }
 
-Handle imported(Graph& graph, const std::string& name, const std::optional<gpu::Image>& image) {
-    return image ? graph.import(name, *image, image->desc()) : Handle{};
+ImageHandle imported(Graph& graph, const std::string& name,
+                     const std::optional<gpu::Image>& image) {
+    return image ? graph.import(name, *image, image->desc()) : ImageHandle{};
 }
 
 void bind_look(Graph& graph, Pass& pass, const std::string& side, const GpuLook* look) {
@@ -75,11 +76,11 @@ GpuLook::GpuLook(const gpu::Device& device, const LookData& data)
         nodes = gpu::make_buffer(device, std::as_bytes(std::span(data.nodes)));
 }
 
-void bind_finish(Graph& graph, Pass& pass, Handle picture, const BloomLayers& bloom,
+void bind_finish(Graph& graph, Pass& pass, ImageHandle picture, const BloomLayers& bloom,
                  const GpuLook* a, const GpuLook* b, const FinishSettings& settings) {
     const BloomPlan& plan = bloom.plan;
     pass.read(picture);
-    for (const Handle layer : bloom.images)
+    for (const ImageHandle layer : bloom.images)
         pass.sample(layer, Sampler::linear_clamp);
     pass.uniform(graph.data_of("bloom final filter", filter_block(plan)));
     bind_look(graph, pass, "A", a);
@@ -98,7 +99,7 @@ void bind_finish(Graph& graph, Pass& pass, Handle picture, const BloomLayers& bl
                    settings.split, settings.heat_scale});
 }
 
-Finished add_finish(Graph& graph, Handle picture, const BloomLayers& bloom, const GpuLook* a,
+Finished add_finish(Graph& graph, ImageHandle picture, const BloomLayers& bloom, const GpuLook* a,
                     const GpuLook* b, const FinishSettings& settings) {
     const Compare& compare = *settings.compare;
     a = compare.shows_a ? a : nullptr;
@@ -110,10 +111,10 @@ Finished add_finish(Graph& graph, Handle picture, const BloomLayers& bloom, cons
     const bool half = shared && shared->half_arithmetic && settings.format == Format::rgba8;
 
     Finished out;
-    Handle figures = graph.buffer("figures", difference ? figures_bytes : 8);
+    BufferHandle figures = graph.buffer("figures", difference ? figures_bytes : 8);
     if (difference)
         figures = graph.fill("clear figures", figures, 0);
-    const Handle target =
+    const ImageHandle target =
         graph.image("finished", {settings.format, side ? 2 * size.width : size.width, size.height});
 
     Pass pass = graph.compute("finish", half     ? "finish_shared_half.comp"

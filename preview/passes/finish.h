@@ -3,10 +3,10 @@
 #pragma once
 
 #include "preview/finish/compare.h"
+#include "preview/finish/tonemaps.h"
 #include "preview/gpu/memory.h"
 #include "preview/look/gpu_lookups.h"
 #include "preview/passes/bloom.h"
-#include "preview/finish/tonemaps.h"
 
 #include <optional>
 
@@ -35,20 +35,20 @@ struct FinishSettings {
     Format format = Format::rgba8;
 };
 
-struct Finished {
-    Handle picture;
+struct [[nodiscard]] Finished {
+    ImageHandle picture;
     /// For difference_figures(), after presenting it; empty unless the comparison is `diff`.
-    Handle figures;
+    BufferHandle figures;
 };
 
 /// `a` and `b` may be null: no look. They must outlive the frame. The comparison `side` makes a
 /// picture twice as wide as `picture`.
-Finished add_finish(Graph& graph, Handle picture, const BloomLayers& bloom, const GpuLook* a,
+Finished add_finish(Graph& graph, ImageHandle picture, const BloomLayers& bloom, const GpuLook* a,
                     const GpuLook* b, const FinishSettings& settings);
 
 /// For a pass that finishes texels to count or tell them: binds what shaders/common/finish.glsl
 /// reads (bindings 0 to 13) and sets its constants and push constants.
-void bind_finish(Graph& graph, Pass& pass, Handle picture, const BloomLayers& bloom,
+void bind_finish(Graph& graph, Pass& pass, ImageHandle picture, const BloomLayers& bloom,
                  const GpuLook* a, const GpuLook* b, const FinishSettings& settings);
 
 /// The size at which a scene is rendered so that its finished picture is `output` wide and high.

@@ -2,11 +2,11 @@
 
 namespace preview {
 
-Handle add_fxaa(Graph& graph, Handle picture) {
+ImageHandle add_fxaa(Graph& graph, ImageHandle picture) {
     const ImageDesc desc = graph.image_desc(picture);
     Pass pass = graph.compute("fxaa", "fxaa.comp");
     pass.read(picture);
-    const Handle out = pass.write(graph.image("antialiased", desc));
+    const ImageHandle out = pass.write(graph.image("antialiased", desc));
     pass.dispatch_over(desc.width, desc.height, many_each);
     return out;
 }

@@ -6,6 +6,6 @@
 namespace preview {
 
 /// A picture of the same size and format. Takes display-encoded values.
-Handle add_fxaa(Graph& graph, Handle picture);
+ImageHandle add_fxaa(Graph& graph, ImageHandle picture);
 
 } // namespace preview

@@ -6,10 +6,10 @@
 
 namespace preview {
 
-struct GBuffer {
-    Handle depth;    ///< d32 or r32f, 0 near to 1 at infinity; 1 where there is nothing
-    Handle normal;   ///< rg16ui, octahedral, world space
-    Handle material; ///< r32ui, number of the material + 1; 0 where there is nothing
+struct [[nodiscard]] GBuffer {
+    ImageHandle depth;    ///< d32 or r32f, 0 near to 1 at infinity; 1 where there is nothing
+    ImageHandle normal;   ///< rg16ui, octahedral, world space
+    ImageHandle material; ///< r32ui, number of the material + 1; 0 where there is nothing
 };
 
 GBuffer add_gbuffer(Graph& graph, const SceneHandles& scene, Size size, std::vector<Draw> draws);

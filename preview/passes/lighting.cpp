@@ -2,7 +2,7 @@
 
 namespace preview {
 
-Handle add_lighting(Graph& graph, const SceneHandles& scene, const LightingInputs& inputs) {
+ImageHandle add_lighting(Graph& graph, const SceneHandles& scene, const LightingInputs& inputs) {
     const Size size = size_of(graph, inputs.surfaces.depth);
     Pass pass = graph.compute("lighting", "lighting.comp");
     pass.constants({inputs.shadow_maps ? 1U : 0U, inputs.environment ? 1U : 0U});
@@ -14,7 +14,8 @@ Handle add_lighting(Graph& graph, const SceneHandles& scene, const LightingInput
     pass.read(inputs.surfaces.material);
     pass.storage(scene.materials);
     pass.sample(inputs.shadow_maps, Sampler::shadow_compare, Neutral::lit);
-    const Handle lit = pass.write(graph.image("lit", {Format::rgba16f, size.width, size.height}));
+    const ImageHandle lit =
+        pass.write(graph.image("lit", {Format::rgba16f, size.width, size.height}));
     pass.push(scene.light_count);
     pass.dispatch_over(size.width, size.height);
     return lit;

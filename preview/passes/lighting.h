@@ -8,11 +8,11 @@ namespace preview {
 
 struct LightingInputs {
     GBuffer surfaces;
-    Handle shadow_maps; ///< empty: no light casts
+    ImageHandle shadow_maps; ///< empty: no light casts
     bool environment = true;
 };
 
 /// Radiance, rgba16f. May hold anything that the inputs make of it; the HDR resolve comes next.
-Handle add_lighting(Graph& graph, const SceneHandles& scene, const LightingInputs& inputs);
+ImageHandle add_lighting(Graph& graph, const SceneHandles& scene, const LightingInputs& inputs);
 
 } // namespace preview

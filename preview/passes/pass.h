@@ -3,7 +3,7 @@
 // One pass is a pair passes/NAME.h/.cpp and a shader shaders/NAME.comp (shaders/NAME.vert and
 // .frag where geometry is rasterised). Its header declares one function of the form
 //
-//     Handle add_NAME(Graph& graph, Handle input, ..., const NameSettings& settings);
+//     ImageHandle add_NAME(Graph& graph, ImageHandle input, ..., const NameSettings& settings);
 //
 // which declares the pass on the graph and returns what it writes. A pass knows neither Vulkan nor
 // who made its inputs: those are handles, and an empty handle is an input that the frame withholds
@@ -32,7 +32,7 @@ struct Size {
     friend bool operator==(const Size&, const Size&) = default;
 };
 
-inline Size size_of(const Graph& graph, Handle image) {
+inline Size size_of(const Graph& graph, ImageHandle image) {
     const ImageDesc& desc = graph.image_desc(image);
     return {desc.width, desc.height};
 }

@@ -4,8 +4,9 @@
 
 namespace preview {
 
-Handle add_probe(Graph& graph, Handle picture, const BloomLayers& bloom, const GpuLook* a,
-                 const GpuLook* b, const FinishSettings& settings, ProbePlace place) {
+BufferHandle add_probe(Graph& graph, ImageHandle picture, const BloomLayers& bloom,
+                       const GpuLook* a, const GpuLook* b, const FinishSettings& settings,
+                       ProbePlace place) {
     const Size size = size_of(graph, picture);
     const std::array<std::int32_t, 2> texel{
         std::clamp(place.x, 0, static_cast<std::int32_t>(size.width) - 1),
@@ -13,7 +14,7 @@ Handle add_probe(Graph& graph, Handle picture, const BloomLayers& bloom, const G
     Pass pass = graph.compute("probe", "probe.comp");
     bind_finish(graph, pass, picture, bloom, a, b, settings);
     pass.uniform(graph.data_of("probed place", texel));
-    const Handle out = pass.write(graph.buffer("probe", 12 * sizeof(float)));
+    const BufferHandle out = pass.write(graph.buffer("probe", 12 * sizeof(float)));
     pass.dispatch(1);
     return out;
 }

@@ -1,14 +1,15 @@
 // Tells the colour of one texel before the looks and after each side's.
 #pragma once
 
-#include "preview/passes/finish.h"
 #include "preview/finish/probe.h"
+#include "preview/passes/finish.h"
 
 namespace preview {
 
 /// A buffer for probe_from(), after presenting it. The finishing pass's own inputs; both looks
 /// count, whatever the comparison shows.
-Handle add_probe(Graph& graph, Handle picture, const BloomLayers& bloom, const GpuLook* a,
-                 const GpuLook* b, const FinishSettings& settings, ProbePlace place);
+BufferHandle add_probe(Graph& graph, ImageHandle picture, const BloomLayers& bloom,
+                       const GpuLook* a, const GpuLook* b, const FinishSettings& settings,
+                       ProbePlace place);
 
 } // namespace preview

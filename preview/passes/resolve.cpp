@@ -24,8 +24,8 @@ Size fitted(Size picture, Size box) {
     return {side(picture.width, box.width), side(picture.height, box.height)};
 }
 
-Resolved add_resolve(Graph& graph, Handle source, Size size, float exposure) {
-    const Handle zero = graph.fill("clear maximum", graph.buffer("hdr maximum", 4), 0);
+Resolved add_resolve(Graph& graph, ImageHandle source, Size size, float exposure) {
+    const BufferHandle zero = graph.fill("clear maximum", graph.buffer("hdr maximum", 4), 0);
     Pass pass = graph.compute("hdr resolve", "resolve.comp");
     const Size extent = fitted(size_of(graph, source), size);
     pass.constants({size_of(graph, source) == size ? 0U : 1U});

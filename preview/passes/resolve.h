@@ -5,14 +5,14 @@
 
 namespace preview {
 
-struct Resolved {
-    Handle hdr;     ///< rgba16f in 0..65504, alpha 1
-    Handle maximum; ///< buffer of one float: the largest value of any channel
+struct [[nodiscard]] Resolved {
+    ImageHandle hdr;      ///< rgba16f in 0..65504, alpha 1
+    BufferHandle maximum; ///< buffer of one float: the largest value of any channel
 };
 
 /// `exposure` multiplies. A source of another size than `size` is filtered by area and keeps its
 /// proportions: it stands in the middle, between black bars.
-Resolved add_resolve(Graph& graph, Handle source, Size size, float exposure);
+Resolved add_resolve(Graph& graph, ImageHandle source, Size size, float exposure);
 
 /// The largest size of the picture's proportions within the box, at least 1x1.
 Size fitted(Size picture, Size box);

@@ -12,8 +12,8 @@ struct DrawPush {
     std::uint32_t columns, width, height, logarithmic;
 };
 
-Handle count_columns(Graph& graph, Handle picture, const Scope& scope, ColumnRange range,
-                     std::uint32_t columns, Handle counts) {
+BufferHandle count_columns(Graph& graph, ImageHandle picture, const Scope& scope, ColumnRange range,
+                           std::uint32_t columns, BufferHandle counts) {
     Pass pass =
         graph.compute(std::string("count ") + std::string(scope.name), "scope_waveform.comp");
     pass.read(picture);
@@ -24,8 +24,8 @@ Handle count_columns(Graph& graph, Handle picture, const Scope& scope, ColumnRan
     return counts;
 }
 
-Handle count_privately(Graph& graph, Handle picture, const Scope& scope, ColumnRange range,
-                       Handle counts) {
+BufferHandle count_privately(Graph& graph, ImageHandle picture, const Scope& scope,
+                             ColumnRange range, BufferHandle counts) {
     const std::string name(scope.name);
     counts = graph.fill("clear " + name, counts, 0);
     Pass pass =
@@ -57,11 +57,11 @@ std::uint32_t scope_columns(const Scope& scope, ColumnRange range, Size size) {
     return std::min(static_cast<std::uint32_t>(plot.width), range.count);
 }
 
-ScopePicture add_scope(Graph& graph, Handle picture, const Scope& scope, ColumnRange range,
+ScopePicture add_scope(Graph& graph, ImageHandle picture, const Scope& scope, ColumnRange range,
                        Size size, bool logarithmic) {
     const std::string name(scope.name);
     const std::uint32_t columns = scope_columns(scope, range, size);
-    const Handle counts = graph.buffer("counts of " + name, 4 * scope_counts(scope, columns));
+    const BufferHandle counts = graph.buffer("counts of " + name, 4 * scope_counts(scope, columns));
     ScopePicture out;
     out.counts = scope.bins == ScopeBins::columns
                      ? count_columns(graph, picture, scope, range, columns, counts)

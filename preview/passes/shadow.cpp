@@ -2,12 +2,12 @@
 
 namespace preview {
 
-Handle add_shadows(Graph& graph, const SceneHandles& scene, std::uint32_t size,
-                   std::vector<ShadowMap> maps) {
+ImageHandle add_shadows(Graph& graph, const SceneHandles& scene, std::uint32_t size,
+                        std::vector<ShadowMap> maps) {
     if (maps.empty())
         return {};
     const auto layers = static_cast<std::uint32_t>(maps.size());
-    Handle array = graph.image("shadow maps", {Format::d32, size, size, 0, layers});
+    ImageHandle array = graph.image("shadow maps", {Format::d32, size, size, 0, layers});
     for (std::uint32_t layer = 0; layer < layers; ++layer) {
         ShadowMap& map = maps[layer];
         Pass pass = graph.raster("shadow of " + map.name, "shadow.vert", "");

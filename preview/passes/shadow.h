@@ -13,7 +13,7 @@ struct ShadowMap {
 };
 
 /// The array of all maps, each `size` texels square, in their order; empty where there are none.
-Handle add_shadows(Graph& graph, const SceneHandles& scene, std::uint32_t size,
-                   std::vector<ShadowMap> maps);
+ImageHandle add_shadows(Graph& graph, const SceneHandles& scene, std::uint32_t size,
+                        std::vector<ShadowMap> maps);
 
 } // namespace preview

@@ -18,11 +18,12 @@ const char* shader_of(ViewMode mode) {
 
 } // namespace
 
-Handle add_view(Graph& graph, Handle source, ViewMode mode, Size size, Handle materials) {
+ImageHandle add_view(Graph& graph, ImageHandle source, ViewMode mode, Size size,
+                     BufferHandle materials) {
     Pass pass = graph.compute("debug view", shader_of(mode));
     pass.constants({static_cast<std::uint32_t>(mode)});
     pass.read(source);
-    const Handle view =
+    const ImageHandle view =
         pass.write(graph.image("debug view", {Format::rgba8, size.width, size.height}));
     if (shows_material(mode))
         pass.storage(materials);

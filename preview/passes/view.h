@@ -21,6 +21,7 @@ enum class ViewMode : std::uint32_t {
 
 /// rgba8 of `size`. `source` may be of another size; then the nearest texel shows. `materials` is
 /// the scene's buffer, for the modes that show a material.
-Handle add_view(Graph& graph, Handle source, ViewMode mode, Size size, Handle materials = {});
+ImageHandle add_view(Graph& graph, ImageHandle source, ViewMode mode, Size size,
+                     BufferHandle materials = {});
 
 } // namespace preview

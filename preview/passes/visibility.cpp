@@ -23,10 +23,12 @@ struct TilesPush {
     std::uint32_t padding = 0;
 };
 
-Handle rasterise(Graph& graph, const SceneHandles& scene, SharedPush size, Handle keys,
-                 Handle clusters, std::uint32_t cluster_count, const VisibilityLimits& limits) {
-    Handle counts = graph.fill("no large triangles", graph.buffer("large counts", 8), 0);
-    Handle large = graph.buffer("large triangles", limits.large_triangles * large_triangle_bytes);
+BufferHandle rasterise(Graph& graph, const SceneHandles& scene, SharedPush size, BufferHandle keys,
+                       BufferHandle clusters, std::uint32_t cluster_count,
+                       const VisibilityLimits& limits) {
+    BufferHandle counts = graph.fill("no large triangles", graph.buffer("large counts", 8), 0);
+    BufferHandle large =
+        graph.buffer("large triangles", limits.large_triangles * large_triangle_bytes);
     Pass triangles = graph.compute("triangles", "visibility_triangles.comp");
     triangles.constants({limits.small_side});
     triangles.storage(scene.vertices);
@@ -68,8 +70,8 @@ std::uint64_t visibility_bytes(Size size) {
 GBuffer add_visibility(Graph& graph, const SceneHandles& scene, Size size,
                        const std::vector<Draw>& draws, const VisibilityLimits& limits) {
     const std::vector<ClusterBlock> blocks = cluster_blocks(draws);
-    Handle clusters;
-    Handle keys =
+    BufferHandle clusters;
+    BufferHandle keys =
         graph.fill("no triangles", graph.buffer("visibility", visibility_bytes(size)), ~0U);
     if (!blocks.empty()) {
         clusters = graph.data("clusters", std::as_bytes(std::span(blocks)));

@@ -95,7 +95,7 @@ std::vector<LightBlock> light_blocks(const std::vector<PointLight>& lights,
 
 /// The scene on the graph.
 struct SceneHandles {
-    Handle vertices, indices, objects, materials, lights, environment, view;
+    BufferHandle vertices, indices, objects, materials, lights, environment, view;
     std::uint32_t light_count = 0;
 };
 

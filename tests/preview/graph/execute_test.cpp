@@ -19,7 +19,7 @@ TEST_F(ExecuteTest, copies_an_image_of_odd_size_bit_for_bit) {
     const auto texels = ramp(desc.width, desc.height);
     const gpu::Image image = upload(desc, texels);
     Graph graph;
-    const Handle copy = add_copy(graph, graph.import("source", image, desc), Format::rgba32f);
+    const ImageHandle copy = add_copy(graph, graph.import("source", image, desc), Format::rgba32f);
     graph.present(copy);
     EXPECT_EQ(run_and_read<float>(graph, copy), texels);
 }
@@ -29,7 +29,7 @@ TEST_F(ExecuteTest, a_steady_frame_allocates_and_rebuilds_nothing) {
     const gpu::Image image = upload(desc, ramp(desc.width, desc.height));
     const auto declare = [&](Format format) {
         Graph graph;
-        const Handle first = add_copy(graph, graph.import("source", image, desc), format);
+        const ImageHandle first = add_copy(graph, graph.import("source", image, desc), format);
         graph.present(add_copy(graph, first, format));
         return graph;
     };
@@ -50,7 +50,7 @@ TEST_F(ExecuteTest, a_chain_of_copies_shares_memory_and_keeps_its_values) {
     const auto texels = ramp(desc.width, desc.height);
     const gpu::Image image = upload(desc, texels);
     Graph graph;
-    Handle last = graph.import("source", image, desc);
+    ImageHandle last = graph.import("source", image, desc);
     for (int copy = 0; copy < 6; ++copy)
         last = add_copy(graph, last, Format::rgba32f);
     graph.present(last);
@@ -64,7 +64,7 @@ TEST_F(ExecuteTest, a_withheld_image_reads_as_its_stand_in) {
     Graph graph;
     Pass pass = graph.compute("copy of nothing", "copy.comp");
     pass.read({}, Neutral::white);
-    const Handle out = pass.write(graph.image("out", {Format::rgba8, 1, 1}));
+    const ImageHandle out = pass.write(graph.image("out", {Format::rgba8, 1, 1}));
     pass.dispatch(1);
     graph.present(out);
     EXPECT_EQ(run_and_read<std::uint8_t>(graph, out), (std::vector<std::uint8_t>(4, 255)));
@@ -72,7 +72,7 @@ TEST_F(ExecuteTest, a_withheld_image_reads_as_its_stand_in) {
 
 TEST_F(ExecuteTest, a_filled_buffer_comes_back_and_is_known_by_name_once_finished) {
     Graph graph;
-    const Handle filled = graph.fill("clear", graph.buffer("counters", 16), 0x01020304);
+    const BufferHandle filled = graph.fill("clear", graph.buffer("counters", 16), 0x01020304);
     graph.present(filled);
     Executor executor(device());
     EXPECT_TRUE(executor.finished_buffer("counters").empty());
@@ -87,7 +87,7 @@ TEST_F(ExecuteTest, a_repeated_frame_presents_again_and_computes_nothing) {
     const auto texels = ramp(desc.width, desc.height);
     const gpu::Image image = upload(desc, texels);
     Graph graph;
-    const Handle copy = add_copy(graph, graph.import("source", image, desc), Format::rgba32f);
+    const ImageHandle copy = add_copy(graph, graph.import("source", image, desc), Format::rgba32f);
     graph.present(copy);
     Executor executor(device());
     EXPECT_THROW(executor.repeat({}), std::logic_error);

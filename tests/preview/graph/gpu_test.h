@@ -44,7 +44,7 @@ class GpuTest : public testing::Test {
 
     /// Runs the graph once and reads a presented image back as texels of type T.
     template <class T>
-    static std::vector<T> run_and_read(const Graph& graph, Handle presented) {
+    static std::vector<T> run_and_read(const Graph& graph, ImageHandle presented) {
         Executor executor(device());
         executor.render(graph);
         return as<T>(executor.read_image(presented));

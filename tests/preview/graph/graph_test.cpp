@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 namespace preview {
 namespace {
@@ -13,9 +14,9 @@ namespace {
 constexpr ImageDesc small{Format::rgba16f, 4, 4};
 
 /// A pass that reads the given handles and writes a new image of its own name.
-Handle node(Graph& graph, const std::string& name, std::initializer_list<Handle> inputs) {
+ImageHandle node(Graph& graph, const std::string& name, std::initializer_list<ImageHandle> inputs) {
     Pass pass = graph.compute(name, "x.comp");
-    for (const Handle input : inputs)
+    for (const ImageHandle input : inputs)
         pass.read(input);
     return pass.write(graph.image(name, small));
 }
@@ -39,10 +40,10 @@ const Lifetime& life(const Graph& graph, const Plan& plan, const std::string& na
 
 TEST(GraphTest, keeps_what_the_presented_handle_needs_and_drops_the_rest) {
     Graph graph;
-    const Handle a = node(graph, "a", {});
-    const Handle b = node(graph, "b", {a});
-    node(graph, "unwanted", {b});
-    const Handle c = node(graph, "c", {a});
+    const ImageHandle a = node(graph, "a", {});
+    const ImageHandle b = node(graph, "b", {a});
+    std::ignore = node(graph, "unwanted", {b});
+    const ImageHandle c = node(graph, "c", {a});
     graph.present(c);
     const Plan plan = make_plan(graph);
     EXPECT_EQ(order(graph, plan), "a c ");
@@ -53,7 +54,7 @@ TEST(GraphTest, keeps_what_the_presented_handle_needs_and_drops_the_rest) {
 
 TEST(GraphTest, without_anything_presented_nothing_runs) {
     Graph graph;
-    node(graph, "a", {});
+    std::ignore = node(graph, "a", {});
     const Plan plan = make_plan(graph);
     EXPECT_TRUE(plan.steps.empty());
     EXPECT_TRUE(plan.lifetimes.empty());
@@ -62,8 +63,8 @@ TEST(GraphTest, without_anything_presented_nothing_runs) {
 TEST(GraphTest, a_pass_lives_for_any_one_of_its_outputs) {
     Graph graph;
     Pass pass = graph.compute("two", "x.comp");
-    pass.write(graph.image("first", small));
-    const Handle second = pass.write(graph.image("second", small));
+    std::ignore = pass.write(graph.image("first", small));
+    const ImageHandle second = pass.write(graph.image("second", small));
     graph.present(second);
     EXPECT_EQ(order(graph, make_plan(graph)), "two ");
 }
@@ -71,9 +72,9 @@ TEST(GraphTest, a_pass_lives_for_any_one_of_its_outputs) {
 TEST(GraphTest, a_colour_target_that_nobody_reads_gets_no_memory) {
     Graph graph;
     Pass pass = graph.raster("g-buffer", "x.vert", "x.frag");
-    const Handle albedo = pass.color(graph.image("albedo", small), {});
-    pass.color(graph.image("normal", small), {});
-    pass.depth(graph.image("depth", {Format::d32, 4, 4}), 1);
+    const ImageHandle albedo = pass.color(graph.image("albedo", small), {});
+    std::ignore = pass.color(graph.image("normal", small), {});
+    std::ignore = pass.depth(graph.image("depth", {Format::d32, 4, 4}), 1);
     graph.present(albedo);
     const Plan plan = make_plan(graph);
     EXPECT_NO_THROW(life(graph, plan, "albedo"));
@@ -84,9 +85,9 @@ TEST(GraphTest, a_colour_target_that_nobody_reads_gets_no_memory) {
 
 TEST(GraphTest, reading_a_retired_version_is_an_error_that_names_both) {
     Graph graph;
-    const Handle first = node(graph, "picture", {});
+    const ImageHandle first = node(graph, "picture", {});
     Pass pass = graph.compute("over", "x.comp");
-    pass.write(first);
+    std::ignore = pass.write(first);
     Pass late = graph.compute("late", "x.comp");
     try {
         late.read(first);
@@ -100,59 +101,78 @@ TEST(GraphTest, reading_a_retired_version_is_an_error_that_names_both) {
 
 TEST(GraphTest, writing_a_retired_version_is_an_error) {
     Graph graph;
-    const Handle first = node(graph, "picture", {});
+    const ImageHandle first = node(graph, "picture", {});
     Pass pass = graph.compute("over", "x.comp");
-    pass.write(first);
+    std::ignore = pass.write(first);
     Pass again = graph.compute("again", "x.comp");
-    EXPECT_THROW(again.write(first), std::logic_error);
+    EXPECT_THROW(std::ignore = again.write(first), std::logic_error);
 }
 
 TEST(GraphTest, presenting_a_retired_version_is_an_error) {
     Graph graph;
-    const Handle first = node(graph, "picture", {});
+    const ImageHandle first = node(graph, "picture", {});
     Pass pass = graph.compute("over", "x.comp");
-    pass.write(first);
+    std::ignore = pass.write(first);
     EXPECT_THROW(graph.present(first), std::logic_error);
 }
 
 TEST(GraphTest, reading_or_presenting_what_no_pass_wrote_is_an_error) {
     Graph graph;
-    const Handle empty = graph.image("empty", small);
+    const ImageHandle empty = graph.image("empty", small);
     Pass pass = graph.compute("reader", "x.comp");
     EXPECT_THROW(pass.read(empty), std::logic_error);
     EXPECT_THROW(graph.present(empty), std::logic_error);
-    EXPECT_THROW(pass.modify(graph.buffer("counters", 16)), std::logic_error);
+    EXPECT_THROW(std::ignore = pass.modify(graph.buffer("counters", 16)), std::logic_error);
 }
 
 TEST(GraphTest, a_pass_cannot_read_and_write_the_same_resource) {
     Graph graph;
-    const Handle a = node(graph, "a", {});
+    const ImageHandle a = node(graph, "a", {});
     Pass pass = graph.compute("feedback", "x.comp");
     pass.read(a);
-    EXPECT_THROW(pass.write(a), std::logic_error);
+    EXPECT_THROW(std::ignore = pass.write(a), std::logic_error);
 }
 
 TEST(GraphTest, imported_and_data_resources_cannot_be_written) {
     Graph graph;
-    const Handle data = graph.data_of("numbers", 1.0F);
+    const BufferHandle data = graph.data_of("numbers", 1.0F);
     Pass pass = graph.compute("writer", "x.comp");
-    EXPECT_THROW(pass.write(data), std::logic_error);
+    EXPECT_THROW(std::ignore = pass.write(data), std::logic_error);
 }
 
 TEST(GraphTest, data_blocks_of_one_name_have_one_content) {
     Graph graph;
-    graph.data_of("numbers", 1.0F);
-    EXPECT_NO_THROW(graph.data_of("numbers", 1.0F));
-    EXPECT_THROW(graph.data_of("numbers", 2.0F), std::logic_error);
+    std::ignore = graph.data_of("numbers", 1.0F);
+    EXPECT_NO_THROW(std::ignore = graph.data_of("numbers", 1.0F));
+    EXPECT_THROW(std::ignore = graph.data_of("numbers", 2.0F), std::logic_error);
 }
 
-TEST(GraphTest, a_buffer_is_not_an_image) {
+template <class T>
+concept binds_as_image = requires(Pass pass, T handle) {
+    pass.read(handle);
+}
+|| requires(Pass pass, T handle) {
+    pass.color(handle, {});
+};
+template <class T>
+concept binds_as_buffer = requires(Pass pass, T handle) {
+    pass.storage(handle);
+}
+|| requires(Pass pass, T handle) {
+    pass.index_buffer(handle);
+};
+static_assert(binds_as_image<ImageHandle> && !binds_as_image<BufferHandle>);
+static_assert(binds_as_buffer<BufferHandle> && !binds_as_buffer<ImageHandle>);
+
+TEST(GraphTest, writing_a_buffer_makes_a_buffer_and_writing_an_image_an_image) {
     Graph graph;
-    const Handle data = graph.data_of("numbers", 1.0F);
-    const Handle a = node(graph, "a", {});
-    Pass pass = graph.compute("confused", "x.comp");
-    EXPECT_THROW(pass.read(data), std::logic_error);
-    EXPECT_THROW(pass.storage(a), std::logic_error);
+    Pass pass = graph.compute("both", "x.comp");
+    const ImageHandle image = pass.write(graph.image("picture", small));
+    const BufferHandle buffer = pass.write(graph.buffer("counters", 16));
+    EXPECT_EQ(graph.image_desc(image), small);
+    EXPECT_EQ(graph.buffer_bytes(buffer), 16U);
+    EXPECT_EQ(graph.passes()[0].uses[0].binding, BindingType::storage_image);
+    EXPECT_EQ(graph.passes()[0].uses[1].binding, BindingType::storage_buffer);
 }
 
 TEST(GraphTest, a_withheld_handle_binds_its_stand_in_and_keeps_its_binding_number) {
@@ -160,7 +180,7 @@ TEST(GraphTest, a_withheld_handle_binds_its_stand_in_and_keeps_its_binding_numbe
     Pass pass = graph.compute("lighting", "x.comp");
     pass.sample({}, Sampler::linear_clamp, Neutral::white);
     pass.storage({});
-    const Handle out = pass.write(graph.image("lit", small));
+    const ImageHandle out = pass.write(graph.image("lit", small));
     graph.present(out);
     const PassRecord& record = graph.passes()[0];
     ASSERT_EQ(record.uses.size(), 3U);
@@ -174,14 +194,14 @@ TEST(GraphTest, a_withheld_handle_binds_its_stand_in_and_keeps_its_binding_numbe
 
 TEST(GraphTest, overwriting_does_not_keep_the_earlier_writer_but_modifying_does) {
     Graph graph;
-    const Handle buffer = graph.fill("clear", graph.buffer("counters", 16), 0);
+    const BufferHandle buffer = graph.fill("clear", graph.buffer("counters", 16), 0);
     Pass add = graph.compute("add", "x.comp");
-    const Handle added = add.modify(buffer);
+    const BufferHandle added = add.modify(buffer);
     graph.present(added);
     EXPECT_EQ(order(graph, make_plan(graph)), "clear add ");
 
     Graph other;
-    const Handle first = node(other, "a", {});
+    const ImageHandle first = node(other, "a", {});
     Pass over = other.compute("over", "x.comp");
     other.present(over.write(first));
     EXPECT_EQ(order(other, make_plan(other)), "over ");
@@ -189,7 +209,7 @@ TEST(GraphTest, overwriting_does_not_keep_the_earlier_writer_but_modifying_does)
 
 TEST(GraphTest, layers_written_one_by_one_keep_each_other_alive) {
     Graph graph;
-    Handle maps = graph.image("shadow maps", {Format::d32, 8, 8, 0, 3});
+    ImageHandle maps = graph.image("shadow maps", {Format::d32, 8, 8, 0, 3});
     for (std::uint32_t layer = 0; layer < 3; ++layer) {
         Pass pass = graph.raster("shadow " + std::to_string(layer), "x.vert", "");
         maps = layer == 0 ? pass.depth(maps, 1, 0) : pass.depth_layer(maps, 1, layer);
@@ -200,7 +220,7 @@ TEST(GraphTest, layers_written_one_by_one_keep_each_other_alive) {
 
 TEST(GraphTest, first_use_drops_old_contents_and_reading_waits_for_the_writer) {
     Graph graph;
-    const Handle a = node(graph, "a", {});
+    const ImageHandle a = node(graph, "a", {});
     graph.present(node(graph, "b", {a}));
     const Plan plan = make_plan(graph);
     ASSERT_EQ(plan.steps[0].barriers.size(), 1U);
@@ -214,8 +234,8 @@ TEST(GraphTest, first_use_drops_old_contents_and_reading_waits_for_the_writer) {
 
 TEST(GraphTest, reading_again_in_the_same_way_needs_no_barrier) {
     Graph graph;
-    const Handle a = node(graph, "a", {});
-    const Handle b = node(graph, "b", {a});
+    const ImageHandle a = node(graph, "a", {});
+    const ImageHandle b = node(graph, "b", {a});
     graph.present(node(graph, "c", {a, b}));
     const Plan plan = make_plan(graph);
     for (const Barrier& barrier : plan.steps[2].barriers)
@@ -224,11 +244,11 @@ TEST(GraphTest, reading_again_in_the_same_way_needs_no_barrier) {
 
 TEST(GraphTest, overwriting_waits_for_the_readers_and_drops_the_contents) {
     Graph graph;
-    const Handle a = node(graph, "a", {});
-    const Handle b = node(graph, "b", {a});
+    const ImageHandle a = node(graph, "a", {});
+    const ImageHandle b = node(graph, "b", {a});
     Pass over = graph.compute("over", "x.comp");
     over.read(b);
-    const Handle again = over.write(a);
+    const ImageHandle again = over.write(a);
     graph.present(again);
     const Plan plan = make_plan(graph);
     const auto& barriers = plan.steps[2].barriers;
@@ -244,13 +264,13 @@ TEST(GraphTest, overwriting_waits_for_the_readers_and_drops_the_contents) {
 TEST(GraphTest, a_reader_at_another_stage_waits_too) {
     Graph graph;
     Pass writer = graph.compute("writer", "x.comp");
-    const Handle buffer = writer.write(graph.buffer("lights", 64));
+    const BufferHandle buffer = writer.write(graph.buffer("lights", 64));
     Pass first = graph.compute("first", "x.comp");
     first.storage(buffer);
-    const Handle one = first.write(graph.image("one", small));
+    const ImageHandle one = first.write(graph.image("one", small));
     Pass second = graph.raster("second", "x.vert", "x.frag");
     second.storage(buffer);
-    const Handle two = second.color(graph.image("two", small), {});
+    const ImageHandle two = second.color(graph.image("two", small), {});
     graph.present(one);
     graph.present(two);
     const Plan plan = make_plan(graph);
@@ -262,7 +282,7 @@ TEST(GraphTest, a_reader_at_another_stage_waits_too) {
 
 TEST(GraphTest, one_resource_bound_twice_in_a_pass_has_one_barrier) {
     Graph graph;
-    const Handle a = node(graph, "a", {});
+    const ImageHandle a = node(graph, "a", {});
     graph.present(node(graph, "b", {a, a}));
     EXPECT_EQ(make_plan(graph).steps[1].barriers.size(), 2U);
 }
@@ -270,9 +290,9 @@ TEST(GraphTest, one_resource_bound_twice_in_a_pass_has_one_barrier) {
 TEST(GraphTest, modifying_a_layer_keeps_its_layout) {
     Graph graph;
     Pass first = graph.raster("first", "x.vert", "");
-    const Handle one = first.depth(graph.image("maps", {Format::d32, 8, 8, 0, 2}), 1, 0);
+    const ImageHandle one = first.depth(graph.image("maps", {Format::d32, 8, 8, 0, 2}), 1, 0);
     Pass second = graph.raster("second", "x.vert", "");
-    const Handle two = second.depth_layer(one, 1, 1);
+    const ImageHandle two = second.depth_layer(one, 1, 1);
     graph.present(node(graph, "lit", {two}));
     const Plan plan = make_plan(graph);
     EXPECT_EQ(plan.steps[1].barriers[0].old_layout, Layout::depth);
@@ -281,8 +301,8 @@ TEST(GraphTest, modifying_a_layer_keeps_its_layout) {
 
 TEST(GraphTest, what_is_presented_ends_readable_and_outlives_the_last_step) {
     Graph graph;
-    const Handle a = node(graph, "a", {});
-    const Handle b = node(graph, "b", {a});
+    const ImageHandle a = node(graph, "a", {});
+    const ImageHandle b = node(graph, "b", {a});
     graph.present(a);
     graph.present(b);
     graph.present(b);
@@ -295,10 +315,10 @@ TEST(GraphTest, what_is_presented_ends_readable_and_outlives_the_last_step) {
 
 TEST(GraphTest, lifetimes_run_from_the_first_writer_to_the_last_living_reader) {
     Graph graph;
-    const Handle a = node(graph, "a", {});
-    const Handle b = node(graph, "b", {a});
-    const Handle c = node(graph, "c", {b});
-    node(graph, "dead", {a});
+    const ImageHandle a = node(graph, "a", {});
+    const ImageHandle b = node(graph, "b", {a});
+    const ImageHandle c = node(graph, "c", {b});
+    std::ignore = node(graph, "dead", {a});
     graph.present(node(graph, "d", {c}));
     const Plan plan = make_plan(graph);
     EXPECT_EQ(life(graph, plan, "a").first, 0U);
@@ -338,8 +358,8 @@ TEST(PlaceTest, an_empty_pool_has_no_bytes) {
 TEST(ExplainTest, says_of_each_pass_whether_it_runs_and_why_not) {
     Graph graph;
     graph.withhold("shadow of lamp", "no caster in the light's frustum");
-    const Handle a = node(graph, "scene", {});
-    node(graph, "sky", {});
+    const ImageHandle a = node(graph, "scene", {});
+    std::ignore = node(graph, "sky", {});
     graph.present(node(graph, "tone map", {a}));
     const std::string text = explain(graph, make_plan(graph));
     EXPECT_NE(text.find("kept      scene           writes scene\n"), std::string::npos) << text;

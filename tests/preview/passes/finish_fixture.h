@@ -61,8 +61,8 @@ class FinishTest : public GpuTest {
         const gpu::Image image = image_of(colors);
         settings.format = Format::rgba32f;
         Graph graph;
-        const Handle source = graph.import("colours", image, image.desc());
-        const Handle out = add_finish(graph, source, {}, look, nullptr, settings).picture;
+        const ImageHandle source = graph.import("colours", image, image.desc());
+        const ImageHandle out = add_finish(graph, source, {}, look, nullptr, settings).picture;
         graph.present(out);
         auto result = colors_of(run_and_read<float>(graph, out));
         result.resize(colors.size());
@@ -75,8 +75,8 @@ class FinishTest : public GpuTest {
         const gpu::Image image = image_of(colors);
         settings.format = Format::rgba8;
         Graph graph;
-        const Handle source = graph.import("colours", image, image.desc());
-        const Handle out = add_finish(graph, source, {}, look, nullptr, settings).picture;
+        const ImageHandle source = graph.import("colours", image, image.desc());
+        const ImageHandle out = add_finish(graph, source, {}, look, nullptr, settings).picture;
         graph.present(out);
         return run_and_read<std::uint8_t>(graph, out);
     }

@@ -93,9 +93,10 @@ class EveryBloomOnGpu : public FinishTest, public testing::WithParamInterface<co
         settings.exposure = exposure;
         settings.format = Format::rgba32f;
         Graph graph;
-        const Handle source = graph.import("night", image, image.desc());
+        const ImageHandle source = graph.import("night", image, image.desc());
         const BloomLayers layers = add_bloom(graph, source, plan, work);
-        const Handle out = add_finish(graph, source, layers, nullptr, nullptr, settings).picture;
+        const ImageHandle out =
+            add_finish(graph, source, layers, nullptr, nullptr, settings).picture;
         graph.present(out);
         std::vector<RgbD> light;
         for (const Rgb& c : colors_of(run_and_read<float>(graph, out))) {
@@ -173,7 +174,7 @@ TEST_F(PassTest, fxaa_equals_its_twin_in_double) {
     const Image wanted = reference::fxaa(picture);
     const gpu::Image image = image_of(picture);
     Graph graph;
-    const Handle out = add_fxaa(graph, graph.import("picture", image, image.desc()));
+    const ImageHandle out = add_fxaa(graph, graph.import("picture", image, image.desc()));
     graph.present(out);
     const std::vector<Rgb> got = colors_of(run_and_read<float>(graph, out));
     std::size_t changed = 0, apart = 0;
@@ -198,7 +199,7 @@ TEST_F(PassTest, differences_are_ciede2000_and_their_figures_those_of_the_pictur
     FinishSettings settings;
     settings.compare = &compare_difference;
     Graph graph;
-    const Handle source = graph.import("colours", image, image.desc());
+    const ImageHandle source = graph.import("colours", image, image.desc());
     const Finished out = add_finish(graph, source, {}, nullptr, &gpu_look, settings);
     graph.present(out.picture);
     graph.present(out.figures);
@@ -238,8 +239,8 @@ TEST_F(PassTest, sides_and_halves_show_the_look_they_are_named_for) {
         settings.split = 0.25f;
         settings.format = Format::rgba32f;
         Graph graph;
-        const Handle source = graph.import("colours", image, image.desc());
-        const Handle out = add_finish(graph, source, {}, nullptr, &look, settings).picture;
+        const ImageHandle source = graph.import("colours", image, image.desc());
+        const ImageHandle out = add_finish(graph, source, {}, nullptr, &look, settings).picture;
         graph.present(out);
         const std::uint32_t width = graph.image_desc(out).width;
         EXPECT_EQ(width, &compare == &compare_side ? 128U : 64U);

@@ -1,9 +1,9 @@
 // G-buffer, shadow maps, lighting and HDR resolve on a device, against what they must show.
-#include "preview/scene/gpu_scene.h"
 #include "preview/passes/lighting.h"
 #include "preview/passes/resolve.h"
 #include "preview/passes/shadow.h"
 #include "preview/reference/ggx.h"
+#include "preview/scene/gpu_scene.h"
 #include "tests/preview/graph/gpu_test.h"
 
 #include <glm/ext/matrix_transform.hpp>
@@ -89,7 +89,7 @@ class GeometryTest : public GpuTest {
                         draws_of(scene, gpu_scene.geometry,
                                  visible_objects(scene, gpu_scene.geometry, view.clip)));
         inputs.environment = !scene.environment.is_black();
-        const Handle lit = add_lighting(graph, handles, inputs);
+        const ImageHandle lit = add_lighting(graph, handles, inputs);
         graph.present(lit);
         return floats_of(run_and_read<std::uint16_t>(graph, lit));
     }

@@ -209,10 +209,10 @@ TEST_F(SharedLookupTest, every_texel_of_any_size_is_finished_as_by_the_plain_pas
             settings.compare = &compare_side;
             settings.format = Format::rgba32f;
             Graph graph;
-            const Handle source = graph.import("picture", image, image.desc());
+            const ImageHandle source = graph.import("picture", image, image.desc());
             const BloomPlan plan =
                 bloom_plan(*bloom_named("dual-kawase"), {picture.width, picture.height}, {});
-            const Handle out =
+            const ImageHandle out =
                 add_finish(graph, source, add_bloom(graph, source, plan), &look, nullptr, settings)
                     .picture;
             graph.present(out);
@@ -244,7 +244,7 @@ TEST_F(SharedLookupTest, of_two_looks_the_one_beyond_shared_memory_is_read_alike
             settings.compare = compare_named(compare);
             settings.format = Format::rgba32f;
             Graph graph;
-            const Handle out =
+            const ImageHandle out =
                 add_finish(graph, graph.import("colours", image, image.desc()), {}, a, b, settings)
                     .picture;
             graph.present(out);

@@ -106,7 +106,7 @@ TEST_P(EveryScope, counts_the_codes_that_broken_light_became) {
     const std::vector<lutlib::Rgb> colors = test_colors(2);
     const gpu::Image image = image_of(colors);
     Graph graph;
-    const Handle picture =
+    const ImageHandle picture =
         add_finish(graph, graph.import("colours", image, image.desc()), {}, nullptr, nullptr, {})
             .picture;
     const Size size = size_of(graph, picture);

@@ -47,8 +47,8 @@ class ProbeTest : public FinishTest {
             const ProbePlace place{static_cast<int>(at % colors_a_row),
                                    static_cast<int>(at / colors_a_row)};
             Graph graph;
-            const Handle source = graph.import("colours", image, image.desc());
-            const Handle told = add_probe(graph, source, {}, nullptr, b, settings, place);
+            const ImageHandle source = graph.import("colours", image, image.desc());
+            const BufferHandle told = add_probe(graph, source, {}, nullptr, b, settings, place);
             graph.present(told);
             executor.render(graph);
             out.emplace_back(at, probe_from(executor.read_buffer(told)).value());
@@ -120,8 +120,8 @@ class EveryEncodingCounted : public FinishTest,
     static std::vector<std::uint32_t> run(const std::vector<Rgb>& colors, std::uint32_t width) {
         const gpu::Image image = image_of(colors, width);
         Graph graph;
-        const Handle source = graph.import("colours", image, image.desc());
-        const Handle out = add_axes(graph, source, {}, {}, *GetParam());
+        const ImageHandle source = graph.import("colours", image, image.desc());
+        const BufferHandle out = add_axes(graph, source, {}, {}, *GetParam());
         graph.present(out);
         Executor executor(device());
         executor.render(graph);

@@ -11,7 +11,6 @@
 #include "lutlib/metrics/compare.h"
 #include "lutlib/metrics/samples.h"
 #include "lutlib/recipe/bake_recipe.h"
-#include "lutlib/recipe/edit.h"
 
 #include <fmt/core.h>
 
@@ -19,6 +18,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 namespace converter {
 namespace {
@@ -60,12 +60,11 @@ lutlib::Reading baked(const lutlib::Recipe& recipe) {
     constexpr double float_rounding = 2e-6;
     constexpr int finest_lattice = 33, spread_colours = 20000;
     lutlib::Reading out{bake_recipe(recipe), {}};
-    const lutlib::Edit edit(recipe);
     const int lattice =
         out.lut.cube ? std::min(out.lut.cube->size, finest_lattice) : finest_lattice;
     const lutlib::Difference d =
-        compare([&edit](std::span<lutlib::RgbD> colours) { edit(colours); },
-                transform_of(out.lut, lutlib::Interpolation::tetrahedral),
+        compare(lutlib::Transform::of(recipe),
+                lutlib::Transform::of(out.lut, lutlib::Interpolation::tetrahedral),
                 samples_over(out.lut.domain(), lattice, spread_colours), lutlib::srgb());
     if (d.absolute.max > float_rounding * std::max(1.0, largest_magnitude(d.worst.a))) {
         out.losses.push_back({"recipe sampled onto " + lutlib::io::shape_of(out.lut) +
@@ -78,27 +77,25 @@ lutlib::Reading baked(const lutlib::Recipe& recipe) {
 
 // A file that OpenColorIO reads, from its own evaluation where a table of ours says less: operators
 // and curves behind a cube, which a table only samples, and cubes that name their interpolation.
-// Null where our reading says the same.
-std::shared_ptr<const lutlib::io::OcioTransform> evaluation(const std::string& bytes,
-                                                            const std::string& path,
-                                                            const lutlib::Reading& reading,
-                                                            lutlib::Interpolation how) {
+// Nothing where our reading says the same.
+std::optional<lutlib::Transform> evaluation(const std::string& bytes, const std::string& path,
+                                            const lutlib::Reading& reading,
+                                            lutlib::Interpolation how) {
     if (!is_opencolorios(bytes, path) ||
         (how == lutlib::Interpolation::nearest && reading.losses.empty())) {
-        return nullptr;
+        return std::nullopt;
     }
-    auto transform = in_opencolorio(bytes, path, how);
+    const lutlib::Transform transform = in_opencolorio(bytes, path, how);
     constexpr double float_rounding = 1e-6;
-    std::vector<lutlib::Rgb> colors = lutlib::sample_colors(9, {.random = 2000});
-    const std::vector<lutlib::Rgb> inputs = colors;
-    transform->apply(colors);
+    const std::vector<lutlib::Rgb> inputs = lutlib::sample_colors(9, {.random = 2000});
+    const std::vector<lutlib::RgbD> colors = images_of(transform, inputs);
     bool same = reading.losses.empty();
     for (std::size_t i = 0; same && i < inputs.size(); ++i) {
         const lutlib::RgbD ours = evaluate_exact(reading.lut, to_double(inputs[i]), how);
-        same = largest_magnitude(ours - to_double(colors[i])) <=
+        same = largest_magnitude(ours - colors[i]) <=
                float_rounding * std::max(1.0, largest_magnitude(ours));
     }
-    return same ? nullptr : transform;
+    return same ? std::nullopt : std::optional(transform);
 }
 
 // Of the losses of a reading those that OpenColorIO's own evaluation has as well.
@@ -175,8 +172,7 @@ Look open_look(const std::string& path, lutlib::Interpolation how) {
     if (lutlib::io::is_recipe(bytes)) {
         const lutlib::Recipe recipe = lutlib::io::recipe_from(bytes, path, read_lut);
         const lutlib::Domain usual = recipe.base_lut ? recipe.base_lut->domain() : lutlib::Domain{};
-        return {[edit = lutlib::Edit(recipe)](lutlib::RgbD in) { return edit(in); },
-                recipe.bake.domain.value_or(usual), recipe.title};
+        return {lutlib::Transform::of(recipe), recipe.bake.domain.value_or(usual), recipe.title};
     }
     const std::string name = lutlib::io::input_name(path);
     lutlib::Reading reading = lutlib::io::decode_lut(bytes, name);
@@ -184,17 +180,12 @@ Look open_look(const std::string& path, lutlib::Interpolation how) {
     const std::string title = reading.lut.title;
     if (const auto transform = evaluation(bytes, path, reading, how)) {
         complain_of(beyond_sampling(std::move(reading.losses)), name);
-        return {[transform](lutlib::RgbD in) {
-                    lutlib::Rgb color = to_float(in);
-                    transform->apply({&color, 1});
-                    return to_double(color);
-                },
-                domain, title};
+        return {*transform, domain, title};
     }
     complain_of(reading.losses, name);
     complain_of_keywords(reading.lut, name);
     const auto lut = std::make_shared<const lutlib::Lut>(std::move(reading.lut));
-    return {[lut, how](lutlib::RgbD in) { return evaluate_exact(*lut, in, how); }, domain, title};
+    return {lutlib::Transform::of(lut, how), domain, title};
 }
 
 void write_look(const lutlib::Lut& lut, const std::string& path) {

@@ -53,7 +53,7 @@ lutlib::Lut look_from(const std::string& bytes, const std::string& path);
 /// evaluated exactly; a LUT read through an interpolation; or, of the formats that OpenColorIO
 /// reads, what is no LUT or names another interpolation, in OpenColorIO's own evaluation.
 struct Look {
-    lutlib::ExactLook exact;
+    lutlib::Transform exact;
     lutlib::Domain domain;
     std::string title;
 };

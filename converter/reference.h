@@ -1,10 +1,9 @@
 // A look by an implementation that is not ours, to bake from and to prove bakes against.
 #pragma once
 
-#include "lutlib/verify/diagnose.h"
 #include "lutlib/interpolation/interpolation.h"
 #include "lutlib/io/ocio.h"
-#include "lutlib/recipe/edit.h"
+#include "lutlib/transform.h"
 
 #include <map>
 #include <memory>
@@ -19,8 +18,8 @@ bool is_opencolorios(const std::string& bytes, const std::string& path);
 
 /// A file's bytes as OpenColorIO's own reader evaluates them, operators and curves included. A file
 /// that names an interpolation for its cube is read so, whatever `how`. Throws Error.
-std::shared_ptr<const lutlib::io::OcioTransform>
-in_opencolorio(const std::string& bytes, const std::string& path, lutlib::Interpolation how);
+lutlib::Transform in_opencolorio(const std::string& bytes, const std::string& path,
+                                 lutlib::Interpolation how);
 
 /// The look that a picture is held against, by OpenColorIO's parser wherever it can read the file,
 /// else from our reading of it, with the reason. What OpenColorIO does not know is evaluated
@@ -30,7 +29,7 @@ class Reference {
     /// Reads the file as every verb does, so that what no verb takes is no reference. Throws Error.
     explicit Reference(const std::string& path);
 
-    lutlib::Oracle oracle(lutlib::Interpolation how);
+    lutlib::Transform oracle(lutlib::Interpolation how);
     /// Who answers, for reports.
     std::string name(lutlib::Interpolation how) const;
 
@@ -41,12 +40,12 @@ class Reference {
     const std::string& refusal() const { return refusal_; }
 
   private:
-    std::shared_ptr<const lutlib::io::OcioTransform> evaluator(lutlib::Interpolation how);
+    lutlib::Transform evaluator(lutlib::Interpolation how);
 
     std::string bytes_, path_, refusal_;
-    lutlib::Lut lut_;
-    std::optional<lutlib::Edit> recipe_; ///< evaluated instead
-    std::map<lutlib::Interpolation, std::shared_ptr<const lutlib::io::OcioTransform>> transforms_;
+    std::shared_ptr<const lutlib::Lut> lut_;
+    std::optional<lutlib::Transform> recipe_; ///< evaluated instead
+    std::map<lutlib::Interpolation, lutlib::Transform> transforms_;
 };
 
 } // namespace converter

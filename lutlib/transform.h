@@ -1,25 +1,102 @@
-// A colour transform as a function on many colours at once, in double.
+// A colour transform: colours go in, colours come out. The one type for a look that is evaluated,
+// whatever evaluates it.
 #pragma once
 
 #include "lutlib/rgb.h"
 
-#include <functional>
+#include <memory>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace lutlib {
 
-/// Replaces every colour by its image. May be called from several threads at once.
-using Transform = std::function<void(std::span<RgbD>)>;
+enum class Interpolation;
+struct Lut;
+struct Recipe;
 
-/// A transform that applies a function of one colour.
-template <class F>
-Transform each_colour(F f) {
-    return [f = std::move(f)](std::span<RgbD> colours) {
-        for (RgbD& c : colours) {
-            c = f(c);
+/// What a transform computes in, which sets how closely its answers can be held to.
+enum class Precision { float32, float64 };
+
+/// Cheap to copy: copies share what they stand for, which never changes. May be called from several
+/// threads at once. A call costs one virtual call and allocates nothing, however many colours it
+/// gets.
+class Transform {
+  public:
+    /// Changes nothing.
+    Transform() = default;
+
+    /// By a function of one colour, RgbD(RgbD).
+    template <class F>
+    static Transform each(F f) {
+        return batch([f = std::move(f)](std::span<RgbD> colours) {
+            for (RgbD& c : colours) {
+                c = f(c);
+            }
+        });
+    }
+
+    /// By a function of many, void(std::span<RgbD>), which replaces every colour by its image and
+    /// is never given an empty span.
+    template <class F>
+    static Transform batch(F f, Precision precision = Precision::float64) {
+        return Transform(std::make_shared<const WorkOf<F>>(std::move(f)), precision);
+    }
+
+    /// A look through the double oracle, its cube interpolated as `how` says.
+    static Transform of(std::shared_ptr<const Lut> lut, Interpolation how);
+    /// The same of a look that outlives the transform.
+    static Transform of(const Lut& lut, Interpolation how);
+    static Transform of(const Lut&& lut, Interpolation how) = delete;
+
+    /// A recipe's base and operators, compiled. Colours are converted between code values, linear
+    /// light and Oklab only where neighbouring operators differ, so code values are decoded at most
+    /// once for a run of operators in light. Operations that are disabled or at their defaults cost
+    /// nothing and round nothing: a recipe of such is exactly the identity.
+    ///
+    /// Every double has a finite answer: NaN reads as 0, and every stage's result is held within
+    /// the range of a float. Needs base_lut where the recipe names a base; throws Error otherwise.
+    static Transform of(const Recipe& recipe);
+
+    /// Replaces every colour by its image.
+    void operator()(std::span<RgbD> colours) const {
+        if (work_ && !colours.empty()) {
+            work_->apply(colours);
         }
+    }
+    RgbD operator()(RgbD colour) const {
+        (*this)(std::span(&colour, 1));
+        return colour;
+    }
+
+    Precision precision() const { return precision_; }
+
+  private:
+    struct Work {
+        virtual ~Work() = default;
+        virtual void apply(std::span<RgbD> colours) const = 0;
     };
-}
+    template <class F>
+    struct WorkOf final : Work {
+        explicit WorkOf(F function) : f(std::move(function)) {}
+        void apply(std::span<RgbD> colours) const override { f(colours); }
+        F f;
+    };
+
+    Transform(std::shared_ptr<const Work> work, Precision precision)
+        : work_(std::move(work)), precision_(precision) {}
+
+    std::shared_ptr<const Work> work_; ///< null: the identity
+    Precision precision_ = Precision::float64;
+};
+
+/// One after the other, in the order given, as coarse as the coarsest of them.
+Transform in_sequence(std::vector<Transform> steps);
+
+/// Replaces every colour by its image, on all cores.
+void apply_in_parallel(const Transform& transform, std::span<RgbD> colours);
+
+/// The image of every input, on all cores.
+std::vector<RgbD> images_of(const Transform& transform, std::span<const Rgb> inputs);
 
 } // namespace lutlib

@@ -44,8 +44,7 @@ int run(const Options& o) {
     const lutlib::Encoding& encoding = encoding_of(o.encoding, "--encoding");
     const lutlib::Interpolation how = o.interpolation.get();
     const auto opened = [how](const std::string& name) {
-        return name == "identity" ? Look{[](lutlib::RgbD c) { return c; }, {}, {}}
-                                  : open_look(name, how);
+        return name == "identity" ? Look{} : open_look(name, how);
     };
     const Look a = opened(o.a), b = opened(o.b);
     lutlib::Domain domain = united(a.domain, b.domain);
@@ -54,8 +53,7 @@ int run(const Options& o) {
     }
     constexpr int lattice = 17;
     const std::vector<lutlib::Rgb> inputs = samples_over(domain, lattice, o.samples);
-    const lutlib::Difference d =
-        compare(lutlib::each_colour(a.exact), lutlib::each_colour(b.exact), inputs, encoding);
+    const lutlib::Difference d = compare(a.exact, b.exact, inputs, encoding);
     if (o.json) {
         nlohmann::ordered_json out{{"a", o.a}, {"b", o.b}, {"samples", inputs.size()}};
         out.update(to_json(d));

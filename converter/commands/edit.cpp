@@ -1,5 +1,4 @@
 // lutconv edit: operators on top of a LUT or of nothing, baked to a LUT and kept as a recipe.
-#include "lutlib/recipe/edit.h"
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/recipe_options.h"
@@ -92,15 +91,14 @@ int run(const Options& o) {
     }
     if (!o.output.empty()) {
         const lutlib::Lut lut = bake_recipe(recipe);
-        write_and_report(
-            {lut,
-             o.output,
-             shown,
-             made_of(o, recipe),
-             [exact = lutlib::Edit(recipe)](std::span<lutlib::RgbD> colours) { exact(colours); },
-             recipe.output_encoding(),
-             {}},
-            o.json, {{"operators", recipe.operations.size()}});
+        write_and_report({lut,
+                          o.output,
+                          shown,
+                          made_of(o, recipe),
+                          lutlib::Transform::of(recipe),
+                          recipe.output_encoding(),
+                          {}},
+                         o.json, {{"operators", recipe.operations.size()}});
     }
     return ok;
 }

@@ -26,8 +26,7 @@ std::string bytes_of(const Options& o) {
         require_png_name(o.output, "--engine");
         const lutlib::Engine& engine =
             o.engine.given() ? o.engine.get() : *lutlib::engine_named("piccolo");
-        const lutlib::Bake picture = lutlib::bake([](lutlib::RgbD in) { return in; }, engine,
-                                                  o.size ? o.size : engine.default_size,
+        const lutlib::Bake picture = lutlib::bake({}, engine, o.size ? o.size : engine.default_size,
                                                   o.bits ? o.bits : engine.default_bits);
         return lutlib::io::picture_bytes(picture, {"identity", "Identity", {}});
     }

@@ -27,14 +27,10 @@ struct Options {
 
 // How near inverse and look, one after the other, come to changing nothing: over the look's inputs.
 lutlib::Difference round_trip(const lutlib::Lut& look, const lutlib::Lut& inverse) {
-    const auto there = transform_of(look, lutlib::Interpolation::tetrahedral);
-    const auto back = transform_of(inverse, lutlib::Interpolation::tetrahedral);
-    return compare([](std::span<lutlib::RgbD>) {},
-                   [&](std::span<lutlib::RgbD> colours) {
-                       there(colours);
-                       back(colours);
-                   },
-                   lutlib::samples_over(look.domain(), 33), lutlib::srgb());
+    const auto both =
+        lutlib::in_sequence({lutlib::Transform::of(look, lutlib::Interpolation::tetrahedral),
+                             lutlib::Transform::of(inverse, lutlib::Interpolation::tetrahedral)});
+    return compare({}, both, lutlib::samples_over(look.domain(), 33), lutlib::srgb());
 }
 
 nlohmann::ordered_json region_json(const lutlib::InverseRegion& region, std::size_t nodes) {

@@ -24,7 +24,7 @@ int run(const Options& o) {
     const lutlib::Lut lut = resample(look, o.made.sampling.sampling(), method);
     const std::string name = input_text(o.input);
     write_and_report(
-        {lut, o.made.output, o.made.output, name, transform_of(look, method), encoding, {}},
+        {lut, o.made.output, o.made.output, name, method.transform_of(look), encoding, {}},
         o.made.json, {{"input", o.input}});
     return ok;
 }

@@ -64,7 +64,7 @@ Verdict judge(const Options& o, const Subject& s) {
     const lutlib::Interpolation how = baked_interpolation(o, s);
     Verdict out{reference.name(how), {}, {}, {}, false};
     if (s.size > 0) {
-        const lutlib::Oracle oracle = reference.oracle(how);
+        const lutlib::Transform oracle = reference.oracle(how);
         const std::vector<lutlib::Rgb> inputs =
             lutlib::sample_colors(s.size, {.random = o.samples});
         out.result = verify(s.codes, *s.engine, s.size, oracle, inputs,

@@ -80,7 +80,7 @@ Bake lay_out(const std::vector<RgbD>& nodes, const Engine& engine, int size, int
     return out;
 }
 
-Bake bake(const ExactLook& look, const Engine& engine, int size, int bits) {
+Bake bake(const Transform& look, const Engine& engine, int size, int bits) {
     check_contract(engine, size, bits);
     std::vector<double> input;
     for (int i = 0; i < size; ++i) {
@@ -91,10 +91,11 @@ Bake bake(const ExactLook& look, const Engine& engine, int size, int bits) {
     for (const double b : input) {
         for (const double g : input) {
             for (const double r : input) {
-                nodes.push_back(look({r, g, b}));
+                nodes.push_back({r, g, b});
             }
         }
     }
+    apply_in_parallel(look, nodes);
     return lay_out(nodes, engine, size, bits);
 }
 
@@ -110,11 +111,11 @@ Picture decoded(const CodePicture& codes) {
 }
 
 LookupError lookup_error(const Engine& engine, const Picture& picture, int size,
-                         const std::vector<Rgb>& inputs, const std::vector<Rgb>& expected) {
+                         const std::vector<Rgb>& inputs, const std::vector<RgbD>& expected) {
     std::vector<double> absolute(inputs.size()), delta_e(inputs.size());
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const RgbD got = to_double(engine.lookup(picture, size, inputs[i]));
-        const RgbD right = saturate(to_double(expected[i]));
+        const RgbD right = saturate(expected[i]);
         const RgbD d = got - right;
         absolute[i] = largest_magnitude(d);
         delta_e[i] = delta_e_2000(got, right);

@@ -3,15 +3,12 @@
 
 #include "lutlib/engine/engine.h"
 #include "lutlib/metrics/stats.h"
+#include "lutlib/transform.h"
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace lutlib {
-
-/// A look as a function of a display-encoded colour, evaluated exactly.
-using ExactLook = std::function<RgbD(RgbD)>;
 
 /// Integer codes of a LUT picture, RGB, rows from the top.
 struct CodePicture {
@@ -45,10 +42,10 @@ struct Bake {
     BakeLoss loss;
 };
 
-/// Samples the look at the inputs where the engine reads its nodes, clamps to 0..1 (NaN to 0),
-/// rounds to nearest, and lays the codes out. Throws UsageError when the engine takes no such size
-/// or depth.
-Bake bake(const ExactLook& look, const Engine& engine, int size, int bits);
+/// Samples the look, of display-encoded colours, at the inputs where the engine reads its nodes,
+/// clamps to 0..1 (NaN to 0), rounds to nearest, and lays the codes out. Throws UsageError when the
+/// engine takes no such size or depth.
+Bake bake(const Transform& look, const Engine& engine, int size, int bits);
 
 /// Lays out nodes that are there already (red fastest), as bake() does with its samples.
 Bake lay_out(const std::vector<RgbD>& nodes, const Engine& engine, int size, int bits);
@@ -67,7 +64,7 @@ struct LookupError {
 /// `expected[i]` is the right answer for `inputs[i]`, clamped to 0..1 here as a picture's codes
 /// are.
 LookupError lookup_error(const Engine& engine, const Picture& picture, int size,
-                         const std::vector<Rgb>& inputs, const std::vector<Rgb>& expected);
+                         const std::vector<Rgb>& inputs, const std::vector<RgbD>& expected);
 
 /// Throws UsageError unless the engine takes a lattice of `size` with `bits` a sample.
 void check_contract(const Engine& engine, int size, int bits);

@@ -7,9 +7,6 @@
 #include "lutlib/metrics/peak.h"
 #include "lutlib/metrics/samples.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -70,22 +67,16 @@ std::vector<Combination> combinations(const Engine& engine, const Budget& budget
 
 // Colours with the answers that are right for them.
 struct Questions {
-    std::vector<Rgb> inputs, expected;
+    std::vector<Rgb> inputs;
+    std::vector<RgbD> expected;
 
-    Questions(const ExactLook& look, const SampleCounts& counts)
-        : inputs(sample_colors(2, counts)), expected(inputs.size()) {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, inputs.size(), 1024),
-                          [&](const auto& range) {
-                              for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                                  expected[i] = to_float(saturate(look(to_double(inputs[i]))));
-                              }
-                          });
-    }
+    Questions(const Transform& look, const SampleCounts& counts)
+        : inputs(sample_colors(2, counts)), expected(images_of(look, inputs)) {}
 };
 
 class Examiner {
   public:
-    Examiner(const ExactLook& look, const Engine& engine) : look_(look), engine_(engine) {}
+    Examiner(const Transform& look, const Engine& engine) : look_(look), engine_(engine) {}
 
     double difference(const Picture& picture, int size, Rgb in) const {
         return delta_e_2000(to_double(engine_.lookup(picture, size, in)),
@@ -106,7 +97,7 @@ class Examiner {
     }
 
   private:
-    const ExactLook& look_;
+    const Transform& look_;
     const Engine& engine_;
 };
 
@@ -126,12 +117,12 @@ std::uint64_t lattice_bytes(int size, int bits) {
     return n * n * n * 3 * static_cast<std::uint64_t>(bits) / 8;
 }
 
-FilledBake bake_fitted(const ExactLook& look, const Engine& engine, int size, int bits) {
+FilledBake bake_fitted(const Transform& look, const Engine& engine, int size, int bits) {
     FilledBake out{bake(look, engine, size, bits), false, {}, {}};
     if (size > largest_fitted_size) {
         return out;
     }
-    const Transform held = each_colour([&look](RgbD c) { return saturate(look(c)); });
+    const Transform held = in_sequence({look, Transform::each([](RgbD c) { return saturate(c); })});
     const LatticeReader reader = reader_of(engine, size);
     std::vector<RgbD> nodes = point_samples(held, reader);
     const FittedLattice fit =
@@ -150,7 +141,7 @@ namespace {
 
 class Search {
   public:
-    Search(const ExactLook& look, const Engine& engine, const Budget& budget)
+    Search(const Transform& look, const Engine& engine, const Budget& budget)
         : look_(look), engine_(engine), budget_(budget), examiner_(look, engine),
           quick_(look, glance), choice_(look, choosing), check_(look, checking) {}
 
@@ -235,7 +226,7 @@ class Search {
     std::size_t tried() const { return tried_; }
 
   private:
-    const ExactLook& look_;
+    const Transform& look_;
     const Engine& engine_;
     const Budget& budget_;
     Examiner examiner_;
@@ -245,7 +236,7 @@ class Search {
 
 } // namespace
 
-BudgetBake bake_within(const ExactLook& look, const Engine& engine, const Budget& budget) {
+BudgetBake bake_within(const Transform& look, const Engine& engine, const Budget& budget) {
     std::span<const int> sizes = usual_sizes;
     if (budget.size) {
         sizes = {&*budget.size, 1};

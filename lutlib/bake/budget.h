@@ -28,7 +28,7 @@ struct FilledBake {
 };
 
 /// bake(), with nodes fitted to the engine's lookup where that helps, up to largest_fitted_size.
-FilledBake bake_fitted(const ExactLook& look, const Engine& engine, int size, int bits);
+FilledBake bake_fitted(const Transform& look, const Engine& engine, int size, int bits);
 
 /// Bytes of the codes, three a node.
 std::uint64_t lattice_bytes(int size, int bits);
@@ -54,6 +54,6 @@ struct BudgetBake {
 /// that does is then searched by halves, since errors fall with size, but for the look's own sizes.
 /// When none of the usual sizes does, the one that comes nearest, with `kept` false. Throws
 /// UsageError when the engine takes no combination that was asked for.
-BudgetBake bake_within(const ExactLook& look, const Engine& engine, const Budget& budget);
+BudgetBake bake_within(const Transform& look, const Engine& engine, const Budget& budget);
 
 } // namespace lutlib

@@ -60,7 +60,7 @@ std::vector<float> axis_inputs(const Engine& engine, int size) {
 
 // The largest error of the engine's lookup of a picture around each node.
 std::vector<double> local_errors(const CodePicture& codes, const Engine& engine, int size,
-                                 const Oracle& oracle) {
+                                 const Transform& look) {
     const Picture picture = decoded(codes);
     const std::vector<float> axis = axis_inputs(engine, size);
     std::vector<double> out(nodes_of(size).size());
@@ -72,12 +72,11 @@ std::vector<double> local_errors(const CodePicture& codes, const Engine& engine,
                 inputs.push_back({red, green, blue});
             }
         }
-        std::vector<Rgb> expected = inputs;
-        oracle(expected);
+        const std::vector<RgbD> expected = images_of(look, inputs);
         for (std::size_t i = 0; i < inputs.size(); ++i) {
             const Rgb in = inputs[i];
             const double error = largest_magnitude(to_double(engine.lookup(picture, size, in)) -
-                                                   saturate(to_double(expected[i])));
+                                                   saturate(expected[i]));
             const NodeWeights w =
                 node_weights(engine.interpolation, size, {place(in.r), place(in.g), place(in.b)});
             for (std::size_t k = 0; k < w.count; ++k) {
@@ -91,15 +90,9 @@ std::vector<double> local_errors(const CodePicture& codes, const Engine& engine,
 } // namespace
 
 FittedCheck check_fitted(const CodePicture& picture, const Engine& engine, int size,
-                         const Oracle& oracle, const std::vector<Rgb>& inputs) {
-    const ExactLook look = [&oracle](RgbD in) {
-        std::vector<Rgb> one{to_float(in)};
-        oracle(one);
-        return to_double(one.front());
-    };
+                         const Transform& look, const std::vector<Rgb>& inputs) {
     const CodePicture refit = bake_fitted(look, engine, size, picture.bits).bake.picture;
-    std::vector<Rgb> expected = inputs;
-    oracle(expected);
+    const std::vector<RgbD> expected = images_of(look, inputs);
     const auto error_of = [&](const CodePicture& codes) {
         return lookup_error(engine, decoded(codes), size, inputs, expected);
     };
@@ -123,7 +116,7 @@ FittedCheck check_fitted(const CodePicture& picture, const Engine& engine, int s
     out.texels = nodes.size();
     if (out.moved > 0) {
         const auto local = [&](const CodePicture& codes) {
-            return local_errors(codes, engine, size, oracle);
+            return local_errors(codes, engine, size, look);
         };
         const std::vector<double> found = local(picture), fitted = local(refit);
         std::size_t harmful = 0, worst = 0;

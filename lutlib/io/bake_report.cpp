@@ -49,14 +49,10 @@ double clamped_share(const Domain& domain) {
     return share;
 }
 
-LookupError measure_bake(const Bake& bake, const ExactLook& look) {
+LookupError measure_bake(const Bake& bake, const Transform& look) {
     const std::vector<Rgb> inputs = sample_colors(bake.size, quick_samples);
-    std::vector<Rgb> expected;
-    expected.reserve(inputs.size());
-    for (const Rgb& in : inputs) {
-        expected.push_back(to_float(look(to_double(in))));
-    }
-    return lookup_error(*bake.engine, decoded(bake.picture), bake.size, inputs, expected);
+    return lookup_error(*bake.engine, decoded(bake.picture), bake.size, inputs,
+                        images_of(look, inputs));
 }
 
 std::string bake_report(const std::string& input, const std::string& output, const Bake& bake,

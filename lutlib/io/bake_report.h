@@ -20,7 +20,7 @@ double clamped_share(const Domain& domain);
 
 /// The error of the engine's lookup against the look over a few thousand colours: enough to say how
 /// large it is; `lutconv verify` looks at all.
-LookupError measure_bake(const Bake& bake, const ExactLook& look);
+LookupError measure_bake(const Bake& bake, const Transform& look);
 
 /// Lines of text: the picture's shape, the engine's contract, what was lost, and the error.
 std::string bake_report(const std::string& input, const std::string& output, const Bake& bake,

@@ -12,8 +12,7 @@ const Ocio& ocio() {
     return *library;
 }
 
-std::unique_ptr<OcioTransform> open_in_ocio(const std::string& path,
-                                            const EvaluationOptions& options) {
+Transform open_in_ocio(const std::string& path, const EvaluationOptions& options) {
     const std::string bytes = read_file(path);
     return ocio().parse(bytes, extension_of(path), path, options);
 }

@@ -5,9 +5,8 @@
 
 #include "lutlib/format.h"
 #include "lutlib/interpolation/interpolation.h"
+#include "lutlib/transform.h"
 
-#include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,17 +22,7 @@ struct EvaluationOptions {
     Optimization optimization = Optimization::lossless;
 };
 
-/// A transform that OpenColorIO evaluates in float.
-class OcioTransform {
-  public:
-    virtual ~OcioTransform() = default;
-    /// Replaces every colour by its image.
-    virtual void apply(std::span<Rgb> colors) const = 0;
-    /// Whether a channel of the output depends on other channels of the input.
-    virtual bool mixes_channels() const = 0;
-};
-
-/// The loaded library.
+/// The loaded library. Its transforms compute in float.
 class Ocio {
   public:
     virtual ~Ocio() = default;
@@ -43,13 +32,10 @@ class Ocio {
 
     /// Parses a file's bytes with OpenColorIO's own reader, chosen by `extension` first and then by
     /// content. `file` names it in errors. Throws Error.
-    virtual std::unique_ptr<OcioTransform> parse(std::string_view bytes,
-                                                 const std::string& extension,
-                                                 const std::string& file,
-                                                 const EvaluationOptions& options) const = 0;
+    virtual Transform parse(std::string_view bytes, const std::string& extension,
+                            const std::string& file, const EvaluationOptions& options) const = 0;
     /// A look as OpenColorIO's own matrices, curves and cubes. Throws Error.
-    virtual std::unique_ptr<OcioTransform> from_lut(const Lut& lut,
-                                                    const EvaluationOptions& options) const = 0;
+    virtual Transform from_lut(const Lut& lut, const EvaluationOptions& options) const = 0;
 
     /// Parses a file into a look: exactly where it is an optional shaper and cube with domains,
     /// else sampled, with the measured error as a loss. Throws Error.
@@ -64,7 +50,6 @@ class Ocio {
 const Ocio& ocio();
 
 /// A file as OpenColorIO evaluates it. Throws Error.
-std::unique_ptr<OcioTransform> open_in_ocio(const std::string& path,
-                                            const EvaluationOptions& options = {});
+Transform open_in_ocio(const std::string& path, const EvaluationOptions& options = {});
 
 } // namespace lutlib::io

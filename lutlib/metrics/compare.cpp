@@ -77,16 +77,7 @@ class EyeDifference {
 
 Difference compare(const Transform& a, const Transform& b, const std::vector<Rgb>& inputs,
                    const Encoding& output) {
-    std::vector<RgbD> results_a(inputs.size()), results_b(inputs.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, inputs.size(), 1024),
-                      [&](const auto& range) {
-                          for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                              results_a[i] = results_b[i] = to_double(inputs[i]);
-                          }
-                          a(std::span(results_a).subspan(range.begin(), range.size()));
-                          b(std::span(results_b).subspan(range.begin(), range.size()));
-                      });
-    return difference_of(inputs, results_a, results_b, output);
+    return difference_of(inputs, images_of(a, inputs), images_of(b, inputs), output);
 }
 
 Difference difference_of(const std::vector<Rgb>& inputs, const std::vector<RgbD>& a,
@@ -133,10 +124,6 @@ std::vector<Rgb> samples_over(const Domain& domain, int lattice_size, int random
         }
     }
     return out;
-}
-
-Transform transform_of(const Lut& lut, Interpolation how) {
-    return each_colour([&lut, how](RgbD c) { return evaluate_exact(lut, c, how); });
 }
 
 } // namespace lutlib

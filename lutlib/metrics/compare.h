@@ -2,7 +2,6 @@
 #pragma once
 
 #include "lutlib/color/encoding.h"
-#include "lutlib/interpolation/interpolation.h"
 #include "lutlib/lut.h"
 #include "lutlib/metrics/stats.h"
 #include "lutlib/transform.h"
@@ -38,8 +37,5 @@ Difference difference_of(const std::vector<Rgb>& inputs, const std::vector<RgbD>
 /// sample_colors() over a domain: its corners, its neutral axis, the nodes and cell centres of a
 /// lattice, and points spread evenly.
 std::vector<Rgb> samples_over(const Domain& domain, int lattice_size, int random_count = 100000);
-
-/// A look as a transform, through the double oracle. The look must outlive it.
-Transform transform_of(const Lut& lut, Interpolation how);
 
 } // namespace lutlib

@@ -40,7 +40,7 @@ Transform compile(const Values& values, const OpContext&) {
     const double saturation = std::get<double>(values[3]);
     const bool clamp = std::get<double>(values[4]) != 0;
     const auto clamped = [clamp](RgbD c) { return clamp ? lutlib::saturate(c) : c; };
-    return [=](std::span<RgbD> colours) {
+    return Transform::batch([=](std::span<RgbD> colours) {
         for (RgbD& c : colours) {
             for (std::size_t i = 0; i < 3; ++i) {
                 c[i] = c[i] * slope[i] + offset[i];
@@ -51,7 +51,7 @@ Transform compile(const Values& values, const OpContext&) {
         for (RgbD& c : colours) {
             c = clamped(scale_saturation(c, saturation));
         }
-    };
+    });
 }
 
 } // namespace

@@ -25,7 +25,7 @@ Transform compile(const Values& values, const OpContext&) {
     const auto r = std::get<RgbD>(values[0]), g = std::get<RgbD>(values[1]),
                b = std::get<RgbD>(values[2]);
     const Matrix3 m{{{{r.r, r.g, r.b}, {g.r, g.g, g.b}, {b.r, b.g, b.b}}}};
-    return each_colour([m](RgbD c) { return m * c; });
+    return Transform::each([m](RgbD c) { return m * c; });
 }
 
 } // namespace

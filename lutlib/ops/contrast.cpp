@@ -24,7 +24,9 @@ constexpr Parameter parameters[] = {
 Transform compile(const Values& values, const OpContext&) {
     const double amount = std::get<double>(values[0]);
     const double shift = std::get<double>(values[1]) * (1 - amount);
-    return each_colour([amount, shift](RgbD c) { return c * amount + RgbD{shift, shift, shift}; });
+    return Transform::each([amount, shift](RgbD c) {
+        return c * amount + RgbD{shift, shift, shift};
+    });
 }
 
 } // namespace

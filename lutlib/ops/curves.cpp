@@ -54,7 +54,7 @@ class Tone {
 Transform compile(const Values& values, const OpContext&) {
     const std::array<Tone, 4> t{Tone{parameters[0], values[0]}, Tone{parameters[1], values[1]},
                                 Tone{parameters[2], values[2]}, Tone{parameters[3], values[3]}};
-    return each_colour([t](RgbD c) {
+    return Transform::each([t](RgbD c) {
         return RgbD{t[1](t[0](c.r)), t[2](t[0](c.g)), t[3](t[0](c.b))};
     });
 }

@@ -17,7 +17,7 @@ constexpr Parameter parameters[] = {
 
 Transform compile(const Values& values, const OpContext&) {
     const double gain = std::exp2(std::get<double>(values[0]));
-    return each_colour([gain](RgbD c) { return c * gain; });
+    return Transform::each([gain](RgbD c) { return c * gain; });
 }
 
 } // namespace

@@ -39,14 +39,14 @@ Transform compile(const Values& values, const OpContext&) {
     const double white = std::get<double>(values[0]), start = std::get<double>(values[1]),
                  bleach = std::get<double>(values[2]);
     if (white == 1) {
-        return [](std::span<RgbD>) {};
+        return {};
     }
     const double room = 1 - start, top = (white - start) / room, tail = 1 / (top * top);
     const auto shoulder = [start, room, tail](double x) {
         const double t = (x - start) / room;
         return t > 0 ? start + room * (t * (1 + t * tail) / (1 + t)) : x;
     };
-    return each_colour([shoulder, bleach](RgbD c) {
+    return Transform::each([shoulder, bleach](RgbD c) {
         const double peak = std::max({c.r, c.g, c.b});
         const double scale = peak > 0 ? shoulder(peak) / peak : 1;
         const RgbD each{shoulder(c.r), shoulder(c.g), shoulder(c.b)};

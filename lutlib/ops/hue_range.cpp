@@ -34,7 +34,7 @@ Transform compile(const Values& values, const OpContext&) {
     const auto value = [&values](std::size_t i) { return std::get<double>(values[i]); };
     const double centre = value(0), full = value(1) / 2, softness = value(2);
     const double turn = value(3), saturation = value(4), luminance = value(5);
-    return each_colour([=](RgbD c) {
+    return Transform::each([=](RgbD c) {
         const double away = std::abs(std::remainder(dial_hue(c.g, c.b) - centre, 360.0));
         const double outside = std::clamp((away - full) / softness, 0.0, 1.0);
         const double weight = 0.5 + 0.5 * std::cos(outside * std::numbers::pi);

@@ -9,7 +9,7 @@ constexpr Parameter parameters[] = {
 
 Transform compile(const Values& values, const OpContext&) {
     const Curve curve = curve_of(parameters[0], values[0]);
-    return each_colour([curve](RgbD c) { return c * curve(c.r); });
+    return Transform::each([curve](RgbD c) { return c * curve(c.r); });
 }
 
 } // namespace

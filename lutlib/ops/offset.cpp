@@ -15,7 +15,7 @@ constexpr Parameter parameters[] = {
 
 Transform compile(const Values& values, const OpContext&) {
     const auto amount = std::get<RgbD>(values[0]);
-    return each_colour([amount](RgbD c) { return c + amount; });
+    return Transform::each([amount](RgbD c) { return c + amount; });
 }
 
 } // namespace

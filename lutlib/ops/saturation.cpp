@@ -16,7 +16,7 @@ constexpr Parameter parameters[] = {
 
 Transform compile(const Values& values, const OpContext&) {
     const double amount = std::get<double>(values[0]);
-    return each_colour([amount](RgbD c) { return scale_saturation(c, amount); });
+    return Transform::each([amount](RgbD c) { return scale_saturation(c, amount); });
 }
 
 } // namespace

@@ -15,7 +15,7 @@ constexpr Parameter parameters[] = {
 
 Transform compile(const Values& values, const OpContext&) {
     const double amount = std::get<double>(values[0]);
-    return each_colour([amount](RgbD c) { return RgbD{c.r, c.g * amount, c.b * amount}; });
+    return Transform::each([amount](RgbD c) { return RgbD{c.r, c.g * amount, c.b * amount}; });
 }
 
 } // namespace

@@ -65,7 +65,7 @@ Transform compile(const Values& values, const OpContext&) {
     const double balance = std::get<double>(values[4]);
     const double dark_end = std::min(1.0, 2 * balance),
                  light_start = std::max(0.0, 2 * balance - 1);
-    return each_colour([=](RgbD c) {
+    return Transform::each([=](RgbD c) {
         const double L = c.r;
         const double dark = smoothstep(0, dark_end / 4, L) * (1 - smoothstep(0, dark_end, L));
         const double light =

@@ -21,7 +21,7 @@ constexpr Parameter parameters[] = {
 // their order of saturation.
 Transform compile(const Values& values, const OpContext&) {
     const double amount = std::get<double>(values[0]);
-    return each_colour([amount](RgbD c) {
+    return Transform::each([amount](RgbD c) {
         const double room = 1 - std::min(std::hypot(c.g, c.b) / srgb_chroma, 1.0);
         const double factor = 1 + amount * room * room;
         return RgbD{c.r, c.g * factor, c.b * factor};

@@ -60,14 +60,14 @@ Chromaticity light(double kelvin, double tint) {
 Transform compile(const Values& values, const OpContext& context) {
     const double kelvin = std::get<double>(values[0]), tint = std::get<double>(values[1]);
     if (kelvin == neutral_kelvin && tint == 0) {
-        return [](std::span<RgbD>) {};
+        return {};
     }
     Primaries d65 = context.primaries;
     const Matrix3 to_xyz =
         bradford_adaptation(d65.white, white_d65) * rgb_to_xyz(context.primaries);
     const Matrix3 m =
         inverse(to_xyz) * bradford_adaptation(light(kelvin, tint), white_d65) * to_xyz;
-    return each_colour([m](RgbD c) { return m * c; });
+    return Transform::each([m](RgbD c) { return m * c; });
 }
 
 } // namespace

@@ -2,24 +2,24 @@
 
 #include "lutlib/error.h"
 #include "lutlib/interpolation/interpolation.h"
-#include "lutlib/recipe/edit.h"
 #include "lutlib/resample/resample.h"
 #include "lutlib/resample/sample_lut.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace lutlib {
 namespace {
 
-Lut1D tone_shaper(const Edit& edit, const Domain& domain, int size) {
+Lut1D tone_shaper(const Transform& look, const Domain& domain, int size) {
     const auto n = static_cast<std::size_t>(size);
     std::vector<RgbD> neutrals(n);
     Lut1D table{domain, std::vector<Rgb>(n)};
     for (int i = 0; i < size; ++i) {
         neutrals[static_cast<std::size_t>(i)] = entry_position(table, i);
     }
-    edit(neutrals);
+    look(neutrals);
     // The mean of the channels, which must not fall.
     std::vector<double> rise(n);
     double highest = -INFINITY;
@@ -40,33 +40,31 @@ Lut1D tone_shaper(const Edit& edit, const Domain& domain, int size) {
 } // namespace
 
 Lut bake_recipe(const Recipe& recipe) {
-    const Edit edit(recipe);
+    const Transform whole = Transform::of(recipe);
     const BakeSettings& settings = recipe.bake;
     const Lut none;
     const Lut& base = recipe.base_lut ? *recipe.base_lut : none;
-    const Transform whole = [&edit](std::span<RgbD> colours) { edit(colours); };
     Lut out;
     if (settings.shaper == "tone") {
         const Domain domain = settings.domain.value_or(base.domain());
         check_domain(domain);
         check_shaper_size(settings.shaper_size);
-        out.shaper = tone_shaper(edit, domain, settings.shaper_size);
+        out.shaper = tone_shaper(whole, domain, settings.shaper_size);
         out.cube = sample_cube_behind(
             whole, *out.shaper,
             settings.size.value_or(base.cube ? base.cube->size : usual_cube_size));
     } else {
-        const Transform after_table = [&](std::span<RgbD> colours) {
-            if (base.cube) {
-                for (RgbD& c : colours) {
-                    c = evaluate_exact(*base.cube, c, Interpolation::tetrahedral);
-                }
-            }
-            edit.after_base(colours);
-        };
+        // A base's 1D table stands before the new cube as it is.
+        Recipe behind_table = recipe;
+        if (base.shaper) {
+            Lut cube_only;
+            cube_only.cube = base.cube;
+            behind_table.base_lut = std::make_shared<const Lut>(std::move(cube_only));
+        }
         out = sample_like(
             base,
             {settings.size, settings.domain, settings.shaper, settings.shaper_size, recipe.input},
-            whole, after_table);
+            whole, Transform::of(behind_table));
     }
     out.title = recipe.title;
     return out;

@@ -9,17 +9,11 @@
 namespace lutlib {
 namespace {
 
-void apply_all(const std::vector<Transform>& steps, std::span<RgbD> colours) {
-    for (const Transform& step : steps) {
-        step(colours);
-    }
-}
-
 std::vector<Transform> steps_of(const std::vector<const Lut*>& looks,
                                 const ResamplingMethod& method) {
     std::vector<Transform> steps;
     for (const Lut* look : looks) {
-        steps.push_back(transform_of(*look, method));
+        steps.push_back(method.transform_of(*look));
     }
     return steps;
 }
@@ -47,8 +41,7 @@ bool inside(const Domain& domain, RgbD colour) {
 } // namespace
 
 Transform composition(const std::vector<const Lut*>& looks, const ResamplingMethod& method) {
-    return
-        [steps = steps_of(looks, method)](std::span<RgbD> colours) { apply_all(steps, colours); };
+    return in_sequence(steps_of(looks, method));
 }
 
 Lut compose(const std::vector<const Lut*>& looks, const Sampling& sampling,
@@ -75,7 +68,7 @@ double clamped_share(const std::vector<const Lut*>& looks, const ResamplingMetho
     for (const Rgb& input : inputs) {
         RgbD colour = to_double(input);
         for (std::size_t i = 0; i + 1 < looks.size(); ++i) {
-            steps[i](std::span(&colour, 1));
+            colour = steps[i](colour);
             if (!inside(looks[i + 1]->domain(), colour)) {
                 ++clamped;
                 break;
@@ -86,8 +79,8 @@ double clamped_share(const std::vector<const Lut*>& looks, const ResamplingMetho
 }
 
 Transform mixture(const Lut& a, const Lut& b, double amount, const ResamplingMethod& method) {
-    return [first = transform_of(a, method), second = transform_of(b, method),
-            amount](std::span<RgbD> colours) {
+    return Transform::batch([first = method.transform_of(a), second = method.transform_of(b),
+                             amount](std::span<RgbD> colours) {
         std::array<RgbD, 256> other;
         for (std::size_t i = 0; i < colours.size(); i += other.size()) {
             const auto part = colours.subspan(i, std::min(other.size(), colours.size() - i));
@@ -98,7 +91,7 @@ Transform mixture(const Lut& a, const Lut& b, double amount, const ResamplingMet
                 part[k] = part[k] * (1 - amount) + other[k] * amount;
             }
         }
-    };
+    });
 }
 
 Lut blend(const Lut& a, const Lut& b, double amount, const Sampling& sampling,

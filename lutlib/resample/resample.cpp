@@ -14,12 +14,16 @@ namespace {
 
 constexpr std::array<ResamplingMethod, 3> table{{
     {"trilinear", "eight nodes",
-     [](const Lut3D& cube, RgbD in) { return evaluate_exact(cube, in, Interpolation::trilinear); }},
+     [](const Lut& lut) { return Transform::of(lut, Interpolation::trilinear); }},
     {"tetrahedral", "four nodes, exact on the neutral axis",
-     [](const Lut3D& cube, RgbD in) {
-         return evaluate_exact(cube, in, Interpolation::tetrahedral);
+     [](const Lut& lut) { return Transform::of(lut, Interpolation::tetrahedral); }},
+    {"tricubic", "64 nodes, smooth, may overshoot at bends",
+     [](const Lut& lut) {
+         return Transform::each([&lut](RgbD c) {
+             const RgbD shaped = lut.shaper ? evaluate_exact(*lut.shaper, c) : c;
+             return lut.cube ? tricubic(*lut.cube, shaped) : shaped;
+         });
      }},
-    {"tricubic", "64 nodes, smooth, may overshoot at bends", tricubic},
 }};
 
 // What a 1D table can give, widened where it is constant.
@@ -49,13 +53,6 @@ const ResamplingMethod* resampling_method_named(std::string_view name) {
     const auto row = std::find_if(table.begin(), table.end(),
                                   [&](const ResamplingMethod& m) { return m.name == name; });
     return row == table.end() ? nullptr : &*row;
-}
-
-Transform transform_of(const Lut& lut, const ResamplingMethod& method) {
-    return each_colour([&lut, read = method.cube](RgbD c) {
-        const RgbD shaped = lut.shaper ? evaluate_exact(*lut.shaper, c) : c;
-        return lut.cube ? read(*lut.cube, shaped) : shaped;
-    });
 }
 
 Lut sample_like(const Lut& like, const Sampling& sampling, const Transform& whole,
@@ -90,7 +87,7 @@ Lut sample_like(const Lut& like, const Sampling& sampling, const Transform& whol
 Lut resample(const Lut& lut, const Sampling& sampling, const ResamplingMethod& method) {
     Lut cube_only;
     cube_only.cube = lut.cube;
-    return sample_like(lut, sampling, transform_of(lut, method), transform_of(cube_only, method));
+    return sample_like(lut, sampling, method.transform_of(lut), method.transform_of(cube_only));
 }
 
 } // namespace lutlib

@@ -16,15 +16,13 @@ namespace lutlib {
 struct ResamplingMethod {
     std::string_view name;
     std::string_view help;
-    RgbD (*cube)(const Lut3D& cube, RgbD in);
+    /// The whole look, its 1D table linearly. The look must outlive the transform.
+    Transform (*transform_of)(const Lut& lut);
 };
 
 /// trilinear, tetrahedral, tricubic.
 std::span<const ResamplingMethod> resampling_methods();
 const ResamplingMethod* resampling_method_named(std::string_view name);
-
-/// The whole look, its 1D table linearly. The look must outlive the transform.
-Transform transform_of(const Lut& lut, const ResamplingMethod& method);
 
 /// Nodes a side where nothing says how many.
 inline constexpr int usual_cube_size = 33;

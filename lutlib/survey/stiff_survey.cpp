@@ -34,15 +34,13 @@ class StiffSurveyor {
   public:
     explicit StiffSurveyor(const StiffLook& look)
         : look_(look), source_(look.make()), inputs_(samples_over(source_.domain(), 2, colours)),
-          expected_(inputs_.size()) {
-        std::transform(inputs_.begin(), inputs_.end(), expected_.begin(),
-                       [this](Rgb c) { return evaluate_exact(source_, to_double(c)); });
+          expected_(images_of(Transform::of(source_, Interpolation::tetrahedral), inputs_)) {
         extent_ = extent(expected_);
         stiffness_ = look.stiffness / extent_;
     }
 
     std::vector<StiffRow> run() const {
-        const Transform exact = transform_of(source_, Interpolation::tetrahedral);
+        const Transform exact = Transform::of(source_, Interpolation::tetrahedral);
         std::vector<StiffRow> rows;
         for (const int size : lattice_sizes) {
             Lut lattice;

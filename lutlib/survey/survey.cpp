@@ -1,13 +1,12 @@
 #include "lutlib/survey/survey.h"
 
-#include "lutlib/color/difference.h"
 #include "lutlib/bake/budget.h"
+#include "lutlib/color/difference.h"
 #include "lutlib/error.h"
 #include "lutlib/fit/fit.h"
 #include "lutlib/metrics/peak.h"
 #include "lutlib/metrics/samples.h"
 #include "lutlib/recipe/bake_recipe.h"
-#include "lutlib/recipe/edit.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -75,7 +74,7 @@ TimingKey timing_key(const Lut& lut, const Storage& storage, const Lookup& looku
 class Surveyor {
   public:
     Surveyor(const Recipe& recipe, const SurveySettings& settings, const Progress& progress)
-        : recipe_(recipe), progress_(progress), edit_(recipe) {
+        : recipe_(recipe), progress_(progress), exact_(Transform::of(recipe)) {
         out_.settings = settings;
         domain_ =
             recipe.bake.domain.value_or(recipe.base_lut ? recipe.base_lut->domain() : Domain{});
@@ -92,10 +91,7 @@ class Surveyor {
         pixels_ = over_domain(
             sample_colors(2, {.neutral = 2, .random = settings.pixels, .lattice = false}));
         out_.colours = inputs_.size();
-        expected_.resize(inputs_.size());
-        std::transform(inputs_.begin(), inputs_.end(), expected_.begin(),
-                       [](Rgb c) { return to_double(c); });
-        edit_(expected_);
+        expected_ = images_of(exact_, inputs_);
         held_ = std::all_of(expected_.begin(), expected_.end(),
                             [](RgbD c) { return saturate(c) == c; });
     }
@@ -253,9 +249,8 @@ class Surveyor {
     }
 
     void fit_one(const Filled& filled, Interpolation how) {
-        const Transform look = [this](std::span<RgbD> colours) { edit_(colours); };
         double start = now_seconds();
-        const LatticeFit fit(look, reader_of(filled.lut, how), *filled.nodes);
+        const LatticeFit fit(exact_, reader_of(filled.lut, how), *filled.nodes);
         const FittedLattice exact = fit.exact();
         const double base_seconds = filled.seconds + now_seconds() - start;
         for (const Storage& storage : storages()) {
@@ -345,7 +340,7 @@ class Surveyor {
             Rgb got;
             stored.apply({&in, 1}, {&got, 1}, *what.lookup);
             return delta_e_2000(lab(to_double(held_ ? saturate(got) : got)),
-                                lab(edit_(to_double(in))));
+                                lab(exact_(to_double(in))));
         });
     }
 
@@ -356,7 +351,7 @@ class Surveyor {
 
     const Recipe& recipe_;
     const Progress& progress_;
-    Edit edit_;
+    Transform exact_;
     Domain domain_;
     std::vector<Rgb> inputs_, pixels_;
     std::vector<RgbD> expected_;

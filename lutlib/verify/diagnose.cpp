@@ -1,8 +1,8 @@
 #include "lutlib/verify/diagnose.h"
 
 #include "lutlib/color/transfer.h"
-#include "lutlib/verify/lossy.h"
 #include "lutlib/limits.h"
+#include "lutlib/verify/lossy.h"
 
 #include <algorithm>
 #include <array>
@@ -13,29 +13,26 @@
 namespace lutlib {
 namespace {
 
-// An oracle in float is off by a few units in the last place of 1.
-constexpr double oracle_precision = 1e-6;
-
 // What most texels must agree with before a mistake is named.
 constexpr double convincing = 0.98;
 // And of those that are wrong without it.
 constexpr double telling = 0.9;
 
-bool is_truncated(int code, double value, int maximum) {
-    const double exact = value * maximum, slack = oracle_precision * maximum;
+bool is_truncated(int code, double value, int maximum, double tolerance) {
+    const double exact = value * maximum, slack = tolerance * maximum;
     return code <= exact + slack && code >= exact - 1 - slack;
 }
 
-bool is_high_byte(int code, double value, int maximum) {
-    return maximum == 255 && is_truncated(code, value * 65535.0 / 65280.0, maximum);
+bool is_high_byte(int code, double value, int maximum, double tolerance) {
+    return maximum == 255 && is_truncated(code, value * 65535.0 / 65280.0, maximum, tolerance);
 }
 
 // 8-bit codes in a 16-bit file, by the two ways to widen them.
-bool is_repeated_byte(int code, double value, int maximum) {
-    return maximum == 65535 && code % 257 == 0 && is_rounded(code / 257, value, 255);
+bool is_repeated_byte(int code, double value, int maximum, double tolerance) {
+    return maximum == 65535 && code % 257 == 0 && is_rounded(code / 257, value, 255, tolerance);
 }
-bool is_shifted_byte(int code, double value, int maximum) {
-    return maximum == 65535 && code % 256 == 0 && is_rounded(code / 256, value, 255);
+bool is_shifted_byte(int code, double value, int maximum, double tolerance) {
+    return maximum == 65535 && code % 256 == 0 && is_rounded(code / 256, value, 255, tolerance);
 }
 
 Pixel as_is(const Layout& layout, int n, int r, int g, int b) {
@@ -82,20 +79,20 @@ double lowest_of_65(const Engine&, int i, int) {
     return i / 64.0;
 }
 
-Rgb value_of(Rgb, Rgb out) {
+RgbD value_of(RgbD, RgbD out) {
     return out;
 }
-Rgb input_itself(Rgb in, Rgb) {
+RgbD input_itself(RgbD in, RgbD) {
     return in;
 }
-Rgb channels_swapped(Rgb, Rgb out) {
+RgbD channels_swapped(RgbD, RgbD out) {
     return {out.b, out.g, out.r};
 }
-Rgb decoded_again(Rgb, Rgb out) {
-    return to_float({srgb_decode(out.r), srgb_decode(out.g), srgb_decode(out.b)});
+RgbD decoded_again(RgbD, RgbD out) {
+    return {srgb_decode(out.r), srgb_decode(out.g), srgb_decode(out.b)};
 }
-Rgb encoded_again(Rgb, Rgb out) {
-    return to_float({srgb_encode(out.r), srgb_encode(out.g), srgb_encode(out.b)});
+RgbD encoded_again(RgbD, RgbD out) {
+    return {srgb_encode(out.r), srgb_encode(out.g), srgb_encode(out.b)};
 }
 
 // How a picture with one mistake comes about: where a node is put, at which input the look is
@@ -104,8 +101,8 @@ struct Mistake {
     std::string_view words;
     Pixel (*pixel)(const Layout&, int, int, int, int) = as_is;
     double (*input)(const Engine&, int, int) = engine_input;
-    Rgb (*value)(Rgb in, Rgb out) = value_of;
-    bool (*agrees)(int code, double value, int maximum) = is_rounded;
+    RgbD (*value)(RgbD in, RgbD out) = value_of;
+    bool (*agrees)(int code, double value, int maximum, double tolerance) = is_rounded;
 };
 
 // A rule that more codes satisfy stands behind a stricter one that explains as much.
@@ -149,32 +146,31 @@ constexpr Mistake none{"nothing"};
 // that has the same.
 class Values {
   public:
-    struct Lattice {
-        std::vector<Rgb> inputs, outputs;
-    };
+    explicit Values(const Transform& look) : look_(look) {}
 
-    explicit Values(const Oracle& oracle) : oracle_(oracle) {}
-
-    const Lattice& over(const std::vector<double>& axis) {
+    /// Red fastest.
+    const std::vector<RgbD>& over(const std::vector<double>& axis) {
         const auto [at, is_new] = known_.try_emplace(axis);
-        Lattice& out = at->second;
+        std::vector<RgbD>& out = at->second;
         if (is_new) {
+            out.reserve(axis.size() * axis.size() * axis.size());
             for (const double b : axis) {
                 for (const double g : axis) {
                     for (const double r : axis) {
-                        out.inputs.push_back(to_float({r, g, b}));
+                        out.push_back({r, g, b});
                     }
                 }
             }
-            out.outputs = out.inputs;
-            oracle_(out.outputs);
+            apply_in_parallel(look_, out);
         }
         return out;
     }
 
+    double tolerance() const { return tolerance_of(look_.precision()); }
+
   private:
-    const Oracle& oracle_;
-    std::map<std::vector<double>, Lattice> known_;
+    const Transform& look_;
+    std::map<std::vector<double>, std::vector<RgbD>> known_;
 };
 
 // Which texels agree with the look under a mistake.
@@ -189,7 +185,8 @@ Agreement agreement(const CodePicture& picture, const Engine& engine, int n, con
     for (int i = 0; i < n; ++i) {
         axis.push_back(mistake.input(engine, i, n));
     }
-    const Values::Lattice& lattice = values.over(axis);
+    const std::vector<RgbD>& looked_up = values.over(axis);
+    const auto input = [&axis](int i) { return axis[static_cast<std::size_t>(i)]; };
     const Layout& layout = *layout_named(engine.layout);
     Agreement out;
     out.texels.resize(picture.codes.size() / 3);
@@ -198,12 +195,11 @@ Agreement agreement(const CodePicture& picture, const Engine& engine, int n, con
         for (int g = 0; g < n; ++g) {
             for (int r = 0; r < n; ++r, ++i) {
                 const Pixel p = mistake.pixel(layout, n, r, g, b);
-                const Rgb value = mistake.value(lattice.inputs[i], lattice.outputs[i]);
+                const RgbD value = mistake.value({input(r), input(g), input(b)}, looked_up[i]);
                 bool all = true;
                 for (std::size_t c = 0; c < 3; ++c) {
-                    all = all && mistake.agrees(picture.code(p, c),
-                                                saturate(static_cast<double>(value[c])),
-                                                picture.maximum());
+                    all = all && mistake.agrees(picture.code(p, c), saturate(value[c]),
+                                                picture.maximum(), values.tolerance());
                 }
                 out.texels[static_cast<std::size_t>(p.y) * static_cast<std::size_t>(picture.width) +
                            static_cast<std::size_t>(p.x)] = all;
@@ -211,7 +207,7 @@ Agreement agreement(const CodePicture& picture, const Engine& engine, int n, con
             }
         }
     }
-    out.share = static_cast<double>(agreeing) / static_cast<double>(lattice.inputs.size());
+    out.share = static_cast<double>(agreeing) / static_cast<double>(looked_up.size());
     return out;
 }
 
@@ -228,30 +224,36 @@ int size_for(const Engine& engine, const CodePicture& picture) {
 
 } // namespace
 
-RightTexels right_texels(const Engine& engine, int size, const Oracle& oracle) {
+RightTexels right_texels(const Engine& engine, int size, const Transform& look) {
     const Layout& layout = *layout_named(engine.layout);
     RightTexels out;
     for (int b = 0; b < size; ++b) {
         for (int g = 0; g < size; ++g) {
             for (int r = 0; r < size; ++r) {
                 out.pixels.push_back(layout.pixel(size, r, g, b));
-                out.values.push_back(
-                    to_float({engine.node_input(r, size), engine.node_input(g, size),
-                              engine.node_input(b, size)}));
+                out.values.push_back({engine.node_input(r, size), engine.node_input(g, size),
+                                      engine.node_input(b, size)});
             }
         }
     }
-    oracle(out.values);
+    apply_in_parallel(look, out.values);
     return out;
 }
 
-bool is_rounded(int code, double value, int maximum) {
-    return std::abs(code - value * maximum) <= 0.5 + oracle_precision * maximum;
+double tolerance_of(Precision precision) {
+    // A single-precision evaluation is off by a few units in the last place of 1. A double one is
+    // not, but pictures are made from values that were kept in floats on the way, which are off by
+    // half a unit.
+    return precision == Precision::float32 ? 1e-6 : 1e-7;
 }
 
-Findings diagnose(const CodePicture& picture, const Engine& engine, int size, const Oracle& oracle,
+bool is_rounded(int code, double value, int maximum, double tolerance) {
+    return std::abs(code - value * maximum) <= 0.5 + tolerance * maximum;
+}
+
+Findings diagnose(const CodePicture& picture, const Engine& engine, int size, const Transform& look,
                   const Alternatives& alternatives) {
-    Values values(oracle);
+    Values values(look);
     const Agreement plain = agreement(picture, engine, size, none, values);
     Findings out;
     out.nearest = {"the look as it is", plain.share};
@@ -290,12 +292,12 @@ Findings diagnose(const CodePicture& picture, const Engine& engine, int size, co
     }
     for (const Alternative& alternative :
          alternatives ? alternatives() : std::vector<Alternative>{}) {
-        Values others(alternative.oracle);
+        Values others(alternative.look);
         offer(alternative.words, agreement(picture, engine, size, none, others));
     }
     if (out.nearest.explained >= convincing && told >= telling) {
         out.diagnosis = out.nearest;
-    } else if (const auto noise = lossy_noise(picture, engine, size, oracle)) {
+    } else if (const auto noise = lossy_noise(picture, engine, size, look)) {
         out.diagnosis = Diagnosis{*noise, 0};
     }
     return out;

@@ -10,13 +10,10 @@
 
 namespace lutlib {
 
-/// A look by an implementation that is not ours: transforms colours in place.
-using Oracle = std::function<void(std::vector<Rgb>&)>;
-
 /// A look that a picture may have been made from by mistake, such as another interpolation.
 struct Alternative {
     std::string words;
-    Oracle oracle;
+    Transform look;
 };
 
 /// Opened only when a picture is wrong; may be empty.
@@ -39,19 +36,22 @@ struct Findings {
 /// texels are right, single ones are damaged. Else the mistake that explains most is the diagnosis
 /// if it explains nearly all of them, and nearly all that are wrong without it; else the noise of a
 /// lossy format is recognised by what it does to blocks of texels.
-Findings diagnose(const CodePicture& picture, const Engine& engine, int size, const Oracle& oracle,
+Findings diagnose(const CodePicture& picture, const Engine& engine, int size, const Transform& look,
                   const Alternatives& alternatives);
 
-/// For each node, red fastest: where it sits in the picture, and the oracle's value, not clamped,
-/// at the input where the engine reads it.
+/// For each node, red fastest: where it sits in the picture, and the look's value, not clamped, at
+/// the input where the engine reads it.
 struct RightTexels {
     std::vector<Pixel> pixels;
-    std::vector<Rgb> values;
+    std::vector<RgbD> values;
 };
-RightTexels right_texels(const Engine& engine, int size, const Oracle& oracle);
+RightTexels right_texels(const Engine& engine, int size, const Transform& look);
 
-/// Whether `code` is `value` (0..1) rounded to nearest, either way when the value lies within an
-/// oracle's float precision of a tie.
-bool is_rounded(int code, double value, int maximum);
+/// How far a look's answer may lie from what a right picture was made of, both in 0..1.
+double tolerance_of(Precision precision);
+
+/// Whether `code` is `value` (0..1) rounded to nearest, either way when the value lies within the
+/// tolerance of a tie.
+bool is_rounded(int code, double value, int maximum, double tolerance);
 
 } // namespace lutlib

@@ -23,8 +23,8 @@ RgbD luma_and_chroma(RgbD e) {
 } // namespace
 
 std::optional<std::string> lossy_noise(const CodePicture& picture, const Engine& engine, int size,
-                                       const Oracle& oracle) {
-    const auto [pixels, values] = right_texels(engine, size, oracle);
+                                       const Transform& look) {
+    const auto [pixels, values] = right_texels(engine, size, look);
 
     struct Block {
         RgbD sum;
@@ -39,7 +39,7 @@ std::optional<std::string> lossy_noise(const CodePicture& picture, const Engine&
     for (std::size_t i = 0; i < values.size(); ++i) {
         RgbD error;
         for (std::size_t c = 0; c < 3; ++c) {
-            const double right = saturate(static_cast<double>(values[i][c])) * picture.maximum();
+            const double right = saturate(values[i][c]) * picture.maximum();
             error[c] = picture.code(pixels[i], c) - std::floor(right + 0.5);
             distance.push_back(error[c]);
         }

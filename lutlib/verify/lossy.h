@@ -14,6 +14,6 @@ namespace lutlib {
 /// block means hold two thirds of the squared error and more, a lossy format's a third at most
 /// (JPEG of qualities 60 to 95 on four looks and three layouts; at 30, half).
 std::optional<std::string> lossy_noise(const CodePicture& picture, const Engine& engine, int size,
-                                       const Oracle& oracle);
+                                       const Transform& look);
 
 } // namespace lutlib

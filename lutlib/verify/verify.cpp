@@ -7,18 +7,19 @@ namespace lutlib {
 namespace {
 
 TexelCheck check_texels(const CodePicture& picture, const Engine& engine, int size,
-                        const Oracle& oracle) {
-    const auto [pixels, values] = right_texels(engine, size, oracle);
+                        const Transform& look) {
+    const auto [pixels, values] = right_texels(engine, size, look);
     TexelCheck out;
     out.texels = values.size();
     const int maximum = picture.maximum();
+    const double tolerance = tolerance_of(look.precision());
     double sum = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
         bool wrong = false;
         for (std::size_t c = 0; c < 3; ++c) {
-            const double value = saturate(static_cast<double>(values[i][c]));
+            const double value = saturate(values[i][c]);
             const int code = picture.code(pixels[i], c);
-            if (is_rounded(code, value, maximum)) {
+            if (is_rounded(code, value, maximum, tolerance)) {
                 continue;
             }
             wrong = true;
@@ -39,15 +40,13 @@ TexelCheck check_texels(const CodePicture& picture, const Engine& engine, int si
 } // namespace
 
 Verification verify(const CodePicture& picture, const Engine& engine, int size,
-                    const Oracle& oracle, const std::vector<Rgb>& inputs,
+                    const Transform& look, const std::vector<Rgb>& inputs,
                     const Alternatives& alternatives) {
     Verification out;
-    out.texels = check_texels(picture, engine, size, oracle);
-    std::vector<Rgb> expected = inputs;
-    oracle(expected);
-    out.lookup = lookup_error(engine, decoded(picture), size, inputs, expected);
+    out.texels = check_texels(picture, engine, size, look);
+    out.lookup = lookup_error(engine, decoded(picture), size, inputs, images_of(look, inputs));
     if (out.texels.wrong > 0) {
-        Findings found = diagnose(picture, engine, size, oracle, alternatives);
+        Findings found = diagnose(picture, engine, size, look, alternatives);
         out.diagnosis = std::move(found.diagnosis);
         out.nearest = std::move(found.nearest);
     }

@@ -24,11 +24,11 @@ struct Verification {
     Diagnosis nearest;                  ///< when they are wrong: what explains most of them
 };
 
-/// Compares every texel's code with the oracle's value at the input where the engine reads the
-/// node, rounded to nearest, then the engine's lookup with the oracle over `inputs`. The picture's
+/// Compares every texel's code with the look's value at the input where the engine reads the node,
+/// rounded to nearest, then the engine's lookup with the look over `inputs`. The picture's
 /// dimensions must be those of the engine's layout for `size`.
 Verification verify(const CodePicture& picture, const Engine& engine, int size,
-                    const Oracle& oracle, const std::vector<Rgb>& inputs,
+                    const Transform& look, const std::vector<Rgb>& inputs,
                     const Alternatives& alternatives = {});
 
 } // namespace lutlib

@@ -7,7 +7,6 @@
 #include "lutlib/io/lut_picture.h"
 #include "lutlib/io/recipe_file.h"
 #include "lutlib/recipe/bake_recipe.h"
-#include "lutlib/recipe/edit.h"
 
 #include <fmt/format.h>
 
@@ -82,8 +81,7 @@ void save_recipe(State& state, const std::string& path) {
 
 std::string export_strip(const State& state, const Side& side, const std::string& path) {
     const lutlib::Engine& engine = *side.engine->engine;
-    const lutlib::Edit edit(state.recipe);
-    const lutlib::ExactLook look = [&](lutlib::RgbD in) { return edit(in); };
+    const lutlib::Transform look = lutlib::Transform::of(state.recipe);
     const lutlib::Bake baked =
         lutlib::bake(look, engine, side.size > 0 ? side.size : engine.default_size,
                      side.bits > 0 ? side.bits : engine.default_bits);

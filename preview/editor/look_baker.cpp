@@ -1,7 +1,6 @@
 #include "preview/editor/look_baker.h"
 
 #include "lutlib/bake/bake.h"
-#include "lutlib/recipe/edit.h"
 #include "preview/look/recipe_table.h"
 
 #include <algorithm>
@@ -50,8 +49,7 @@ LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side) {
         return look_for(quick_table(recipe), float_table());
     case SideSource::baked: {
         const lutlib::Engine& engine = *side.engine->engine;
-        const lutlib::Edit edit(recipe);
-        const lutlib::Bake baked = lutlib::bake([&](lutlib::RgbD in) { return edit(in); }, engine,
+        const lutlib::Bake baked = lutlib::bake(lutlib::Transform::of(recipe), engine,
                                                 side.size > 0 ? side.size : engine.default_size,
                                                 side.bits > 0 ? side.bits : engine.default_bits);
         return {look_data(baked.picture, baked.size, *side.engine), {}, {}, table_of(baked)};

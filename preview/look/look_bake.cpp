@@ -92,7 +92,7 @@ LoadedLook look_for(const Lut& look, const Lookup& lookup) {
     if (lookup.source == Lookup::Source::table) {
         out.data = look_data(look, lookup);
     } else if (lookup.engine != nullptr) {
-        const auto exact = [&](lutlib::RgbD in) { return lutlib::evaluate_exact(look, in); };
+        const auto exact = lutlib::Transform::of(look, lutlib::Interpolation::tetrahedral);
         const lutlib::Bake baked = lutlib::bake(exact, *lookup.engine, lookup.engine->default_size,
                                                 lookup.engine->default_bits);
         out.data = look_data(baked.picture, baked.size, lookup);

@@ -2,7 +2,6 @@
 
 #include "lutlib/metrics/compare.h"
 #include "lutlib/recipe/bake_recipe.h"
-#include "lutlib/recipe/edit.h"
 
 #include <fmt/format.h>
 
@@ -21,14 +20,14 @@ lutlib::Recipe with_size(const lutlib::Recipe& recipe, int size) {
 }
 
 /// Measures the table; false when it was stopped.
-bool measure(RecipeTable& table, const lutlib::Recipe& recipe, const lutlib::Edit& exact,
+bool measure(RecipeTable& table, const lutlib::Recipe& recipe, const lutlib::Transform& exact,
              const std::function<bool()>& stop) {
     constexpr std::size_t at_once = 8192;
     // The nodes and cell centres of the quick table, and as many places anywhere.
     static const std::vector<lutlib::Rgb> colours =
         lutlib::samples_over(lutlib::Domain{}, sizes[0], 70'000);
     const lutlib::Transform read =
-        lutlib::transform_of(table.lut, lutlib::Interpolation::tetrahedral);
+        lutlib::Transform::of(table.lut, lutlib::Interpolation::tetrahedral);
     double sum = 0;
     for (std::size_t at = 0; at < colours.size(); at += at_once) {
         if (stop())
@@ -59,7 +58,7 @@ lutlib::Lut quick_table(const lutlib::Recipe& recipe) {
 
 std::optional<RecipeTable> measured_table(const lutlib::Recipe& recipe,
                                           const std::function<bool()>& stop) {
-    const lutlib::Edit exact(recipe);
+    const lutlib::Transform exact = lutlib::Transform::of(recipe);
     RecipeTable table;
     for (const int size : sizes) {
         if (stop())

@@ -1,8 +1,8 @@
 // Any bytes as a recipe: read or refused with an Error; what was read is written and read back the
 // same, and answers colours of every kind.
 #include "lutlib/error.h"
-#include "lutlib/recipe/edit.h"
 #include "lutlib/recipe/recipe.h"
+#include "lutlib/transform.h"
 
 #include <cstdint>
 #include <cstdlib>
@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             base.cube = lutlib::identity_cube(2);
             recipe.base_lut = std::make_shared<const lutlib::Lut>(std::move(base));
         }
-        const lutlib::Edit edit(recipe);
+        const lutlib::Transform edit = lutlib::Transform::of(recipe);
         constexpr double inf = std::numeric_limits<double>::infinity();
         constexpr double nan = std::numeric_limits<double>::quiet_NaN();
         for (const double x : {0.0, 0.18, 1.0, -0.5, 1e-40, 1e30, -inf, nan}) {

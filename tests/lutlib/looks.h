@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lutlib/lut.h"
+#include "lutlib/transform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,8 @@ namespace lutlib {
 struct TestLook {
     const char* name;
     RgbD (*f)(RgbD);
+
+    Transform transform() const { return Transform::each(f); }
 };
 
 inline double test_luma(RgbD c) {

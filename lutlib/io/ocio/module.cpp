@@ -40,20 +40,20 @@ class Library final : public Ocio {
         return out;
     }
 
-    std::unique_ptr<OcioTransform> parse(std::string_view bytes, const std::string& extension,
-                                         const std::string& file,
-                                         const EvaluationOptions& options) const override {
+    Transform parse(std::string_view bytes, const std::string& extension, const std::string& file,
+                    const EvaluationOptions& options) const override {
         return guarded(file, [&] {
-            return evaluator(processor_of_file(bytes, extension, file, options.interpolation),
-                             options.optimization);
+            return transform_of(
+                cpu_processor(processor_of_file(bytes, extension, file, options.interpolation),
+                              options.optimization));
         });
     }
 
-    std::unique_ptr<OcioTransform> from_lut(const Lut& lut,
-                                            const EvaluationOptions& options) const override {
+    Transform from_lut(const Lut& lut, const EvaluationOptions& options) const override {
         return guarded({}, [&] {
-            return evaluator(processor_of_transform(group_of_lut(lut, options.interpolation)),
-                             options.optimization);
+            return transform_of(
+                cpu_processor(processor_of_transform(group_of_lut(lut, options.interpolation)),
+                              options.optimization));
         });
     }
 

@@ -144,11 +144,11 @@ std::string sample_rest(const Chain& chain, const ReadOptions& options, Front& f
                         std::vector<Loss>& losses) {
     Lut& lut = front.lut;
     lut.cube.reset();
-    const auto whole = evaluator(processor_of_chain(chain, 0), Optimization::lossless);
+    const auto whole = cpu_processor(processor_of_chain(chain, 0), Optimization::lossless);
     std::vector<Rgb>* values = nullptr;
     std::string form;
     std::size_t first = 0;
-    if (!whole->mixes_channels()) {
+    if (!whole->hasChannelCrosstalk()) {
         lut.shaper = Lut1D{sampling_domain(chain, 0, {}), {}};
         lut.shaper->entries.resize(default_curve_size);
         for (int i = 0; i < default_curve_size; ++i) {
@@ -170,7 +170,8 @@ std::string sample_rest(const Chain& chain, const ReadOptions& options, Front& f
         values = &lut.cube->nodes;
         form = "a cube of " + std::to_string(lut.cube->size) + " nodes a side";
     }
-    evaluator(processor_of_chain(chain, first), Optimization::lossless)->apply(*values);
+    transform_in_place(cpu_processor(processor_of_chain(chain, first), Optimization::lossless),
+                       *values);
     if (const std::size_t count = replace_non_finite(*values)) {
         losses.push_back({"samples that are not finite, replaced by 0 or +-65504",
                           static_cast<double>(count), "values"});
@@ -179,9 +180,10 @@ std::string sample_rest(const Chain& chain, const ReadOptions& options, Front& f
 }
 
 // Largest difference between the look and the chain over `inputs`.
-double largest_error(const Lut& lut, const OcioTransform& chain, std::vector<Rgb> inputs) {
+double largest_error(const Lut& lut, const OCIO::ConstCPUProcessorRcPtr& chain,
+                     std::vector<Rgb> inputs) {
     std::vector<Rgb> expected = inputs;
-    chain.apply(expected);
+    transform_in_place(chain, expected);
     std::vector<double> errors;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const Rgb difference = evaluate(lut, inputs[i]) - expected[i];
@@ -216,7 +218,7 @@ Reading look_of_processor(const OCIO::ConstProcessorRcPtr& processor, const Read
     const Chain chain = chain_of(processor);
     Front front = front_of(chain);
     Reading out;
-    const auto exact = evaluator(processor, Optimization::lossless);
+    const auto exact = cpu_processor(processor, Optimization::lossless);
     std::string what = "the file's own interpolation is not kept, largest error";
     if (!front.whole) {
         const std::string form = sample_rest(chain, options, front, out.losses);
@@ -224,14 +226,14 @@ Reading look_of_processor(const OCIO::ConstProcessorRcPtr& processor, const Read
                ", largest error";
     }
     const Domain& domain = front.lut.domain();
-    const double inside = largest_error(front.lut, *exact, colors_between(domain, 0, 1, 40000));
+    const double inside = largest_error(front.lut, exact, colors_between(domain, 0, 1, 40000));
     if (inside > rounding_noise) {
         out.losses.push_back({what, inside, ""});
     }
     // A table ends where its domain does, other operators go on.
     const double outside =
-        std::max(largest_error(front.lut, *exact, colors_between(domain, 1, 2, 1000)),
-                 largest_error(front.lut, *exact, colors_between(domain, -1, 0, 1000)));
+        std::max(largest_error(front.lut, exact, colors_between(domain, 1, 2, 1000)),
+                 largest_error(front.lut, exact, colors_between(domain, -1, 0, 1000)));
     if (outside > 1e-5) {
         out.losses.push_back({"inputs outside " + text_of(domain) +
                                   " are clamped, largest error up to one width beyond",

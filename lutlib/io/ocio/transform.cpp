@@ -2,7 +2,9 @@
 
 #include "lutlib/io/temporary_file.h"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace lutlib::io {
 namespace {
@@ -36,27 +38,6 @@ OCIO::TransformRcPtr domain_matrix(const Domain& domain) {
     out->setOffset(offset.data());
     return out;
 }
-
-class Evaluator final : public OcioTransform {
-  public:
-    explicit Evaluator(OCIO::ConstCPUProcessorRcPtr processor) : processor_(std::move(processor)) {}
-
-    void apply(std::span<Rgb> colors) const override {
-        static_assert(sizeof(Rgb) == 3 * sizeof(float));
-        if (colors.empty()) {
-            return;
-        }
-        guarded({}, [&] {
-            OCIO::PackedImageDesc image(colors.data(), static_cast<long>(colors.size()), 1, 3);
-            processor_->apply(image);
-        });
-    }
-
-    bool mixes_channels() const override { return processor_->hasChannelCrosstalk(); }
-
-  private:
-    OCIO::ConstCPUProcessorRcPtr processor_;
-};
 
 // OpenColorIO's messages quote the temporary path; the reader knows the file's own name.
 std::string with_name(std::string text, const std::string& path, const std::string& file) {
@@ -139,11 +120,41 @@ OCIO::GroupTransformRcPtr group_of_lut(const Lut& lut, Interpolation interpolati
     return group;
 }
 
-std::unique_ptr<OcioTransform> evaluator(const OCIO::ConstProcessorRcPtr& processor,
-                                         Optimization optimization) {
-    return std::make_unique<Evaluator>(processor->getOptimizedCPUProcessor(
-        optimization == Optimization::none ? OCIO::OPTIMIZATION_NONE
-                                           : OCIO::OPTIMIZATION_LOSSLESS));
+OCIO::ConstCPUProcessorRcPtr cpu_processor(const OCIO::ConstProcessorRcPtr& processor,
+                                           Optimization optimization) {
+    return processor->getOptimizedCPUProcessor(
+        optimization == Optimization::none ? OCIO::OPTIMIZATION_NONE : OCIO::OPTIMIZATION_LOSSLESS);
+}
+
+void transform_in_place(const OCIO::ConstCPUProcessorRcPtr& processor, std::span<Rgb> colors) {
+    static_assert(sizeof(Rgb) == 3 * sizeof(float));
+    if (colors.empty()) {
+        return;
+    }
+    guarded({}, [&] {
+        if (colors.size() == 1) { // an image would be allocated for
+            processor->applyRGB(&colors.front().r);
+            return;
+        }
+        OCIO::PackedImageDesc image(colors.data(), static_cast<long>(colors.size()), 1, 3);
+        processor->apply(image);
+    });
+}
+
+Transform transform_of(OCIO::ConstCPUProcessorRcPtr processor) {
+    return Transform::batch(
+        [processor = std::move(processor)](std::span<RgbD> colors) {
+            std::array<Rgb, 1024> part;
+            for (std::size_t at = 0; at < colors.size(); at += part.size()) {
+                const auto here = colors.subspan(at, std::min(part.size(), colors.size() - at));
+                std::transform(here.begin(), here.end(), part.begin(), to_float);
+                transform_in_place(processor, std::span(part).first(here.size()));
+                std::transform(part.begin(),
+                               part.begin() + static_cast<std::ptrdiff_t>(here.size()),
+                               here.begin(), to_double);
+            }
+        },
+        Precision::float32);
 }
 
 } // namespace lutlib::io

@@ -7,6 +7,7 @@
 
 #include <OpenColorIO/OpenColorIO.h>
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -33,8 +34,12 @@ OCIO::GroupTransformRcPtr group_of_lut(const Lut& lut, Interpolation interpolati
 
 OCIO::ConstProcessorRcPtr processor_of_transform(const OCIO::ConstTransformRcPtr& transform);
 
-std::unique_ptr<OcioTransform> evaluator(const OCIO::ConstProcessorRcPtr& processor,
-                                         Optimization optimization);
+OCIO::ConstCPUProcessorRcPtr cpu_processor(const OCIO::ConstProcessorRcPtr& processor,
+                                           Optimization optimization);
+/// Replaces every colour by its image.
+void transform_in_place(const OCIO::ConstCPUProcessorRcPtr& processor, std::span<Rgb> colors);
+/// The same for colours of any origin.
+Transform transform_of(OCIO::ConstCPUProcessorRcPtr processor);
 
 /// The config in which every transform is evaluated: nothing in it but OpenColorIO's defaults.
 OCIO::ConstConfigRcPtr plain_config();

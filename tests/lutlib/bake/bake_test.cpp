@@ -1,11 +1,13 @@
 #include "lutlib/bake/bake.h"
 
-#include "lutlib/verify/verify.h"
 #include "lutlib/error.h"
 #include "lutlib/metrics/samples.h"
+#include "lutlib/verify/verify.h"
 #include "tests/lutlib/looks.h"
 
 #include <gtest/gtest.h>
+
+#include <atomic>
 
 namespace lutlib {
 namespace {
@@ -17,18 +19,10 @@ class BakeFor : public testing::TestWithParam<Engine> {
 INSTANTIATE_TEST_SUITE_P(Engines, BakeFor, testing::ValuesIn(engines().begin(), engines().end()),
                          [](const auto& row) { return std::string(row.param.name); });
 
-Oracle oracle_of(RgbD (*f)(RgbD)) {
-    return [f](std::vector<Rgb>& colors) {
-        for (Rgb& c : colors) {
-            c = to_float(f(to_double(c)));
-        }
-    };
-}
-
 TEST_P(BakeFor, rounds_every_node_to_nearest_in_every_depth_it_takes) {
     for (const int bits : engine.bits) {
         const auto look = test_looks()[3];
-        const Bake baked = bake(look.f, engine, engine.default_size, bits);
+        const Bake baked = bake(look.transform(), engine, engine.default_size, bits);
         const Layout& layout = *layout_named(engine.layout);
         const int n = engine.default_size;
         for (int i = 0; i < n; ++i) {
@@ -47,8 +41,8 @@ TEST_P(BakeFor, rounds_every_node_to_nearest_in_every_depth_it_takes) {
 TEST_P(BakeFor, verifies_for_every_look) {
     const int n = engine.default_size;
     for (const TestLook& look : test_looks()) {
-        const Bake baked = bake(look.f, engine, n, engine.default_bits);
-        const Verification result = verify(baked.picture, engine, n, oracle_of(look.f),
+        const Bake baked = bake(look.transform(), engine, n, engine.default_bits);
+        const Verification result = verify(baked.picture, engine, n, look.transform(),
                                            sample_colors(n, {.random = 1000, .lattice = false}));
         EXPECT_EQ(result.texels.wrong, 0U) << look.name;
         EXPECT_FALSE(result.diagnosis);
@@ -56,13 +50,24 @@ TEST_P(BakeFor, verifies_for_every_look) {
     }
 }
 
+TEST(Bake, asks_for_many_colours_at_once) {
+    const Engine& engine = *engine_named("piccolo");
+    std::atomic<std::size_t> calls = 0, colours = 0;
+    bake(Transform::batch([&](std::span<RgbD> batch) {
+             ++calls;
+             colours += batch.size();
+         }),
+         engine, 16, 8);
+    EXPECT_EQ(colours, 16U * 16 * 16);
+    EXPECT_LE(calls, colours / 256);
+}
+
 TEST(Bake, counts_and_measures_what_it_clamps) {
     const Engine& engine = *engine_named("piccolo");
-    const Bake baked = bake(
-        [](RgbD c) {
-            return RgbD{c.r * 2, c.g - 0.25, std::nan("")};
-        },
-        engine, 16, 8);
+    const Bake baked = bake(Transform::each([](RgbD c) {
+                                return RgbD{c.r * 2, c.g - 0.25, std::nan("")};
+                            }),
+                            engine, 16, 8);
     // Red above 1: 8 of 16 nodes; green below 0: 4 of 16; blue NaN: all.
     EXPECT_EQ(baked.loss.clamped_values, 16U * 16 * (8 + 4 + 16));
     EXPECT_DOUBLE_EQ(baked.loss.most_clamped, 1.0);
@@ -70,7 +75,7 @@ TEST(Bake, counts_and_measures_what_it_clamps) {
 }
 
 TEST(Bake, refuses_what_the_engine_does_not_take) {
-    const auto same = [](RgbD c) { return c; };
+    const Transform same;
     EXPECT_THROW(bake(same, *engine_named("unreal"), 32, 8), UsageError);
     EXPECT_THROW(bake(same, *engine_named("piccolo"), 16, 16), UsageError);
     EXPECT_THROW(bake(same, *engine_named("hald"), 33, 8), UsageError);

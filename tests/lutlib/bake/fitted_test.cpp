@@ -14,17 +14,12 @@ class Fitted : public testing::Test {
   protected:
     static constexpr int n = 9;
     const Engine& engine = *engine_named("piccolo");
-    RgbD (*look)(RgbD) = test_looks()[3].f;
+    const Transform look = test_looks()[3].transform();
     FilledBake baked = bake_fitted(look, engine, n, 8);
     CodePicture picture = baked.bake.picture;
 
     FittedCheck check() const {
-        const Oracle oracle = [this](std::vector<Rgb>& colors) {
-            for (Rgb& c : colors) {
-                c = to_float(look(to_double(c)));
-            }
-        };
-        return check_fitted(picture, engine, n, oracle, sample_colors(n, {.random = 2000}));
+        return check_fitted(picture, engine, n, look, sample_colors(n, {.random = 2000}));
     }
 
     template <class F>
@@ -74,7 +69,7 @@ TEST_F(Fitted, is_wrong_when_everything_is_one_code_darker) {
 }
 
 TEST_F(Fitted, is_wrong_as_a_fit_of_another_look) {
-    picture = bake_fitted(test_looks()[2].f, engine, n, 8).bake.picture;
+    picture = bake_fitted(test_looks()[2].transform(), engine, n, 8).bake.picture;
     EXPECT_FALSE(check().right());
 }
 

@@ -13,7 +13,7 @@ namespace lutlib {
 namespace {
 
 Transform transform_of(const TestLook& look) {
-    return each_colour([f = look.f](RgbD c) { return saturate(f(c)); });
+    return Transform::each([f = look.f](RgbD c) { return saturate(f(c)); });
 }
 
 LatticeReader cube_reader(int size, Interpolation how) {
@@ -67,8 +67,7 @@ TEST_P(FitOfEngine, reader_is_the_lookup_of_the_engine) {
 TEST_P(FitOfEngine, point_samples_are_where_the_engine_reads_its_nodes) {
     const Engine& engine = GetParam();
     const int size = engine.default_size;
-    const std::vector<RgbD> nodes =
-        point_samples(each_colour([](RgbD c) { return c; }), reader_of(engine, size));
+    const std::vector<RgbD> nodes = point_samples({}, reader_of(engine, size));
     const auto n = static_cast<std::size_t>(size);
     for (int i = 0; i < size; ++i) {
         // Bisection stops at 2^-50.
@@ -133,7 +132,7 @@ TEST(Fit, lowers_the_mean_error_of_curved_looks_by_a_third) {
 }
 
 TEST(Fit, keeps_point_samples_where_they_are_exact) {
-    const Transform identity = each_colour([](RgbD c) { return c; });
+    const Transform identity;
     const FittedLattice result = fit_of(identity, cube_reader(9, Interpolation::trilinear)).exact();
     EXPECT_FALSE(result.fitted);
     EXPECT_LT(result.result.max, 1e-7); // inputs are floats
@@ -147,7 +146,7 @@ TEST(Fit, reads_wide_domains_and_shapers) {
         lut.shaper->entries.push_back({y, y, y});
     }
     lut.cube = identity_cube(9);
-    const Transform look = each_colour([](RgbD c) {
+    const Transform look = Transform::each([](RgbD c) {
         return RgbD{std::sqrt(c.r / 4 + 0.1), std::sqrt(c.g / 4 + 0.1), c.b / (c.b + 1)};
     });
     const FittedLattice result = fit_of(look, reader_of(lut, Interpolation::tetrahedral)).exact();
@@ -156,7 +155,7 @@ TEST(Fit, reads_wide_domains_and_shapers) {
 }
 
 TEST(Fit, survives_looks_that_are_not_finite_or_not_of_this_world) {
-    const Transform rude = each_colour([](RgbD c) {
+    const Transform rude = Transform::each([](RgbD c) {
         return RgbD{c.r > 0.5 ? std::nan("") : c.r, 1e30 * c.g, c.b > 0.3 ? 1 : -1e-320};
     });
     const LatticeReader reader = cube_reader(5, Interpolation::tetrahedral);

@@ -1,6 +1,7 @@
 // The CDL operator against OpenColorIO's CDLTransform, in both of its styles.
 #include "lutlib/io/ocio.h"
-#include "lutlib/recipe/edit.h"
+#include "lutlib/recipe/recipe.h"
+#include "lutlib/transform.h"
 
 #include <gtest/gtest.h>
 
@@ -29,12 +30,12 @@ std::string clf(const Cdl& cdl, bool clamp) {
            "</Saturation></SatNode>\n</ASC_CDL>\n</ProcessList>\n";
 }
 
-Edit ours(const Cdl& cdl, bool clamp) {
+Transform ours(const Cdl& cdl, bool clamp) {
     Recipe recipe;
     recipe.operations = {{op_named("cdl"),
                           {cdl.slope, cdl.offset, cdl.power, cdl.saturation, clamp ? 1.0 : 0.0},
                           true}};
-    return Edit(recipe);
+    return Transform::of(recipe);
 }
 
 // The first is the example of OpenColorIO's and the ASC's documentation; values have six decimals,
@@ -55,12 +56,12 @@ TEST(Cdl, agrees_with_opencolorio_clamped_and_not) {
             for (Rgb& c : in) {
                 c = {value(random), value(random), value(random)};
             }
-            std::vector<Rgb> theirs = in;
-            ocio().parse(clf(cdl, clamp), "clf", "cdl.clf", {})->apply(theirs);
-            const Edit edit = ours(cdl, clamp);
+            const std::vector<RgbD> theirs =
+                images_of(ocio().parse(clf(cdl, clamp), "clf", "cdl.clf", {}), in);
+            const std::vector<RgbD> edited = images_of(ours(cdl, clamp), in);
             double worst = 0;
             for (std::size_t i = 0; i < in.size(); ++i) {
-                const RgbD difference = edit(to_double(in[i])) - to_double(theirs[i]);
+                const RgbD difference = edited[i] - theirs[i];
                 worst = std::max(worst, largest_magnitude(difference));
             }
             // OpenColorIO takes powers in float by a polynomial, of about 2e-6 relative.

@@ -18,8 +18,7 @@ INSTANTIATE_TEST_SUITE_P(Engines, EveryEngine,
 
 Bake baked(const Engine& engine, const Lut& lut) {
     const int size = engine.sizes.empty() ? 16 : engine.sizes.front();
-    const ExactLook exact = [&lut](RgbD in) { return evaluate_exact(lut, in); };
-    return bake(exact, engine, size, engine.default_bits);
+    return bake(Transform::of(lut, Interpolation::tetrahedral), engine, size, engine.default_bits);
 }
 
 Lut graded() {

@@ -3,7 +3,8 @@
 #include "lutlib/color/encoding.h"
 #include "lutlib/color/oklab.h"
 #include "lutlib/error.h"
-#include "lutlib/recipe/edit.h"
+#include "lutlib/recipe/recipe.h"
+#include "lutlib/transform.h"
 #include "tests/lutlib/ops/op_samples.h"
 
 #include <gtest/gtest.h>
@@ -29,11 +30,11 @@ class EveryOperator : public testing::TestWithParam<const Op*> {};
 INSTANTIATE_TEST_SUITE_P(Op, EveryOperator, testing::ValuesIn(ops().begin(), ops().end()),
                          [](const auto& row) { return test_name(row.param->name); });
 
-Edit edit_of(const Operation& operation, const Encoding& encoding = srgb()) {
+Transform edit_of(const Operation& operation, const Encoding& encoding = srgb()) {
     Recipe recipe;
     recipe.input = &encoding;
     recipe.operations = {operation};
-    return Edit(recipe);
+    return Transform::of(recipe);
 }
 
 RgbD srgb_of(RgbD oklab) {
@@ -81,7 +82,7 @@ TEST_P(EveryOperator, is_finite_on_every_finite_colour_in_every_encoding) {
 
 TEST_P(EveryOperator, answers_nan_as_it_answers_zero) {
     std::mt19937 random(2);
-    const Edit edit = edit_of(some_operation(*GetParam(), random));
+    const Transform edit = edit_of(some_operation(*GetParam(), random));
     EXPECT_EQ(edit({NAN, .5, NAN}), edit({0, .5, 0}));
     EXPECT_TRUE(std::isfinite(largest_magnitude(edit({INFINITY, -INFINITY, NAN}))));
 }
@@ -93,7 +94,7 @@ TEST_P(EveryOperator, has_no_seam_at_hue_0_at_other_hues_or_at_neutral) {
     std::uniform_real_distribution<double> unit(0, 1);
     for (int round = 0; round < 40; ++round) {
         const Operation operation = some_operation(*GetParam(), random);
-        const Edit edit = edit_of(operation);
+        const Transform edit = edit_of(operation);
         const auto slope = [&](RgbD a, RgbD b) {
             return largest_magnitude(edit(a) - edit(b)) / largest_magnitude(a - b);
         };
@@ -139,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Op, EveryMonotoneOperator, testing::ValuesIn(monotone_o
 TEST_P(EveryMonotoneOperator, keeps_rising_neutrals_rising) {
     std::mt19937 random(4);
     for (int round = 0; round < 50; ++round) {
-        const Edit edit = edit_of(some_operation(*GetParam(), random));
+        const Transform edit = edit_of(some_operation(*GetParam(), random));
         RgbD before = edit({0, 0, 0});
         for (int i = 1; i <= 1000; ++i) {
             const double v = i / 1000.0;

@@ -2,7 +2,7 @@
 
 #include "lutlib/error.h"
 #include "lutlib/interpolation/interpolation.h"
-#include "lutlib/recipe/edit.h"
+#include "lutlib/transform.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ TEST(BakeRecipe, holds_the_exact_recipe_at_every_node) {
     recipe.bake = {9, Domain{{-.5F, 0, 0}, {4, 1, 2}}, "", 0};
     const Lut lut = bake_recipe(recipe);
     ASSERT_FALSE(lut.shaper);
-    const Edit edit(recipe);
+    const Transform edit = Transform::of(recipe);
     for (int b = 0; b < 9; ++b) {
         for (int g = 0; g < 9; ++g) {
             for (int r = 0; r < 9; ++r) {
@@ -66,7 +66,7 @@ TEST(BakeRecipe, skips_operations_that_are_switched_off) {
     for (Operation& op : recipe.operations) {
         op.enabled = false;
     }
-    EXPECT_EQ(Edit(recipe)({.2, .4, .6}), (RgbD{.2, .4, .6}));
+    EXPECT_EQ(Transform::of(recipe)({.2, .4, .6}), (RgbD{.2, .4, .6}));
 }
 
 TEST(BakeRecipe, applies_operators_in_order_and_the_base_first) {
@@ -76,7 +76,7 @@ TEST(BakeRecipe, applies_operators_in_order_and_the_base_first) {
                          operation("contrast", {2.0, 0.0})};
     const RgbD in{.3, .5, .7};
     const RgbD expected = (evaluate_exact(*recipe.base_lut, in) + RgbD{.1, .1, .1}) * 2.0;
-    const RgbD got = Edit(recipe)(in);
+    const RgbD got = Transform::of(recipe)(in);
     EXPECT_NEAR(got.r, expected.r, 1e-15);
     EXPECT_NEAR(got.g, expected.g, 1e-15);
     EXPECT_NEAR(got.b, expected.b, 1e-15);
@@ -136,7 +136,7 @@ TEST(BakeRecipe, with_a_shaper_holds_the_exact_recipe_at_every_node) {
         const Lut lut = bake_recipe(recipe);
         ASSERT_TRUE(lut.shaper);
         EXPECT_TRUE(lut.cube->domain.is_unit());
-        const Edit edit(recipe);
+        const Transform edit = Transform::of(recipe);
         const std::vector<double> axis = inputs_of_nodes(*lut.shaper, 17);
         for (std::size_t k = 0; k < lut.cube->nodes.size(); ++k) {
             const RgbD want = edit({axis[k % 17], axis[k / 17 % 17], axis[k / (17 * 17)]});
@@ -153,7 +153,7 @@ TEST(BakeRecipe, is_nearer_to_a_log_look_with_a_shaper_than_without) {
     const auto worst = [&](const char* shaper) {
         recipe.bake = {33, Domain{{0, 0, 0}, {16, 16, 16}}, shaper, 4096};
         const Lut lut = bake_recipe(recipe);
-        const Edit edit(recipe);
+        const Transform edit = Transform::of(recipe);
         double error = 0;
         for (int i = 0; i <= 1000; ++i) {
             const double x = 16 * std::pow(i / 1000.0, 4);
@@ -171,7 +171,7 @@ TEST(BakeRecipe, refuses_a_shaper_that_cannot_be) {
     recipe.bake = {9, Domain{{-1, -1, -1}, {1, 1, 1}}, "pq", 64};
     EXPECT_THROW(bake_recipe(recipe), Error);
     recipe.base = "missing.cube";
-    EXPECT_THROW(Edit{recipe}, Error);
+    EXPECT_THROW(Transform::of(recipe), Error);
 }
 
 } // namespace

@@ -27,7 +27,7 @@ Lut cube_look(Lut3D cube) {
 }
 
 Lut3D sampled_smooth(int size, const Domain& domain) {
-    return sample_cube(each_colour([](RgbD c) {
+    return sample_cube(Transform::each([](RgbD c) {
                            return RgbD{std::sin(c.r + 0.3 * c.g), 0.5 * c.g * c.g + c.b,
                                        std::cos(c.b * 1.3 - c.r)};
                        }),
@@ -41,11 +41,14 @@ INSTANTIATE_TEST_SUITE_P(Resample, EveryMethod,
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST_P(EveryMethod, reads_nodes_exactly_and_clamps_to_the_domain) {
-    const Lut3D cube = sampled_smooth(5, {{-1, 0, 0.25F}, {1, 4, 0.5F}});
+    Lut lut;
+    lut.cube = sampled_smooth(5, {{-1, 0, 0.25F}, {1, 4, 0.5F}});
+    const Lut3D& cube = *lut.cube;
+    const Transform read = GetParam().transform_of(lut);
     for (int b = 0; b < 5; ++b) {
         for (int g = 0; g < 5; ++g) {
             for (int r = 0; r < 5; ++r) {
-                const RgbD got = GetParam().cube(cube, node_position(cube, r, g, b));
+                const RgbD got = read(node_position(cube, r, g, b));
                 // Positions round to double, and the steepest cell has slope 4.
                 EXPECT_NEAR(got.r, cube.at(r, g, b).r, 1e-14);
                 EXPECT_NEAR(got.g, cube.at(r, g, b).g, 1e-14);
@@ -53,12 +56,12 @@ TEST_P(EveryMethod, reads_nodes_exactly_and_clamps_to_the_domain) {
             }
         }
     }
-    EXPECT_EQ(GetParam().cube(cube, {NAN, -INFINITY, -9}), to_double(cube.at(0, 0, 0)));
-    EXPECT_EQ(GetParam().cube(cube, {9, INFINITY, 9}), to_double(cube.at(4, 4, 4)));
+    EXPECT_EQ(read({NAN, -INFINITY, -9}), to_double(cube.at(0, 0, 0)));
+    EXPECT_EQ(read({9, INFINITY, 9}), to_double(cube.at(4, 4, 4)));
 }
 
 TEST_P(EveryMethod, keeps_a_linear_look_exact_at_any_size_and_domain) {
-    const Transform linear = each_colour([](RgbD c) {
+    const Transform linear = Transform::each([](RgbD c) {
         return RgbD{0.5 * c.r + 0.25 * c.g, c.g - c.b, 0.125 + c.b};
     });
     const Lut look = cube_look(sample_cube(linear, {{-1, -1, -1}, {3, 3, 3}}, 9));
@@ -91,7 +94,7 @@ TEST_P(EveryMethod, gives_a_look_back_when_nothing_is_asked_for) {
 }
 
 TEST(Tricubic, is_exact_for_quadratics_and_much_nearer_to_a_smooth_look) {
-    const Transform quadratic = each_colour([](RgbD c) {
+    const Transform quadratic = Transform::each([](RgbD c) {
         return RgbD{c.r * c.r - c.g, c.g * c.b, c.b * c.b + c.r};
     });
     const Lut3D cube = sample_cube(quadratic, {{-2, -2, -2}, {2, 2, 2}}, 9);
@@ -106,10 +109,9 @@ TEST(Tricubic, is_exact_for_quadratics_and_much_nearer_to_a_smooth_look) {
     const Lut coarse = cube_look(sampled_smooth(17, {}));
     const Lut fine = cube_look(sampled_smooth(65, {}));
     const auto inputs = samples_over({}, 17, 20000);
-    const Transform truth = transform_of(fine, *resampling_method_named("tricubic"));
+    const Transform truth = resampling_method_named("tricubic")->transform_of(fine);
     const auto error = [&](const char* method) {
-        return compare(transform_of(coarse, *resampling_method_named(method)), truth, inputs,
-                       srgb())
+        return compare(resampling_method_named(method)->transform_of(coarse), truth, inputs, srgb())
             .absolute.mean;
     };
     EXPECT_LT(error("tricubic"), 0.05 * error("tetrahedral"));
@@ -200,8 +202,8 @@ TEST(Blend, spans_both_domains_and_keeps_a_table_that_both_share) {
 }
 
 TEST(Compare, measures_a_known_difference_and_finds_where_it_is_worst) {
-    const Transform identity = [](std::span<RgbD>) {};
-    const Transform bump = each_colour([](RgbD c) {
+    const Transform identity;
+    const Transform bump = Transform::each([](RgbD c) {
         const bool here =
             std::abs(c.r - 0.5) < 1e-6 && std::abs(c.g) < 1e-6 && std::abs(c.b - 1) < 1e-6;
         return here ? c + RgbD{0, 0.25, 0} : c;
@@ -216,13 +218,13 @@ TEST(Compare, measures_a_known_difference_and_finds_where_it_is_worst) {
     EXPECT_GT(d.delta_e_itp.max, 5);
     EXPECT_EQ(compare(identity, identity, inputs, srgb()).psnr, INFINITY);
     // One tenth everywhere: 20 dB.
-    const Transform tenth = each_colour([](RgbD c) { return c + RgbD{.1, .1, .1}; });
+    const Transform tenth = Transform::each([](RgbD c) { return c + RgbD{.1, .1, .1}; });
     EXPECT_NEAR(compare(identity, tenth, inputs, srgb()).psnr, 20, 1e-9);
 }
 
 TEST(Compare, counts_a_broken_transform_as_infinitely_wrong) {
-    const Transform identity = [](std::span<RgbD>) {};
-    const Transform broken = each_colour([](RgbD c) { return RgbD{c.r, NAN, c.b}; });
+    const Transform identity;
+    const Transform broken = Transform::each([](RgbD c) { return RgbD{c.r, NAN, c.b}; });
     const Difference d = compare(identity, broken, samples_over({}, 2, 10), srgb());
     EXPECT_EQ(d.absolute.mean, INFINITY);
     EXPECT_EQ(d.delta_e_2000.max, INFINITY);

@@ -12,24 +12,16 @@
 namespace lutlib {
 namespace {
 
-Oracle oracle_of(RgbD (*f)(RgbD)) {
-    return [f](std::vector<Rgb>& colors) {
-        for (Rgb& c : colors) {
-            c = to_float(f(to_double(c)));
-        }
-    };
-}
-
 // Pictures with one mistake each, made here without diagnose.cpp's table.
 class Diagnosed : public testing::Test {
   protected:
     static constexpr int n = 16;
     const Engine& engine = *engine_named("unreal");
-    RgbD (*look)(RgbD) = test_looks()[3].f;
+    const Transform look = test_looks()[3].transform();
     CodePicture right = bake(look, engine, n, 8).picture;
 
     std::string words(const CodePicture& picture) const {
-        const Verification result = verify(picture, engine, n, oracle_of(look), {{0, 0, 0}});
+        const Verification result = verify(picture, engine, n, look, {{0, 0, 0}});
         EXPECT_GT(result.texels.wrong, 0U);
         return result.diagnosis ? result.diagnosis->words : "";
     }
@@ -54,7 +46,7 @@ class Diagnosed : public testing::Test {
         return {std::floor(value.r * 255 + 0.5), std::floor(value.g * 255 + 0.5),
                 std::floor(value.b * 255 + 0.5)};
     }
-    RgbD at(double r, double g, double b) const { return look({r / 15, g / 15, b / 15}); }
+    RgbD at(double r, double g, double b) const { return look(RgbD{r / 15, g / 15, b / 15}); }
 };
 
 TEST_F(Diagnosed, swapped_green_and_blue) {
@@ -119,7 +111,7 @@ TEST_F(Diagnosed, single_damaged_texels) {
 }
 
 TEST_F(Diagnosed, another_look_is_not_explained_away) {
-    const CodePicture other = bake(test_looks()[2].f, engine, n, 8).picture;
+    const CodePicture other = bake(test_looks()[2].transform(), engine, n, 8).picture;
     EXPECT_EQ(words(other), "");
 }
 
@@ -176,7 +168,7 @@ TEST_F(Diagnosed, no_compression_in_a_look_that_is_nearly_this_one) {
         return codes(
             saturate(RgbD{y + 1.05 * (v.r - y), y + 1.05 * (v.g - y), y + 1.05 * (v.b - y)}));
     });
-    const Verification result = verify(other, engine, n, oracle_of(look), {{0, 0, 0}});
+    const Verification result = verify(other, engine, n, look, {{0, 0, 0}});
     EXPECT_FALSE(result.diagnosis) << result.diagnosis->words;
     EXPECT_GT(result.nearest.explained, 0);
     EXPECT_FALSE(result.nearest.words.empty());
@@ -198,9 +190,9 @@ TEST_F(Diagnosed, a_lone_wrong_code_of_a_look_that_truncation_would_leave_alone)
                                   +[](RgbD c) {
                                       return RgbD{c.g, c.b, c.r};
                                   }}) {
-        CodePicture picture = bake(f, engine, n, 8).picture;
+        CodePicture picture = bake(Transform::each(f), engine, n, 8).picture;
         --picture.code({33, 5}, 0);
-        const Verification result = verify(picture, engine, n, oracle_of(f), {{0, 0, 0}});
+        const Verification result = verify(picture, engine, n, Transform::each(f), {{0, 0, 0}});
         ASSERT_TRUE(result.diagnosis);
         EXPECT_NE(result.diagnosis->words.find("single texels differ"), std::string::npos)
             << result.diagnosis->words;
@@ -208,28 +200,29 @@ TEST_F(Diagnosed, a_lone_wrong_code_of_a_look_that_truncation_would_leave_alone)
 }
 
 // Mistakes between any engine and any look.
-std::string words_of(const CodePicture& picture, const Engine& engine, int n, RgbD (*f)(RgbD)) {
-    const Verification result = verify(picture, engine, n, oracle_of(f), {{0, 0, 0}});
+std::string words_of(const CodePicture& picture, const Engine& engine, int n,
+                     const Transform& look) {
+    const Verification result = verify(picture, engine, n, look, {{0, 0, 0}});
     EXPECT_GT(result.texels.wrong, 0U);
     return result.diagnosis ? result.diagnosis->words : "";
 }
 
 TEST(Diagnose, names_the_identity_rather_than_a_way_to_round_a_look_near_it) {
     const Engine& engine = *engine_named("piccolo");
-    const auto near = [](RgbD c) { return RgbD{0.998 * c.r, c.g, c.b}; };
-    const CodePicture identity = bake([](RgbD c) { return c; }, engine, 16, 8).picture;
+    const auto near = Transform::each([](RgbD c) { return RgbD{0.998 * c.r, c.g, c.b}; });
+    const CodePicture identity = bake({}, engine, 16, 8).picture;
     EXPECT_NE(words_of(identity, engine, 16, near).find("is the identity"), std::string::npos);
 }
 
 TEST(Diagnose, says_nothing_of_bytes_in_a_black_picture_of_16_bits) {
     const Engine& engine = *engine_named("hald");
-    CodePicture black = bake([](RgbD) { return RgbD{}; }, engine, 16, 16).picture;
-    EXPECT_EQ(words_of(black, engine, 16, test_looks()[2].f), "");
+    CodePicture black = bake(Transform::each([](RgbD) { return RgbD{}; }), engine, 16, 16).picture;
+    EXPECT_EQ(words_of(black, engine, 16, test_looks()[2].transform()), "");
 }
 
 TEST(Diagnose, knows_codes_of_8_bits_in_16) {
     const Engine& engine = *engine_named("hald");
-    const auto look = test_looks()[2].f;
+    const Transform look = test_looks()[2].transform();
     const CodePicture narrow = bake(look, engine, 16, 8).picture;
     for (const int times : {257, 256}) {
         CodePicture wide = narrow;
@@ -253,7 +246,7 @@ TEST(Diagnose, names_the_engine_whose_picture_has_the_same_dimensions) {
                                           {"godot", "obs", 64, "a picture for Godot"},
                                           {"ocio", "unity", 16, "a picture for OpenColorIO"},
                                           {"unity", "ocio", 16, "a picture for Unity"}}};
-    const auto look = test_looks()[2].f;
+    const Transform look = test_looks()[2].transform();
     for (const Mixup& m : table) {
         const CodePicture picture = bake(look, *engine_named(m.made_for), m.size, 8).picture;
         const std::string found = words_of(picture, *engine_named(m.taken_for), m.size, look);
@@ -263,7 +256,7 @@ TEST(Diagnose, names_the_engine_whose_picture_has_the_same_dimensions) {
 
 TEST(Diagnose, knows_texel_centres_from_the_end_nodes_that_godot_reads) {
     const Engine& engine = *engine_named("godot");
-    const auto look = test_looks()[3].f;
+    const Transform look = test_looks()[3].transform();
     Engine centred = engine;
     centred.node_input = [](int i, int n) { return (i + 0.5) / n; };
     const CodePicture picture = bake(look, centred, 16, 8).picture;

@@ -2,12 +2,12 @@
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/metrics/compare.h"
-#include "lutlib/recipe/edit.h"
-#include "preview/look/recipe_table.h"
-#include "preview/scene/light_controls.h"
+#include "lutlib/transform.h"
 #include "preview/editor/commands.h"
 #include "preview/editor/knots.h"
 #include "preview/editor/look_baker.h"
+#include "preview/look/recipe_table.h"
+#include "preview/scene/light_controls.h"
 
 #include <gtest/gtest.h>
 
@@ -313,7 +313,7 @@ TEST(RecipeTable, is_measured_as_the_recipe_and_the_table_differ) {
     add_operation(recipe, *lutlib::op_named("exposure"));
     recipe.operations[0].values[0] = 1.0;
     const RecipeTable table = *measured_table(recipe);
-    const lutlib::Edit exact(recipe);
+    const lutlib::Transform exact = lutlib::Transform::of(recipe);
     double largest = 0;
     for (int i = 0; i <= 4000; ++i) {
         const double v = i / 4000.0;
@@ -361,8 +361,8 @@ TEST(Commands, make_an_exported_lut_the_base_of_a_new_recipe) {
     ASSERT_NE(opened.recipe.base_lut, nullptr);
     EXPECT_TRUE(opened.recipe.operations.empty());
     const lutlib::RgbD in{0.25, 0.5, 0.75};
-    const lutlib::RgbD want = lutlib::Edit(state.recipe)(in);
-    const lutlib::RgbD got = lutlib::Edit(opened.recipe)(in);
+    const lutlib::RgbD want = lutlib::Transform::of(state.recipe)(in);
+    const lutlib::RgbD got = lutlib::Transform::of(opened.recipe)(in);
     // Between the 33 nodes of the file.
     for (std::size_t c = 0; c < 3; ++c)
         EXPECT_NEAR(got[c], want[c], 2e-3);

@@ -137,7 +137,8 @@ class EveryLookup : public FinishTest, public testing::WithParamInterface<const 
 
     void compare_picture(const lutlib::Engine& engine, int size, int bits) {
         const Lookup& row = *GetParam();
-        const lutlib::CodePicture codes = lutlib::bake(strong_look, engine, size, bits).picture;
+        const lutlib::CodePicture codes =
+            lutlib::bake(lutlib::Transform::each(strong_look), engine, size, bits).picture;
         const lutlib::Picture decoded = lutlib::decoded(codes);
         const lutlib::Lut3D cube =
             lutlib::from_picture(decoded, *lutlib::layout_named(row.layout), size);
@@ -193,7 +194,8 @@ using SharedLookupTest = FinishTest;
 // finish_shared.comp cuts a picture into runs of tiles; finish.comp does not.
 TEST_F(SharedLookupTest, every_texel_of_any_size_is_finished_as_by_the_plain_pass) {
     const lutlib::CodePicture codes =
-        lutlib::bake(strong_look, *lutlib::engine_named("piccolo"), 16, 8).picture;
+        lutlib::bake(lutlib::Transform::each(strong_look), *lutlib::engine_named("piccolo"), 16, 8)
+            .picture;
     const GpuLook plain(device(), look_data(codes, 16, *lookup_named("strip")));
     const GpuLook fast(device(), look_data(codes, 16, *lookup_named("shared-trilinear")));
     for (const auto& [width, height] : {std::pair{1, 1}, {63, 31}, {65, 33}, {135, 67}}) {
@@ -225,11 +227,10 @@ TEST_F(SharedLookupTest, every_texel_of_any_size_is_finished_as_by_the_plain_pas
 
 TEST_F(SharedLookupTest, of_two_looks_the_one_beyond_shared_memory_is_read_alike) {
     const auto codes_of_look = [](double power) {
-        return lutlib::bake(
-                   [=](RgbD c) {
-                       return strong_look({std::pow(c.r, power), c.g, c.b});
-                   },
-                   *lutlib::engine_named("piccolo"), 16, 8)
+        return lutlib::bake(lutlib::Transform::each([=](RgbD c) {
+                                return strong_look({std::pow(c.r, power), c.g, c.b});
+                            }),
+                            *lutlib::engine_named("piccolo"), 16, 8)
             .picture;
     };
     const std::vector<Rgb> inputs = test_colors(16);

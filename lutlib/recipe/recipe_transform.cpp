@@ -1,0 +1,108 @@
+
+#include "lutlib/color/oklab.h"
+#include "lutlib/color/powers.h"
+#include "lutlib/error.h"
+#include "lutlib/interpolation/interpolation.h"
+#include "lutlib/recipe/recipe.h"
+#include "lutlib/transform.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace lutlib {
+namespace {
+
+// NaN fails the first comparison and becomes 0.
+double held(double x) {
+    constexpr double limit = std::numeric_limits<float>::max();
+    return x >= -limit ? std::min(x, limit) : x < 0 ? -limit : 0;
+}
+
+void hold(std::span<RgbD> colours) {
+    for (RgbD& c : colours) {
+        c = {held(c.r), held(c.g), held(c.b)};
+    }
+}
+
+Transform through(const Matrix3& m) {
+    return Transform::each([m](RgbD c) { return m * c; });
+}
+
+Transform oklab_from_linear(const Matrix3& cones) {
+    return Transform::batch([cones](std::span<RgbD> colours) {
+        for (RgbD& c : colours) {
+            c = cones * c;
+        }
+        cube_root_all({&colours.front().r, 3 * colours.size()});
+        for (RgbD& c : colours) {
+            c = oklab_lms_to_lab * c;
+        }
+    });
+}
+
+Transform linear_from_oklab(const Matrix3& cones) {
+    return Transform::each([m = inverse(cones)](RgbD c) { return m * lms_from_oklab(c); });
+}
+
+void append_conversion(std::vector<Transform>& stages, const Encoding& input, Space from,
+                       Space to) {
+    if (from == to) {
+        return;
+    }
+    const Matrix3 cones = oklab_cones(input.primaries);
+    if (from == Space::codes) {
+        stages.push_back(Transform::batch(input.decode_all));
+    } else if (from == Space::oklab) {
+        stages.push_back(linear_from_oklab(cones));
+    }
+    if (to == Space::oklab) {
+        stages.push_back(oklab_from_linear(cones));
+    } else if (to == Space::codes) {
+        stages.push_back(Transform::batch(input.encode_all));
+    }
+}
+
+// The operators and the output's encoding.
+std::vector<Transform> stages_of(const Recipe& recipe) {
+    const OpContext context{recipe.input->primaries};
+    std::vector<Transform> stages;
+    Space now = Space::codes;
+    for (const Operation& operation : recipe.operations) {
+        if (operation.enabled && !is_identity(operation)) {
+            append_conversion(stages, *recipe.input, now, operation.op->space);
+            now = operation.op->space;
+            stages.push_back(operation.op->compile(operation.values, context));
+        }
+    }
+    const Encoding& output = recipe.output_encoding();
+    if (&output == recipe.input) {
+        append_conversion(stages, *recipe.input, now, Space::codes);
+    } else {
+        append_conversion(stages, *recipe.input, now, Space::linear);
+        stages.push_back(through(rgb_to_rgb(recipe.input->primaries, output.primaries)));
+        stages.push_back(Transform::batch(output.encode_all));
+    }
+    return stages;
+}
+
+} // namespace
+
+Transform Transform::of(const Recipe& recipe) {
+    if (!recipe.base.empty() && !recipe.base_lut) {
+        throw Error("the recipe's base '" + recipe.base + "' has not been read");
+    }
+    return batch([base = recipe.base_lut, stages = stages_of(recipe)](std::span<RgbD> colours) {
+        if (base) {
+            for (RgbD& c : colours) {
+                c = evaluate_exact(*base, c);
+            }
+        }
+        hold(colours);
+        for (const Transform& stage : stages) {
+            stage(colours);
+            hold(colours);
+        }
+    });
+}
+
+} // namespace lutlib

@@ -1,0 +1,56 @@
+#include "lutlib/transform.h"
+
+#include "lutlib/interpolation/interpolation.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace lutlib {
+namespace {
+
+// Colours that stages pass to each other through the first-level cache.
+constexpr std::size_t block = 512;
+
+} // namespace
+
+Transform Transform::of(std::shared_ptr<const Lut> lut, Interpolation how) {
+    return each([lut = std::move(lut), how](RgbD c) { return evaluate_exact(*lut, c, how); });
+}
+
+Transform Transform::of(const Lut& lut, Interpolation how) {
+    return of(std::shared_ptr<const Lut>(std::shared_ptr<const Lut>(), &lut), how);
+}
+
+Transform in_sequence(std::vector<Transform> steps) {
+    const bool coarse = std::any_of(steps.begin(), steps.end(), [](const Transform& step) {
+        return step.precision() == Precision::float32;
+    });
+    return Transform::batch(
+        [steps = std::move(steps)](std::span<RgbD> colours) {
+            for (const Transform& step : steps) {
+                step(colours);
+            }
+        },
+        coarse ? Precision::float32 : Precision::float64);
+}
+
+void apply_in_parallel(const Transform& transform, std::span<RgbD> colours) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, colours.size(), 4 * block),
+                      [&](const auto& range) {
+                          for (std::size_t at = range.begin(); at < range.end(); at += block) {
+                              const std::size_t count = std::min(block, range.end() - at);
+                              transform(colours.subspan(at, count));
+                          }
+                      });
+}
+
+std::vector<RgbD> images_of(const Transform& transform, std::span<const Rgb> inputs) {
+    std::vector<RgbD> out(inputs.size());
+    std::transform(inputs.begin(), inputs.end(), out.begin(), to_double);
+    apply_in_parallel(transform, out);
+    return out;
+}
+
+} // namespace lutlib

@@ -13,6 +13,7 @@
 
 namespace lutlib {
 
+struct Engine;
 struct Layout;
 
 /// One thing that a conversion could not keep, with its figure: {"domain 0..4 cut to 0..1", 3,
@@ -32,8 +33,9 @@ struct Holds {
     bool cube_domain = false;        ///< an input interval of the cube other than 0..1
     bool per_channel_domain = false; ///< the interval may differ between channels
     bool title = false;
-    bool keywords = false; ///< Lut::keywords
-    int integer_bits = 0;  ///< codes of so many bits over 0..1, values outside clamped; 0: float
+    bool keywords = false;      ///< Lut::keywords
+    bool interpolation = false; ///< Lut::interpolation, trilinear or tetrahedral
+    int integer_bits = 0;       ///< codes of so many bits over 0..1, values outside clamped; 0: float
     int decimals = 0;      ///< decimals of a text format that rounds; 0: every bit kept
 };
 
@@ -51,10 +53,19 @@ struct WriteOptions {
     int bits = 16;     ///< of pictures: 8 or 16
 };
 
-/// A look with what the reading could not keep.
+/// A look as a table, with what that lacks of the file.
 struct Reading {
     Lut lut;
-    std::vector<Loss> losses;
+    std::vector<Loss> losses;       ///< what of the file was not read
+    std::vector<Loss> table_losses; ///< what of the rest no table holds; none: the table is exact
+    const Layout* layout = nullptr; ///< of a picture
+    const Engine* engine = nullptr; ///< that a picture's text names
+
+    std::vector<Loss> all_losses() const {
+        std::vector<Loss> out = losses;
+        out.insert(out.end(), table_losses.begin(), table_losses.end());
+        return out;
+    }
 };
 
 /// File name extensions, lower case and without the dot; the first is what new files are given.

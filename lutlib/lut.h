@@ -45,11 +45,16 @@ struct Lut3D {
     friend bool operator==(const Lut3D&, const Lut3D&) = default;
 };
 
+/// How a cube is read between its nodes.
+enum class Interpolation { nearest, trilinear, tetrahedral };
+
 /// A look: first the shaper, then the cube. At least one of the two is present in anything read
 /// from a file; with neither, the look is the identity.
 struct Lut {
     std::optional<Lut1D> shaper;
     std::optional<Lut3D> cube;
+    /// What the file asks the cube to be read by. Unset, as in most formats: tetrahedral.
+    std::optional<Interpolation> interpolation;
     std::string title;
     /// Comment lines of the file, without their marker, in order.
     std::vector<std::string> comments;

@@ -15,11 +15,13 @@ constexpr std::size_t block = 512;
 
 } // namespace
 
-Transform Transform::of(std::shared_ptr<const Lut> lut, Interpolation how) {
-    return each([lut = std::move(lut), how](RgbD c) { return evaluate_exact(*lut, c, how); });
+Transform Transform::of(std::shared_ptr<const Lut> lut, std::optional<Interpolation> how) {
+    return each([lut = std::move(lut), by = how.value_or(usual_interpolation(*lut))](RgbD c) {
+        return evaluate_exact(*lut, c, by);
+    });
 }
 
-Transform Transform::of(const Lut& lut, Interpolation how) {
+Transform Transform::of(const Lut& lut, std::optional<Interpolation> how) {
     return of(std::shared_ptr<const Lut>(std::shared_ptr<const Lut>(), &lut), how);
 }
 

@@ -5,6 +5,7 @@
 #include "lutlib/rgb.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -43,11 +44,12 @@ class Transform {
         return Transform(std::make_shared<const WorkOf<F>>(std::move(f)), precision);
     }
 
-    /// A look through the double oracle, its cube interpolated as `how` says.
-    static Transform of(std::shared_ptr<const Lut> lut, Interpolation how);
+    /// A look through the double oracle, its cube interpolated as `how` says, else as the look
+    /// asks for.
+    static Transform of(std::shared_ptr<const Lut> lut, std::optional<Interpolation> how = {});
     /// The same of a look that outlives the transform.
-    static Transform of(const Lut& lut, Interpolation how);
-    static Transform of(const Lut&& lut, Interpolation how) = delete;
+    static Transform of(const Lut& lut, std::optional<Interpolation> how = {});
+    static Transform of(const Lut&& lut, std::optional<Interpolation> how = {}) = delete;
 
     /// A recipe's base and operators, compiled. Colours are converted between code values, linear
     /// light and Oklab only where neighbouring operators differ, so code values are decoded at most

@@ -91,7 +91,7 @@ int recognise_resolve(std::string_view bytes) {
 
 Reading read(const FileFormat& /*format*/, std::string_view bytes, const std::string& file,
              const ReadOptions& /*options*/) {
-    return {read_cube(bytes, file), {}};
+    return {.lut = read_cube(bytes, file)};
 }
 
 } // namespace

@@ -241,4 +241,16 @@ RgbD evaluate_exact(const Lut& lut, RgbD in, Interpolation how) {
     return lut.cube ? evaluate_exact(*lut.cube, shaped, how) : shaped;
 }
 
+Interpolation usual_interpolation(const Lut& lut) {
+    return lut.interpolation.value_or(Interpolation::tetrahedral);
+}
+
+Rgb evaluate(const Lut& lut, Rgb in) {
+    return evaluate(lut, in, usual_interpolation(lut));
+}
+
+RgbD evaluate_exact(const Lut& lut, RgbD in) {
+    return evaluate_exact(lut, in, usual_interpolation(lut));
+}
+
 } // namespace lutlib

@@ -13,8 +13,6 @@
 
 namespace lutlib {
 
-enum class Interpolation { nearest, trilinear, tetrahedral };
-
 struct InterpolationInfo {
     Interpolation kind;
     std::string_view name;
@@ -25,6 +23,9 @@ struct InterpolationInfo {
 std::span<const InterpolationInfo> interpolations();
 std::optional<Interpolation> interpolation_named(std::string_view name);
 std::string_view name_of(Interpolation kind);
+
+/// What a look's cube is read by where nobody says: what the look asks for, else tetrahedral.
+Interpolation usual_interpolation(const Lut& lut);
 
 /// The tetrahedra of a cell: the orders in which a path from its dark corner to its bright one
 /// walks along the axes.
@@ -46,7 +47,9 @@ constexpr const Walk& axes_by_fraction(const std::array<T, 3>& fraction) {
 /// A curve is always interpolated linearly; `Interpolation` chooses how the cube is.
 Rgb evaluate(const Lut1D& curve, Rgb in);
 Rgb evaluate(const Lut3D& cube, Rgb in, Interpolation how);
-Rgb evaluate(const Lut& lut, Rgb in, Interpolation how = Interpolation::tetrahedral);
+/// By usual_interpolation().
+Rgb evaluate(const Lut& lut, Rgb in);
+Rgb evaluate(const Lut& lut, Rgb in, Interpolation how);
 
 /// What an interpolation makes of a lattice, as the nodes that it reads and their shares: a colour
 /// is the sum of weight * node. Indices rise; nodes of weight 0 are left out.
@@ -62,6 +65,7 @@ NodeWeights node_weights(Interpolation how, int size, RgbD place);
 /// eight corners, tetrahedral by sorting the fractions (Kanamori, "Color interpolation", 1993).
 RgbD evaluate_exact(const Lut1D& curve, RgbD in);
 RgbD evaluate_exact(const Lut3D& cube, RgbD in, Interpolation how);
-RgbD evaluate_exact(const Lut& lut, RgbD in, Interpolation how = Interpolation::tetrahedral);
+RgbD evaluate_exact(const Lut& lut, RgbD in);
+RgbD evaluate_exact(const Lut& lut, RgbD in, Interpolation how);
 
 } // namespace lutlib

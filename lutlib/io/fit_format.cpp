@@ -173,6 +173,23 @@ void report_keywords(const Lut& lut, const Holds& holds, std::vector<Loss>& loss
                       static_cast<double>(lut.keywords.size()), "lines"});
 }
 
+// Formats that name one know trilinear and tetrahedral.
+void report_interpolation(const Holds& holds, FitToFormat& fit) {
+    const std::optional<Interpolation> asked = fit.lut.interpolation;
+    if (!asked || (fit.lut.cube && holds.interpolation && *asked != Interpolation::nearest)) {
+        return;
+    }
+    const Lut before = fit.lut;
+    fit.lut.interpolation.reset();
+    const double error = fit.lut.cube ? largest_error(before, fit.lut, before.domain()) : 0;
+    if (error > rounding_noise) {
+        fit.losses.push_back({std::string(name_of(*asked)) +
+                                  " interpolation, which the look asks for, not kept; largest "
+                                  "error of tetrahedral",
+                              error, ""});
+    }
+}
+
 struct Plan {
     bool curve = false, cube = false;
 };
@@ -217,6 +234,7 @@ void resample(const Lut& lut, const Plan& plan, const Holds& holds, int cube_siz
         if (cube_size != 0 && cube_size != out.cube->size) {
             Lut cube_only;
             cube_only.cube = out.cube;
+            cube_only.interpolation = out.interpolation;
             out.cube = sampled_cube(cube_only, out.cube->domain, cube_size).cube;
         }
     } else if (plan.curve) {
@@ -274,6 +292,7 @@ FitToFormat fit_to(const Lut& lut, const Holds& holds, int cube_size) {
         }
     }
     resample(lut, plan, holds, cube_size, fit);
+    report_interpolation(holds, fit);
     report_precision(fit.lut, holds, fit.losses);
     report_keywords(fit.lut, holds, fit.losses);
     return fit;

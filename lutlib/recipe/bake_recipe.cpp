@@ -59,6 +59,7 @@ Lut bake_recipe(const Recipe& recipe) {
         if (base.shaper) {
             Lut cube_only;
             cube_only.cube = base.cube;
+            cube_only.interpolation = base.interpolation;
             behind_table.base_lut = std::make_shared<const Lut>(std::move(cube_only));
         }
         out = sample_like(

@@ -54,6 +54,7 @@ Lut compose(const std::vector<const Lut*>& looks, const Sampling& sampling,
     // What follows the first look's 1D table: its cube, then the other looks.
     Lut first_cube;
     first_cube.cube = looks.front()->cube;
+    first_cube.interpolation = looks.front()->interpolation;
     std::vector<const Lut*> after = looks;
     after.front() = &first_cube;
     return sample_like(*looks.front(), chosen, composition(looks, method),
@@ -116,6 +117,8 @@ Lut blend(const Lut& a, const Lut& b, double amount, const Sampling& sampling,
     Lut cube_a, cube_b;
     cube_a.cube = a.cube;
     cube_b.cube = b.cube;
+    cube_a.interpolation = a.interpolation;
+    cube_b.interpolation = b.interpolation;
     return sample_like(like, chosen, mixture(a, b, amount, method),
                        mixture(cube_a, cube_b, amount, method));
 }

@@ -55,6 +55,12 @@ const ResamplingMethod* resampling_method_named(std::string_view name) {
     return row == table.end() ? nullptr : &*row;
 }
 
+const ResamplingMethod& usual_resampling() {
+    static constexpr ResamplingMethod usual{"", "as the look asks for",
+                                            [](const Lut& lut) { return Transform::of(lut); }};
+    return usual;
+}
+
 Lut sample_like(const Lut& like, const Sampling& sampling, const Transform& whole,
                 const Transform& after_table) {
     const int size = sampling.size.value_or(like.cube ? like.cube->size : usual_cube_size);
@@ -87,6 +93,7 @@ Lut sample_like(const Lut& like, const Sampling& sampling, const Transform& whol
 Lut resample(const Lut& lut, const Sampling& sampling, const ResamplingMethod& method) {
     Lut cube_only;
     cube_only.cube = lut.cube;
+    cube_only.interpolation = lut.interpolation;
     return sample_like(lut, sampling, method.transform_of(lut), method.transform_of(cube_only));
 }
 

@@ -23,6 +23,8 @@ struct ResamplingMethod {
 /// trilinear, tetrahedral, tricubic.
 std::span<const ResamplingMethod> resampling_methods();
 const ResamplingMethod* resampling_method_named(std::string_view name);
+/// No row of the table: each look as it asks to be read.
+const ResamplingMethod& usual_resampling();
 
 /// Nodes a side where nothing says how many.
 inline constexpr int usual_cube_size = 33;

@@ -15,7 +15,8 @@ constexpr Holds operators_and_tables{.curve = true,
                                      .curve_domain = true,
                                      .cube_domain = true,
                                      .per_channel_domain = true,
-                                     .title = true};
+                                     .title = true,
+                                     .interpolation = true};
 constexpr Holds unit_cube_of_12_bits{.cube = true, .integer_bits = 12};
 constexpr Holds unit_cube_of_6_decimals{.cube = true, .decimals = 6};
 

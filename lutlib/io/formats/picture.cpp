@@ -66,6 +66,8 @@ Reading reading_of(const LutPicture& source, const Layout& layout, int size, int
     Reading out;
     out.lut.title = source.title;
     out.lut.cube = from_picture(source.picture, layout, size, row);
+    out.layout = &layout;
+    out.engine = source.engine;
     if (source.engine && source.engine->layout == layout.name) {
         out.lut.shaper = shaper_of(*source.engine, size);
     }

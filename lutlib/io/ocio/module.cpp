@@ -63,8 +63,7 @@ class Library final : public Ocio {
             try {
                 return guarded(file, [&] {
                     return look_of_processor(
-                        processor_of_file(bytes, extension, file, Interpolation::tetrahedral),
-                        options);
+                        processor_of_file(bytes, extension, file, std::nullopt), options);
                 });
             } catch (const Error& e) {
                 throw e.where().file.empty() ? e.in_file(file) : e;

@@ -19,10 +19,40 @@ constexpr float largest_sample = 65504;
 // Differences that are rounding of float arithmetic and no loss of the reading, for looks of 0..1.
 constexpr double rounding_noise = 5e-7;
 
+// What a file asks a cube to be read by.
+std::optional<Interpolation> interpolation_of(const OCIO::ConstTransformRcPtr& op) {
+    const auto cube = std::dynamic_pointer_cast<const OCIO::Lut3DTransform>(op);
+    switch (cube ? cube->getInterpolation() : OCIO::INTERP_DEFAULT) {
+    case OCIO::INTERP_TETRAHEDRAL:
+    case OCIO::INTERP_BEST:
+        return Interpolation::tetrahedral;
+    case OCIO::INTERP_LINEAR:
+    case OCIO::INTERP_NEAREST: // OpenColorIO 2 takes the name and interpolates linearly
+        return Interpolation::trilinear;
+    default:
+        return std::nullopt;
+    }
+}
+
+// Cubes that ask for nothing are read tetrahedrally.
+Chain with_interpolations(Chain chain) {
+    for (OCIO::ConstTransformRcPtr& op : chain) {
+        const bool is_cube = std::dynamic_pointer_cast<const OCIO::Lut3DTransform>(op) != nullptr;
+        if (is_cube && !interpolation_of(op)) {
+            const auto copy =
+                std::dynamic_pointer_cast<OCIO::Lut3DTransform>(op->createEditableCopy());
+            copy->setInterpolation(OCIO::INTERP_TETRAHEDRAL);
+            op = copy;
+        }
+    }
+    return chain;
+}
+
 // The longest front of the chain that is a shaper and a cube, with the affine maps behind them.
 struct Front {
     Lut lut;
     std::size_t shaper_end = 0; ///< operators that the shaper stands for
+    std::size_t cube_at = 0;    ///< the operator that the cube is
     bool whole = false;         ///< the look stands for the whole chain
 };
 
@@ -70,6 +100,7 @@ Front front_of(const Chain& chain) {
         if (cube) {
             cube->domain = *domain;
             front.lut.cube = std::move(cube);
+            front.cube_at = i;
             front.whole = fold_affine(chain, i + 1, front.lut) == chain.size();
         }
         return front;
@@ -215,29 +246,33 @@ std::vector<Rgb> colors_between(const Domain& d, float low, float high, int coun
 } // namespace
 
 Reading look_of_processor(const OCIO::ConstProcessorRcPtr& processor, const ReadOptions& options) {
-    const Chain chain = chain_of(processor);
+    const Chain asked = chain_of(processor);
+    const Chain chain = with_interpolations(asked);
     Front front = front_of(chain);
     Reading out;
-    const auto exact = cpu_processor(processor, Optimization::lossless);
-    std::string what = "the file's own interpolation is not kept, largest error";
+    const auto exact = cpu_processor(processor_of_chain(chain, 0), Optimization::lossless);
+    std::string what = "not kept by the table, largest error";
+    if (front.whole && front.lut.cube) {
+        front.lut.interpolation = interpolation_of(asked[front.cube_at]);
+    }
     if (!front.whole) {
-        const std::string form = sample_rest(chain, options, front, out.losses);
+        const std::string form = sample_rest(chain, options, front, out.table_losses);
         what = "sampled onto " + form + " over the input " + text_of(front.lut.domain()) +
                ", largest error";
     }
     const Domain& domain = front.lut.domain();
     const double inside = largest_error(front.lut, exact, colors_between(domain, 0, 1, 40000));
     if (inside > rounding_noise) {
-        out.losses.push_back({what, inside, ""});
+        out.table_losses.push_back({what, inside, ""});
     }
     // A table ends where its domain does, other operators go on.
     const double outside =
         std::max(largest_error(front.lut, exact, colors_between(domain, 1, 2, 1000)),
                  largest_error(front.lut, exact, colors_between(domain, -1, 0, 1000)));
     if (outside > 1e-5) {
-        out.losses.push_back({"inputs outside " + text_of(domain) +
-                                  " are clamped, largest error up to one width beyond",
-                              outside, ""});
+        out.table_losses.push_back({"inputs outside " + text_of(domain) +
+                                        " are clamped, largest error up to one width beyond",
+                                    outside, ""});
     }
     out.lut = std::move(front.lut);
     validate(out.lut);

@@ -63,14 +63,16 @@ OCIO::ConstProcessorRcPtr processor_of_transform(const OCIO::ConstTransformRcPtr
 }
 
 OCIO::ConstProcessorRcPtr processor_of_file(std::string_view bytes, const std::string& extension,
-                                            const std::string& file, Interpolation interpolation) {
+                                            const std::string& file,
+                                            std::optional<Interpolation> interpolation) {
     // OpenColorIO reads only by path, expands "$" and "%" in it as variables and remembers what it
     // read under it. A file of our own in a folder of our own has none of these troubles.
     const TemporaryFile copy(bytes, extension);
     const OCIO::FileTransformRcPtr transform = OCIO::FileTransform::Create();
     transform->setSrc(copy.path().c_str());
     transform->setCCCId("0"); // collections hold several corrections; other formats ignore it
-    transform->setInterpolation(ocio_interpolation(interpolation));
+    transform->setInterpolation(interpolation ? ocio_interpolation(*interpolation)
+                                              : OCIO::INTERP_DEFAULT);
     try {
         OCIO::ConstProcessorRcPtr processor = processor_of_transform(transform);
         OCIO::ClearAllCaches();

@@ -7,6 +7,7 @@
 
 #include <OpenColorIO/OpenColorIO.h>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,9 +26,11 @@ auto guarded(const std::string& file, Action&& action) {
     }
 }
 
-/// A file's bytes as a processor of everything in it, not yet optimised. Throws Error.
+/// A file's bytes as a processor of everything in it, not yet optimised. `interpolation` is of
+/// cubes for which the file names none; unset: they say that none is named. Throws Error.
 OCIO::ConstProcessorRcPtr processor_of_file(std::string_view bytes, const std::string& extension,
-                                            const std::string& file, Interpolation interpolation);
+                                            const std::string& file,
+                                            std::optional<Interpolation> interpolation);
 
 /// Matrix, curve, matrix, cube, as far as the look needs them.
 OCIO::GroupTransformRcPtr group_of_lut(const Lut& lut, Interpolation interpolation);

@@ -46,7 +46,7 @@ void bake(const Lut& lut, const OCIO::GroupTransformRcPtr& group, const std::str
 std::string write_with_ocio(const Lut& lut, const std::string& ocio_name,
                             const WriteOptions& options) {
     const std::string& title = options.title.empty() ? lut.title : options.title;
-    const OCIO::GroupTransformRcPtr group = group_of_lut(lut, Interpolation::tetrahedral);
+    const OCIO::GroupTransformRcPtr group = group_of_lut(lut, usual_interpolation(lut));
     std::ostringstream out;
     guarded({}, [&] {
         if (writes_operators(ocio_name)) {

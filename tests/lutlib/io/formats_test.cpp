@@ -249,6 +249,28 @@ TEST(FitTo, tells_keywords_that_the_format_drops) {
     EXPECT_TRUE(fit_to(lut, Holds{.cube = true, .keywords = true}).losses.empty());
 }
 
+TEST(FitTo, tells_an_interpolation_that_the_format_drops_and_keeps_it_where_it_can) {
+    Lut lut = looks_of_every_shape(5)[0].lut;
+    for (const Interpolation how : {Interpolation::nearest, Interpolation::trilinear}) {
+        lut.interpolation = how;
+        const FitToFormat fit = fit_to(lut, Holds{.cube = true});
+        ASSERT_EQ(fit.losses.size(), 1U);
+        EXPECT_EQ(fit.losses[0].what.rfind(name_of(how), 0), 0U) << fit.losses[0].what;
+        double most = 0;
+        for (const Rgb& in : colors_in({})) {
+            most = std::max(most, largest_magnitude(to_double(evaluate(fit.lut, in)) -
+                                                    to_double(evaluate(lut, in))));
+        }
+        EXPECT_GT(most, 0);
+        EXPECT_LE(most, 1.3 * fit.losses[0].figure);
+    }
+    const FitToFormat kept = fit_to(lut, Holds{.cube = true, .interpolation = true});
+    EXPECT_TRUE(kept.losses.empty());
+    EXPECT_EQ(kept.lut.interpolation, Interpolation::trilinear);
+    lut.interpolation = Interpolation::tetrahedral;
+    EXPECT_TRUE(fit_to(lut, Holds{.cube = true}).losses.empty());
+}
+
 TEST(FitTo, leaves_a_look_alone_that_the_format_can_hold) {
     for (const auto& [name, lut] : looks_of_every_shape()) {
         for (const FileFormat* const format : file_formats()) {
@@ -266,7 +288,7 @@ TEST(WriteLut, chooses_the_cube_dialect_that_keeps_the_look) {
     for (const auto& [name, lut] : looks_of_every_shape()) {
         const std::string path = folder.file(name + ".cube");
         const Encoded file = write_lut(path, lut);
-        EXPECT_TRUE(file.losses.empty()) << name;
+        EXPECT_EQ(file.losses.empty(), !lut.interpolation) << name;
         const Lut back = read_lut(path).lut;
         EXPECT_EQ(back.shaper, lut.shaper) << name;
         EXPECT_EQ(back.cube, lut.cube) << name;
@@ -279,6 +301,19 @@ TEST(WriteLut, refuses_unknown_names_and_extensions_as_usage_errors) {
     EXPECT_THROW(write_lut("/nowhere/x.unknown", lut), UsageError);
     EXPECT_THROW(write_lut("/nowhere/x.cube", lut, {}, "unknown"), UsageError);
     EXPECT_THROW(write_lut("/nowhere/x.cc", lut), UsageError);
+}
+
+TEST(WriteLut, keeps_the_interpolation_in_formats_that_name_one) {
+    const Lut lut = looks_of_every_shape(5)[0].lut;
+    for (const char* name : {"clf", "ctf"}) {
+        for (const Interpolation how : {Interpolation::trilinear, Interpolation::tetrahedral}) {
+            Lut asking = lut;
+            asking.interpolation = how;
+            const FileFormat& format = require_file_format(name);
+            const std::string bytes = encode_lut(asking, format).bytes;
+            EXPECT_EQ(decode_lut(bytes, std::string("x.") + name).lut.interpolation, how) << name;
+        }
+    }
 }
 
 TEST(Autodesk3dl, a_look_that_no_reader_takes_back_is_refused) {

@@ -57,6 +57,8 @@ inline std::vector<NamedLut> looks_of_every_shape(int size = 17) {
         lut.cube = std::move(cube);
         return lut;
     };
+    Lut trilinear = look({}, graded_cube(size, {}));
+    trilinear.interpolation = Interpolation::trilinear;
     return {
         {"cube", look({}, graded_cube(size, {}))},
         {"cube_hdr", look({}, graded_cube(size, hdr))},
@@ -66,6 +68,7 @@ inline std::vector<NamedLut> looks_of_every_shape(int size = 17) {
         {"curve_hdr", look(log_curve(256, hdr), {})},
         {"curve_uneven", look(log_curve(64, uneven), {})},
         {"shaper_and_cube", look(log_curve(1024, hdr), graded_cube(size, {}))},
+        {"cube_trilinear", trilinear},
         {"shaper_and_cube_hdr", look(log_curve(64, {}), graded_cube(size, {{0, 0, 0}, {2, 2, 2}}))},
     };
 }

@@ -1,15 +1,13 @@
 #include "converter/recipe_options.h"
 
-#include "converter/options.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
-#include "lutlib/io/recipe_file.h"
+#include "lutlib/named.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <map>
-#include <memory>
 
 namespace converter {
 namespace {
@@ -141,17 +139,16 @@ void MethodOption::declare(CLI::App& app) {
     for (const lutlib::ResamplingMethod& row : lutlib::resampling_methods()) {
         names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", row.name, row.help);
     }
-    app.add_option("--interpolation", name_, "how looks are read between their nodes: " + names)
-        ->capture_default_str();
+    app.add_option("--interpolation", name_,
+                   "how looks are read between their nodes: " + names +
+                       " (default: as each asks for, else tetrahedral)");
 }
 
 const lutlib::ResamplingMethod& MethodOption::get() const {
-    const lutlib::ResamplingMethod* const found = lutlib::resampling_method_named(name_);
-    if (!found) {
-        throw lutlib::UsageError("there is no interpolation '" + name_ +
-                                 "'; there are trilinear, tetrahedral, tricubic");
+    if (name_.empty()) {
+        return lutlib::usual_resampling();
     }
-    return *found;
+    return lutlib::require_named(lutlib::resampling_methods(), "interpolation", name_);
 }
 
 void NewLutOptions::declare(CLI::App& app) {
@@ -166,16 +163,6 @@ void NewLutOptions::declare(CLI::App& app) {
 
 const lutlib::Encoding& NewLutOptions::results() const {
     return encoding_of(encoding, "--encoding");
-}
-
-lutlib::Recipe recipe_of(const std::string& bytes, const std::string& path) {
-    if (lutlib::io::is_recipe(bytes)) {
-        return lutlib::io::recipe_from(bytes, path, read_lut);
-    }
-    lutlib::Recipe recipe;
-    recipe.base = path;
-    recipe.base_lut = std::make_shared<const lutlib::Lut>(look_from(bytes, path));
-    return recipe;
 }
 
 const lutlib::Encoding& encoding_of(const std::string& name, const std::string& flag) {

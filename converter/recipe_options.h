@@ -46,14 +46,15 @@ class SamplingOptions {
     bool recipe_ = false;
 };
 
-/// --interpolation of the looks that are sampled, with every row of resampling_methods().
+/// --interpolation of the looks that are sampled, with every row of resampling_methods();
+/// where it is not given, each look as it asks for.
 class MethodOption {
   public:
     void declare(CLI::App& app);
     const lutlib::ResamplingMethod& get() const;
 
   private:
-    std::string name_ = "tetrahedral";
+    std::string name_;
 };
 
 /// What every verb that makes one LUT of others asks: where to, on which lattice, how the others
@@ -68,10 +69,6 @@ struct NewLutOptions {
     MethodOption method;
     bool json = false;
 };
-
-/// A recipe with its base, or a LUT of any kind as the base of an empty recipe; by the content of
-/// the bytes that have been read from `path`.
-lutlib::Recipe recipe_of(const std::string& bytes, const std::string& path);
 
 /// A row of lutlib::encodings(). Throws UsageError naming the flag.
 const lutlib::Encoding& encoding_of(const std::string& name, const std::string& flag);

@@ -1,6 +1,6 @@
 #include "converter/result.h"
 
-#include "converter/options.h"
+#include "converter/look_files.h"
 #include "converter/report.h"
 #include "lutlib/io/bake_report.h"
 
@@ -60,7 +60,7 @@ void write_and_report(const Result& result, bool json, nlohmann::ordered_json ex
     write_look(result.lut, result.output);
     const lutlib::Lut& lut = result.lut;
     const lutlib::Difference error =
-        compare(result.exact, lutlib::Transform::of(lut, lutlib::Interpolation::tetrahedral),
+        compare(result.exact, lutlib::Transform::of(lut),
                 lutlib::samples_over(lut.domain(), std::min(lut.cube->size, 33)), result.encoding);
     if (json) {
         nlohmann::ordered_json out{{"output", result.output},

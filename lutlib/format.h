@@ -35,8 +35,8 @@ struct Holds {
     bool title = false;
     bool keywords = false;      ///< Lut::keywords
     bool interpolation = false; ///< Lut::interpolation, trilinear or tetrahedral
-    int integer_bits = 0;       ///< codes of so many bits over 0..1, values outside clamped; 0: float
-    int decimals = 0;      ///< decimals of a text format that rounds; 0: every bit kept
+    int integer_bits = 0; ///< codes of so many bits over 0..1, values outside clamped; 0: float
+    int decimals = 0;     ///< decimals of a text format that rounds; 0: every bit kept
 };
 
 struct ReadOptions {
@@ -56,10 +56,10 @@ struct WriteOptions {
 /// A look as a table, with what that lacks of the file.
 struct Reading {
     Lut lut;
-    std::vector<Loss> losses;       ///< what of the file was not read
-    std::vector<Loss> table_losses; ///< what of the rest no table holds; none: the table is exact
-    const Layout* layout = nullptr; ///< of a picture
-    const Engine* engine = nullptr; ///< that a picture's text names
+    std::vector<Loss> losses{};       ///< what of the file was not read
+    std::vector<Loss> table_losses{}; ///< what of the rest no table holds; none: the table is exact
+    const Layout* layout = nullptr;   ///< of a picture
+    const Engine* engine = nullptr;   ///< that a picture's text names
 
     std::vector<Loss> all_losses() const {
         std::vector<Loss> out = losses;

@@ -1,6 +1,7 @@
 // lutconv apply: a picture through a LUT, on the codes or floats as the file stores them.
 #include "lutlib/interpolation/apply.h"
 #include "converter/command.h"
+#include "converter/look_files.h"
 #include "converter/options.h"
 #include "converter/report.h"
 #include "converter/usage.h"
@@ -14,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace converter {
 namespace {
@@ -55,13 +58,38 @@ io::Depth choose_depth(const std::string& name, std::span<const io::Depth> held,
     return *row;
 }
 
-Report apply(const lutlib::Lut& lut, lutlib::Interpolation how, io::FloatImage& image,
-             io::Depth depth) {
+// What no table holds, colour by colour.
+void apply_exactly(const lutlib::Transform& look, float* rgba, std::size_t pixels) {
+    constexpr std::size_t at_once = 1 << 16;
+    std::vector<lutlib::RgbD> colors;
+    for (std::size_t first = 0; first < pixels; first += at_once) {
+        colors.resize(std::min(at_once, pixels - first));
+        float* const part = rgba + 4 * first;
+        for (std::size_t i = 0; i < colors.size(); ++i) {
+            colors[i] = lutlib::to_double({part[4 * i], part[4 * i + 1], part[4 * i + 2]});
+        }
+        lutlib::apply_in_parallel(look, colors);
+        for (std::size_t i = 0; i < colors.size(); ++i) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                part[4 * i + c] = static_cast<float>(colors[i][c]);
+            }
+        }
+    }
+}
+
+Report apply(const io::Look& look, io::FloatImage& image, io::Depth depth) {
     const std::size_t pixels = image.rgba.size() / 4;
     float* const rgba = image.rgba.data();
     Report report{image.width, image.height, 0, 0, &io::info_of(depth)};
-    report.outside_domain = lutlib::pixels_outside(lut.domain(), rgba, pixels, 4);
-    lutlib::apply(lutlib::StoredLut(lut), lutlib::lookup_of(how), rgba, rgba, pixels, 4);
+    if (const std::optional<lutlib::Domain> domain = look.clamps_to()) {
+        report.outside_domain = lutlib::pixels_outside(*domain, rgba, pixels, 4);
+    }
+    if (look.is_table()) {
+        lutlib::apply(lutlib::StoredLut(*look.table().lut), lutlib::lookup_of(look.interpolation()),
+                      rgba, rgba, pixels, 4);
+    } else {
+        apply_exactly(look.exact(), rgba, pixels);
+    }
     report.clamped = report.depth->integer ? lutlib::pixels_outside({}, rgba, pixels, 4) : 0;
     return report;
 }
@@ -98,10 +126,10 @@ int run(const Options& o) {
     require_one_standard_input(std::array{o.lut, o.picture});
     const std::vector<io::Depth> held = io::depths_of(o.output);
     choose_depth(o.depth, held, held.front());
-    const lutlib::Lut lut = read_look(o.lut);
+    const io::Look look = open_look(o.lut, {.interpolation = o.interpolation.get()});
     io::FloatImage image = io::read_image(o.picture);
     const io::Depth depth = choose_depth(o.depth, held, image.depth);
-    const Report report = apply(lut, o.interpolation.get(), image, depth);
+    const Report report = apply(look, image, depth);
     io::write_image(o.output, image, {depth, image.alpha, {{"Source", io::input_name(o.picture)}}});
     print_report(o, report);
     return ok;
@@ -111,7 +139,8 @@ int run(const Options& o) {
 
 Run declare_apply(CLI::App& app) {
     const auto o = std::make_shared<Options>();
-    app.add_option("LUT", o->lut, "a LUT of any format, or - for standard input")->required();
+    app.add_option("LUT", o->lut, "a LUT of any format or a recipe, or - for standard input")
+        ->required();
     app.add_option("PICTURE", o->picture, "PNG, EXR or another picture, or - for standard input")
         ->required();
     app.add_option("-o,--output", o->output,

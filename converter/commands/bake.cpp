@@ -2,6 +2,7 @@
 #include "lutlib/bake/bake.h"
 #include "converter/command.h"
 #include "converter/explain.h"
+#include "converter/look_files.h"
 #include "converter/options.h"
 #include "converter/report.h"
 #include "converter/usage.h"
@@ -118,12 +119,12 @@ bool is_beyond_fitting(const Options& o, const FilledBake& filled) {
     return o.fit && filled.bake.size > lutlib::largest_fitted_size;
 }
 
-FilledBake fill(const Options& o, const Look& look, const lutlib::Engine& engine) {
+FilledBake fill(const Options& o, const lutlib::Transform& look, const lutlib::Engine& engine) {
     const int size = o.size ? o.size : engine.default_size;
     const int bits = o.bits ? o.bits : engine.default_bits;
     check_contract(engine, size, bits);
-    return o.fit ? bake_fitted(look.exact, engine, size, bits)
-                 : FilledBake{bake(look.exact, engine, size, bits), false, {}, {}};
+    return o.fit ? bake_fitted(look, engine, size, bits)
+                 : FilledBake{bake(look, engine, size, bits), false, {}, {}};
 }
 
 std::optional<int> if_given(int value) {
@@ -132,35 +133,33 @@ std::optional<int> if_given(int value) {
 
 int run(const Options& o) {
     const lutlib::Engine& engine = o.engine.get();
-    if (o.explain && o.input == lutlib::io::standard_stream) {
-        throw lutlib::UsageError("--explain needs a file, not standard input");
-    }
     require_png_name(o.output, "bake");
-    const Look look = open_look(o.input, o.interpolation.get());
+    const lutlib::io::Look look = open_look(o.input, {.interpolation = o.interpolation.get()});
+    const lutlib::Transform exact = look.exact();
     std::optional<BudgetBake> budgeted;
     FilledBake filled;
     if (o.max_delta_e > 0) {
-        budgeted = bake_within(look.exact, engine,
-                               {o.max_delta_e, if_given(o.size), if_given(o.bits), true});
+        budgeted =
+            bake_within(exact, engine, {o.max_delta_e, if_given(o.size), if_given(o.bits), true});
         filled = budgeted->filled;
     } else {
-        filled = fill(o, look, engine);
+        filled = fill(o, exact, engine);
     }
     if (!budgeted || budgeted->kept) {
         lutlib::io::write_file(
-            o.output, lutlib::io::picture_bytes(filled.bake,
-                                                {lutlib::io::input_name(o.input), look.title,
-                                                 name_of(o.interpolation.get()), filled.fitted}));
+            o.output,
+            lutlib::io::picture_bytes(filled.bake, {lutlib::io::input_name(o.input), look.title(),
+                                                    name_of(look.interpolation()), filled.fitted}));
     }
-    const LookupError error = measure_bake(filled.bake, look.exact);
+    const LookupError error = measure_bake(filled.bake, exact);
     std::optional<Explanation> explanation;
     if (o.explain) {
         // What changes less than half a code is not seen in the picture.
-        explanation = explain(read_look(o.input, {}, {}).lut, 0.5 / filled.bake.picture.maximum());
+        explanation = explain(*look.table().lut, 0.5 / filled.bake.picture.maximum());
         explanation->kept = "the engine reads a lattice of this size whatever the look is";
     }
     if (o.json) {
-        nlohmann::ordered_json json = as_json(o, filled, look.domain, error);
+        nlohmann::ordered_json json = as_json(o, filled, look.domain(), error);
         if (filled.result.count > 0) {
             json["fit"] = fit_json(filled);
         }
@@ -175,7 +174,7 @@ int run(const Options& o) {
         }
         print(json, o.output);
     } else {
-        print(bake_report(input_text(o.input), output_text(o.output), filled.bake, look.domain,
+        print(bake_report(input_text(o.input), output_text(o.output), filled.bake, look.domain(),
                           error) +
                   (filled.result.count > 0 ? fit_text(filled) : "") +
                   (is_beyond_fitting(o, filled) ? "  not fitted: " + lutlib::fit_limit_text() + "\n"

@@ -1,6 +1,6 @@
 // lutconv blend: a mixture of two looks, as one LUT.
 #include "converter/command.h"
-#include "converter/options.h"
+#include "converter/look_files.h"
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
@@ -32,14 +32,21 @@ int run(const Options& o) {
     require_one_standard_input(std::array{o.a, o.b});
     const lutlib::Encoding& encoding = o.made.results();
     const lutlib::ResamplingMethod& method = o.made.method.get();
-    const lutlib::Lut a = o.a == "identity" ? lutlib::Lut{} : read_look(o.a);
-    const lutlib::Lut b = o.b == "identity" ? lutlib::Lut{} : read_look(o.b);
-    const lutlib::Lut lut = blend(a, b, o.amount, o.made.sampling.sampling(), method);
+    const auto opened = [](const std::string& name) {
+        return name == "identity" ? std::make_shared<const lutlib::Lut>() : read_table(name);
+    };
+    const auto a = opened(o.a), b = opened(o.b);
+    const lutlib::Lut lut = blend(*a, *b, o.amount, o.made.sampling.sampling(), method);
     const std::string made_of =
         fmt::format("{} and {:.4g} of {}", input_text(o.a), o.amount, input_text(o.b));
-    write_and_report(
-        {lut, o.made.output, o.made.output, made_of, mixture(a, b, o.amount, method), encoding, {}},
-        o.made.json, {{"a", o.a}, {"b", o.b}, {"amount", o.amount}});
+    write_and_report({lut,
+                      o.made.output,
+                      o.made.output,
+                      made_of,
+                      mixture(*a, *b, o.amount, method),
+                      encoding,
+                      {}},
+                     o.made.json, {{"a", o.a}, {"b", o.b}, {"amount", o.amount}});
     return ok;
 }
 

@@ -1,7 +1,7 @@
 // lutconv check: what is broken, folded, steep or flat in a look, and what can be repaired.
 #include "converter/command.h"
 #include "converter/explain.h"
-#include "converter/options.h"
+#include "converter/look_files.h"
 #include "converter/report.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
@@ -42,7 +42,7 @@ lutlib::Lut read_to_check(const std::string& path) {
             return format.read_broken(bytes, name);
         }
     }
-    return look_from(bytes, path);
+    return *table_of(open_look(bytes, path));
 }
 
 std::string place_text(const std::optional<lutlib::Rgb>& where) {

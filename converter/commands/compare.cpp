@@ -1,6 +1,7 @@
 // lutconv compare: how far apart two looks are, and where most.
 #include "lutlib/metrics/compare.h"
 #include "converter/command.h"
+#include "converter/look_files.h"
 #include "converter/options.h"
 #include "converter/recipe_options.h"
 #include "converter/report.h"
@@ -36,17 +37,26 @@ lutlib::Domain united(const lutlib::Domain& a, const lutlib::Domain& b) {
     return out;
 }
 
+struct Compared {
+    lutlib::Transform exact;
+    lutlib::Domain domain;
+};
+
+Compared opened(const std::string& name, const Options& o) {
+    if (name == "identity") {
+        return {};
+    }
+    const lutlib::io::Look look = open_look(name, {.interpolation = o.interpolation.get()});
+    return {look.exact(), look.domain()};
+}
+
 int run(const Options& o) {
     if (o.samples < 1 || o.samples > 100000000) {
         throw lutlib::UsageError("--samples must be a number from 1 to 100000000");
     }
     require_one_standard_input(std::array{o.a, o.b});
     const lutlib::Encoding& encoding = encoding_of(o.encoding, "--encoding");
-    const lutlib::Interpolation how = o.interpolation.get();
-    const auto opened = [how](const std::string& name) {
-        return name == "identity" ? Look{} : open_look(name, how);
-    };
-    const Look a = opened(o.a), b = opened(o.b);
+    const Compared a = opened(o.a, o), b = opened(o.b, o);
     lutlib::Domain domain = united(a.domain, b.domain);
     if (!o.domain.empty()) {
         domain = domain_of(o.domain);

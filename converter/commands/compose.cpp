@@ -1,6 +1,6 @@
 // lutconv compose: looks one after the other, as one LUT.
 #include "converter/command.h"
-#include "converter/options.h"
+#include "converter/look_files.h"
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
@@ -28,15 +28,15 @@ int run(const Options& o) {
     require_one_standard_input(o.inputs);
     const lutlib::Encoding& encoding = o.made.results();
     const lutlib::ResamplingMethod& method = o.made.method.get();
-    std::vector<lutlib::Lut> looks;
+    std::vector<std::shared_ptr<const lutlib::Lut>> looks;
     std::string order;
     for (const std::string& path : o.inputs) {
-        looks.push_back(read_look(path));
+        looks.push_back(read_table(path));
         order += (order.empty() ? "" : ", then ") + input_text(path);
     }
     std::vector<const lutlib::Lut*> chain;
-    for (const lutlib::Lut& look : looks) {
-        chain.push_back(&look);
+    for (const auto& look : looks) {
+        chain.push_back(look.get());
     }
     const lutlib::Lut lut = compose(chain, o.made.sampling.sampling(), method);
     const double clamped = clamped_share(chain, method);

@@ -1,7 +1,6 @@
 // lutconv convert: a LUT from any format to any other, saying what the target cannot hold.
 #include "converter/command.h"
 #include "converter/explain.h"
-#include "converter/options.h"
 #include "converter/report.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
@@ -9,7 +8,7 @@
 #include "lutlib/io/describe.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/fit_format.h"
-#include "lutlib/io/formats.h"
+#include "lutlib/io/look.h"
 #include "lutlib/limits.h"
 
 #include <fmt/core.h>
@@ -87,13 +86,19 @@ std::string as_text(const Options& o, const lutlib::FileFormat& format, const io
 }
 
 int run(const Options& o) {
-    lutlib::Reading source = read_look(o.input, {o.save.size, o.row}, o.from);
-    const std::optional<Explanation> explanation = leave_out(source.lut, o);
-    const lutlib::FileFormat& format = o.format.empty()
-                                           ? io::format_for_writing(o.output, source.lut)
-                                           : io::require_file_format(o.format);
-    io::Encoded file = io::encode_lut(source.lut, format, o.save);
-    file.losses.insert(file.losses.begin(), source.losses.begin(), source.losses.end());
+    const io::Look look = io::Look::open(o.input, {.format = o.from, .row = o.row});
+    const io::LookTable table = look.table(o.save.size);
+    lutlib::Lut lut = *table.lut;
+    const std::optional<Explanation> explanation = leave_out(lut, o);
+    const lutlib::FileFormat& format = o.format.empty() ? io::format_for_writing(o.output, lut)
+                                                        : io::require_file_format(o.format);
+    io::Encoded file = io::encode_lut(lut, format, o.save);
+    std::vector<lutlib::Loss> losses;
+    for (const io::LookFile& read : look.files()) {
+        losses.insert(losses.end(), read.losses.begin(), read.losses.end());
+    }
+    losses.insert(losses.end(), table.losses.begin(), table.losses.end());
+    file.losses.insert(file.losses.begin(), losses.begin(), losses.end());
     if (o.strict && !file.losses.empty()) {
         throw lutlib::Error(
             "--strict: not written, because this would be lost: " + loss_text(file.losses.front()) +

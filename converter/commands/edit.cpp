@@ -1,6 +1,6 @@
 // lutconv edit: operators on top of a LUT or of nothing, baked to a LUT and kept as a recipe.
 #include "converter/command.h"
-#include "converter/options.h"
+#include "converter/look_files.h"
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
@@ -32,19 +32,23 @@ struct Options {
 lutlib::Recipe assemble(const Options& o, std::string& base) {
     lutlib::Recipe recipe;
     if (!o.recipe.empty()) {
-        recipe = io::read_recipe(o.recipe, read_lut);
+        const io::Look read = open_look(o.recipe);
+        if (!read.recipe()) {
+            throw lutlib::Error("--recipe takes a recipe, and this is a LUT",
+                                {io::input_name(o.recipe), 0, {}});
+        }
+        recipe = *read.recipe();
         base = io::base_path(recipe, o.recipe);
     }
     if (!o.input.empty() && o.input != "identity") {
-        const std::string bytes = io::read_file(o.input);
-        const bool is_recipe = io::is_recipe(bytes);
-        if (is_recipe && !o.recipe.empty()) {
+        const io::Look look = open_look(o.input);
+        if (look.recipe() && !o.recipe.empty()) {
             throw lutlib::UsageError("there are two recipes, '" + o.input + "' and '" + o.recipe +
                                      "'; edit one");
         }
-        lutlib::Recipe read = recipe_of(bytes, o.input);
-        base = is_recipe ? io::base_path(read, o.input) : o.input;
-        if (is_recipe) {
+        lutlib::Recipe read = recipe_of(look);
+        base = look.recipe() ? io::base_path(read, o.input) : o.input;
+        if (look.recipe()) {
             recipe = std::move(read);
         } else {
             recipe.base_lut = read.base_lut;

@@ -1,5 +1,6 @@
 // lutconv eval: colours through a LUT or a recipe, nine significant digits.
 #include "converter/command.h"
+#include "converter/look_files.h"
 #include "converter/options.h"
 #include "converter/report.h"
 #include "lutlib/error.h"
@@ -95,12 +96,14 @@ int run(const Options& o, const std::vector<std::string>& words) {
     if (o.lut == "-" && words.empty()) {
         throw lutlib::UsageError("the LUT and the colours cannot both come from standard input");
     }
-    const Look look = open_look(o.lut, o.interpolation.get());
+    const lutlib::Transform exact =
+        open_look(o.lut, {.interpolation = o.interpolation.get()}).exact();
     const std::vector<Rgb> inputs = words.empty() ? from_standard_input() : from_arguments(words);
+    const std::vector<lutlib::RgbD> outputs = images_of(exact, inputs);
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     std::string text;
-    for (const Rgb& in : inputs) {
-        const Rgb out = to_float(look.exact(to_double(in)));
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const Rgb in = inputs[i], out = to_float(outputs[i]);
         if (o.json) {
             list.push_back({{"in", {in.r, in.g, in.b}}, {"out", {out.r, out.g, out.b}}});
         } else {

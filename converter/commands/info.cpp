@@ -1,6 +1,6 @@
 // lutconv info: what is in a LUT.
 #include "converter/command.h"
-#include "converter/options.h"
+#include "converter/look_files.h"
 #include "converter/report.h"
 #include "lutlib/interpolation/interpolation.h"
 #include "lutlib/io/bake_report.h"
@@ -67,10 +67,13 @@ std::string table_text(const char* what, int size, const lutlib::Domain& d,
 }
 
 int run(const std::string& path, bool json) {
-    const lutlib::Lut lut = read_look(path);
+    const lutlib::io::Look look = open_look(path);
+    const auto table = table_of(look);
+    const lutlib::Lut& lut = *table;
     const lutlib::ErrorStats moves = distance_from_identity(lut);
     if (json) {
         nlohmann::ordered_json out{{"file", path},
+                                   {"format", look.kind().format},
                                    {"title", lut.title},
                                    {"comments", lut.comments},
                                    {"keywords", lut.keywords}};
@@ -79,6 +82,9 @@ int run(const std::string& path, bool json) {
         }
         if (lut.cube) {
             out["cube"] = table_json(lut.cube->size, lut.cube->domain, lut.cube->nodes);
+        }
+        if (lut.interpolation) {
+            out["interpolation"] = name_of(*lut.interpolation);
         }
         out["distance_from_identity"] = to_json(moves);
         print(out, "");
@@ -93,6 +99,9 @@ int run(const std::string& path, bool json) {
     }
     if (lut.cube) {
         out += table_text("cube", lut.cube->size, lut.cube->domain, lut.cube->nodes);
+    }
+    if (lut.interpolation) {
+        out += fmt::format("  it asks for {} interpolation\n", name_of(*lut.interpolation));
     }
     out += "  distance from the identity: " + to_text(moves) + "\n";
     for (const std::string& comment : lut.comments) {

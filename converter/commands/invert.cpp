@@ -1,7 +1,7 @@
 // lutconv invert: a LUT that undoes a look, and what of the look cannot be undone.
 #include "lutlib/resample/invert.h"
 #include "converter/command.h"
-#include "converter/options.h"
+#include "converter/look_files.h"
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
@@ -62,10 +62,10 @@ int run(const Options& o) {
     if (!o.domain.empty()) {
         options.domain = domain_of(o.domain);
     }
-    const lutlib::Lut look = read_look(o.input);
-    const lutlib::Inversion inversion = invert(look, options);
+    const auto look = read_table(o.input);
+    const lutlib::Inversion inversion = invert(*look, options);
     write_look(inversion.lut, o.output);
-    const lutlib::Difference error = round_trip(look, inversion.lut);
+    const lutlib::Difference error = round_trip(*look, inversion.lut);
     if (o.json) {
         print(nlohmann::ordered_json{{"input", o.input},
                                      {"output", o.output},

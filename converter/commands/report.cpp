@@ -1,6 +1,7 @@
 // lutconv report: what every way of keeping a look costs in error, time and bytes.
 #include "converter/report.h"
 #include "converter/command.h"
+#include "converter/look_files.h"
 #include "converter/recipe_options.h"
 #include "converter/survey_page.h"
 #include "converter/usage.h"
@@ -68,7 +69,7 @@ struct Report {
 };
 
 Report report_on_look(const Options& o) {
-    lutlib::Recipe recipe = recipe_of(io::read_file(o.input), o.input);
+    lutlib::Recipe recipe = recipe_of(open_look(o.input));
     if (!o.input_encoding.empty()) {
         recipe.input = &encoding_of(o.input_encoding, "--input-encoding");
     }

@@ -1,6 +1,6 @@
 // lutconv resample: a look on another lattice.
 #include "converter/command.h"
-#include "converter/options.h"
+#include "converter/look_files.h"
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
@@ -20,11 +20,11 @@ struct Options {
 int run(const Options& o) {
     const lutlib::Encoding& encoding = o.made.results();
     const lutlib::ResamplingMethod& method = o.made.method.get();
-    const lutlib::Lut look = read_look(o.input);
-    const lutlib::Lut lut = resample(look, o.made.sampling.sampling(), method);
+    const auto look = read_table(o.input);
+    const lutlib::Lut lut = resample(*look, o.made.sampling.sampling(), method);
     const std::string name = input_text(o.input);
     write_and_report(
-        {lut, o.made.output, o.made.output, name, method.transform_of(look), encoding, {}},
+        {lut, o.made.output, o.made.output, name, method.transform_of(*look), encoding, {}},
         o.made.json, {{"input", o.input}});
     return ok;
 }

@@ -2,12 +2,12 @@
 #include "lutlib/verify/verify.h"
 #include "converter/command.h"
 #include "converter/options.h"
-#include "converter/reference.h"
 #include "converter/report.h"
 #include "converter/subject.h"
 #include "lutlib/bake/fitted.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
+#include "lutlib/io/look.h"
 #include "lutlib/io/lut_picture.h"
 #include "lutlib/metrics/samples.h"
 
@@ -40,45 +40,44 @@ struct Verdict {
     bool passed = false;
 };
 
-lutlib::Interpolation baked_interpolation(const Options& o, const Subject& s) {
+lutlib::Interpolation baked_interpolation(const Options& o, const Subject& s,
+                                          const io::Look& look) {
     const std::string name = io::text_entry(s.image, "Interpolation").value_or("");
-    return o.interpolation.given()
-               ? o.interpolation.get()
-               : lutlib::interpolation_named(name).value_or(lutlib::Interpolation::tetrahedral);
+    const auto recorded = lutlib::interpolation_named(name).value_or(look.interpolation());
+    return o.interpolation.get().value_or(recorded);
 }
 
-std::vector<lutlib::Alternative> other_interpolations(Reference& reference,
+std::vector<lutlib::Alternative> other_interpolations(const io::Look& look,
                                                       lutlib::Interpolation used) {
     std::vector<lutlib::Alternative> out;
     for (const lutlib::InterpolationInfo& row : lutlib::interpolations()) {
-        if (reference.is_table() && row.kind != used) {
+        if (look.is_interpolated() && row.kind != used) {
             out.push_back({fmt::format("the look was read with {} interpolation", row.name),
-                           reference.oracle(row.kind)});
+                           look.reference(row.kind).look});
         }
     }
     return out;
 }
 
 Verdict judge(const Options& o, const Subject& s) {
-    Reference reference(o.against);
-    const lutlib::Interpolation how = baked_interpolation(o, s);
-    Verdict out{reference.name(how), {}, {}, {}, false};
+    const io::Look look = io::Look::open(o.against);
+    const lutlib::Interpolation how = baked_interpolation(o, s, look);
+    const io::LookReference reference = look.reference(how);
+    Verdict out{reference.name, reference.refusal, {}, {}, false};
     if (s.size > 0) {
-        const lutlib::Transform oracle = reference.oracle(how);
         const std::vector<lutlib::Rgb> inputs =
             lutlib::sample_colors(s.size, {.random = o.samples});
-        out.result = verify(s.codes, *s.engine, s.size, oracle, inputs,
-                            [&] { return other_interpolations(reference, how); });
+        out.result = verify(s.codes, *s.engine, s.size, reference.look, inputs,
+                            [&] { return other_interpolations(look, how); });
         if (s.fitted()) {
             out.result->diagnosis.reset();
             out.fitted =
-                check_fitted(s.codes, *s.engine, s.size, oracle,
+                check_fitted(s.codes, *s.engine, s.size, reference.look,
                              lutlib::sample_colors(std::min(s.size, 33), {.random = o.samples}));
         }
         const bool right = out.fitted ? out.fitted->right() : out.result->texels.wrong == 0;
         out.passed = right && s.contract.empty();
     }
-    out.refusal = reference.refusal();
     return out;
 }
 
@@ -162,7 +161,7 @@ std::string as_text(const Options& o, const Subject& s, const Verdict& v) {
     out += fmt::format("  layout {}, {}x{}, {} nodes a side, {} bits: {}\n", s.engine->layout,
                        s.codes.width, s.codes.height, s.size, s.codes.bits, s.engine->label);
     if (!v.refusal.empty()) {
-        out += "  OpenColorIO evaluates our reading of the look; its own reader refuses the file\n";
+        out += "  OpenColorIO evaluates what lutlib read of the look: " + v.refusal + "\n";
     }
     for (const std::string& point : s.contract) {
         out += "  contract: " + point + "\n";

@@ -30,23 +30,6 @@ std::string base_path(const Recipe& recipe, const std::string& recipe_path) {
                                : (folder_of(recipe_path) / recipe.base).lexically_normal().string();
 }
 
-void set_base(Recipe& recipe, const std::string& path, const LutReader& read_lut) {
-    recipe.base = path;
-    recipe.base_lut = std::make_shared<const Lut>(read_lut(path));
-}
-
-Recipe read_recipe(const std::string& path, const LutReader& read_lut) {
-    return recipe_from(read_file(path), path, read_lut);
-}
-
-Recipe recipe_from(std::string_view bytes, const std::string& path, const LutReader& read_lut) {
-    Recipe recipe = parse_recipe(bytes, input_name(path));
-    if (!recipe.base.empty()) {
-        recipe.base_lut = std::make_shared<const Lut>(read_lut(base_path(recipe, path)));
-    }
-    return recipe;
-}
-
 void save_recipe(Recipe recipe, const std::string& path, const std::string& base_path) {
     recipe.base.clear();
     if (!base_path.empty()) {

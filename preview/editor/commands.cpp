@@ -19,47 +19,19 @@ namespace {
 
 namespace io = lutlib::io;
 
-lutlib::Lut lut_at(const std::string& path) {
-    return io::read_lut(path).lut;
-}
-
 std::string source_name(const State& state) {
     return state.recipe_path.empty() ? "the recipe" : state.recipe_path;
 }
 
 } // namespace
 
-bool is_look_file(const std::string& path) {
-    const std::string bytes = io::read_file(path);
-    if (io::is_recipe(bytes))
-        return true;
-    try {
-        io::decode_lut(bytes, path);
-        return true;
-    } catch (const lutlib::Error&) {
-        // A file that says that it is a LUT is one, however broken; its error is for open_look().
-        const std::string extension = io::extension_of(path);
-        const auto formats = io::file_formats();
-        return std::any_of(formats.begin(), formats.end(), [&](const lutlib::FileFormat* format) {
-            return format->extensions.contain(extension) && !format->picture;
-        });
-    }
-}
-
-void open_look(State& state, const std::string& path) {
-    const std::string bytes = io::read_file(path);
+void open_look(State& state, const io::Look& look) {
     State next = state;
-    if (io::is_recipe(bytes)) {
-        next.recipe = io::recipe_from(bytes, path, lut_at);
-        next.recipe_path = path;
-        next.base_path = io::base_path(next.recipe, path);
-    } else {
-        next.recipe = {};
-        io::set_base(next.recipe, path, lut_at);
-        next.recipe.title = next.recipe.base_lut->title;
-        next.recipe_path.clear();
-        next.base_path = path;
-    }
+    const bool is_recipe = look.recipe() != nullptr;
+    next.recipe = look.as_recipe();
+    next.recipe.title = look.title();
+    next.recipe_path = is_recipe ? look.path() : "";
+    next.base_path = is_recipe ? io::base_path(next.recipe, look.path()) : look.path();
     const auto shows_recipe = [](const Side& side) {
         return side.source == SideSource::recipe || side.source == SideSource::baked;
     };
@@ -68,9 +40,9 @@ void open_look(State& state, const std::string& path) {
     state = std::move(next);
 }
 
-void open_side(Side& side, const std::string& path) {
-    side.lut = std::make_shared<const lutlib::Lut>(lut_at(path));
-    side.path = path;
+void open_side(Side& side, const io::Look& look) {
+    side.lut = look.table().lut;
+    side.path = look.path();
     side.source = SideSource::file;
 }
 

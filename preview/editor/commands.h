@@ -1,19 +1,17 @@
 // What the window does with files. Each command changes all or nothing and throws lutlib::Error.
 #pragma once
 
+#include "lutlib/io/look.h"
 #include "preview/editor/model.h"
 
 #include <string>
 
 namespace preview::ui {
 
-/// Whether the file is a recipe or a LUT; otherwise it may be a picture to look at.
-bool is_look_file(const std::string& path);
-
 /// A recipe replaces the recipe; a LUT becomes the base of a new one. Side B shows it.
-void open_look(State& state, const std::string& path);
-/// The side shows another LUT file.
-void open_side(Side& side, const std::string& path);
+void open_look(State& state, const lutlib::io::Look& look);
+/// The side shows another look, as a table.
+void open_side(Side& side, const lutlib::io::Look& look);
 
 void save_recipe(State& state, const std::string& path);
 

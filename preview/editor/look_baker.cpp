@@ -39,14 +39,14 @@ LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side) {
         break;
     case SideSource::source:
         if (recipe.base_lut)
-            return look_for(*recipe.base_lut, float_table());
+            return look_for(recipe.base_lut, table_lookup(*recipe.base_lut));
         break;
     case SideSource::file:
         if (side.lut)
-            return look_for(*side.lut, float_table());
+            return look_for(side.lut, table_lookup(*side.lut));
         break;
     case SideSource::recipe:
-        return look_for(quick_table(recipe), float_table());
+        return look_for(std::make_shared<const lutlib::Lut>(quick_table(recipe)), float_table());
     case SideSource::baked: {
         const lutlib::Engine& engine = *side.engine->engine;
         const lutlib::Bake baked = lutlib::bake(lutlib::Transform::of(recipe), engine,

@@ -59,11 +59,10 @@ int general_size(const Lut& look, const Lookup& lookup) {
 }
 
 /// A look as a picture for a lookup of that layout which no engine's contract describes.
-CodePicture general_codes(const Lut& look, const Lookup& lookup) {
-    const int size = general_size(look, lookup);
+CodePicture general_codes(const lutlib::Transform& exact, int size, const Lookup& lookup) {
     Lut3D sampled = lutlib::identity_cube(size);
-    for (lutlib::Rgb& node : sampled.nodes)
-        node = lutlib::to_float(lutlib::evaluate_exact(look, lutlib::to_double(node)));
+    const std::vector<lutlib::RgbD> values = images_of(exact, sampled.nodes);
+    std::transform(values.begin(), values.end(), sampled.nodes.begin(), lutlib::to_float);
     const lutlib::Picture picture =
         lutlib::to_picture(sampled, *lutlib::layout_named(lookup.layout));
     CodePicture codes{picture.width, picture.height, lookup.shared ? 8 : general_bits, {}};
@@ -85,24 +84,32 @@ std::shared_ptr<const Lut> table_of(const lutlib::Bake& baked) {
     return std::make_shared<const Lut>(std::move(look));
 }
 
-LoadedLook look_for(const Lut& look, const Lookup& lookup) {
+LoadedLook look_for(std::shared_ptr<const Lut> table, const lutlib::Transform& exact,
+                    const Lookup& lookup) {
     LoadedLook out;
-    out.skip_reason = skip_reason_of(look);
-    out.table = std::make_shared<const Lut>(look);
+    out.skip_reason = skip_reason_of(*table);
     if (lookup.source == Lookup::Source::table) {
-        out.data = look_data(look, lookup);
+        out.data = look_data(*table, lookup);
     } else if (lookup.engine != nullptr) {
-        const auto exact = lutlib::Transform::of(look, lutlib::Interpolation::tetrahedral);
         const lutlib::Bake baked = lutlib::bake(exact, *lookup.engine, lookup.engine->default_size,
                                                 lookup.engine->default_bits);
         out.data = look_data(baked.picture, baked.size, lookup);
-        out.table = table_of(baked);
+        table = table_of(baked);
     } else {
-        const CodePicture codes = general_codes(look, lookup);
-        const int size = general_size(look, lookup);
-        out.data = look_data(codes, size, lookup);
+        const int size = general_size(*table, lookup);
+        out.data = look_data(general_codes(exact, size, lookup), size, lookup);
     }
+    out.table = std::move(table);
     return out;
+}
+
+LoadedLook look_for(std::shared_ptr<const Lut> table, const Lookup& lookup) {
+    const lutlib::Transform exact = lutlib::Transform::of(table);
+    return look_for(std::move(table), exact, lookup);
+}
+
+const Lookup& table_lookup(const Lut& look) {
+    return *lookup_named(lutlib::name_of(lutlib::usual_interpolation(look)));
 }
 
 } // namespace preview

@@ -26,8 +26,7 @@ bool measure(RecipeTable& table, const lutlib::Recipe& recipe, const lutlib::Tra
     // The nodes and cell centres of the quick table, and as many places anywhere.
     static const std::vector<lutlib::Rgb> colours =
         lutlib::samples_over(lutlib::Domain{}, sizes[0], 70'000);
-    const lutlib::Transform read =
-        lutlib::Transform::of(table.lut, lutlib::Interpolation::tetrahedral);
+    const lutlib::Transform read = lutlib::Transform::of(table.lut);
     double sum = 0;
     for (std::size_t at = 0; at < colours.size(); at += at_once) {
         if (stop())
@@ -74,7 +73,7 @@ std::optional<RecipeTable> measured_table(const lutlib::Recipe& recipe,
 }
 
 LoadedLook measured_look(const RecipeTable& table, const Lookup& lookup) {
-    LoadedLook look = look_for(table.lut, lookup);
+    LoadedLook look = look_for(std::make_shared<const lutlib::Lut>(table.lut), lookup);
     look.note =
         fmt::format("{} nodes a side, within dE2000 {:.2f} of the recipe, {:.3f} on average",
                     table.nodes, table.max_error, table.mean_error);

@@ -46,7 +46,7 @@ void file_panel(Ui& ui) {
         if (i > 0)
             ImGui::SameLine();
         if (ImGui::Button(i == 0 ? "On side A alone" : "On side B alone") && !ui.open_file.empty())
-            attempt(ui, [&] { open_side(state.sides[i], ui.open_file); });
+            attempt(ui, [&] { open_side(state.sides[i], lutlib::io::Look::open(ui.open_file)); });
     }
     ImGui::Separator();
 

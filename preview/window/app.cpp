@@ -2,13 +2,13 @@
 
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
+#include "preview/editor/commands.h"
+#include "preview/editor/look_baker.h"
+#include "preview/scene/import.h"
 #include "preview/window/gui.h"
 #include "preview/window/opening.h"
 #include "preview/window/present.h"
-#include "preview/scene/import.h"
 #include "preview/window/screen.h"
-#include "preview/editor/commands.h"
-#include "preview/editor/look_baker.h"
 #include "preview/window/window_events.h"
 #include "preview/window/window_frame.h"
 
@@ -85,9 +85,11 @@ void App::make_screen() {
 
 void App::open(const std::string& path) {
     ui::State& state = ui_.history.draft();
-    if (!is_model_file(path) && ui::is_look_file(path)) {
-        ui::open_look(state, path);
-        return;
+    if (!is_model_file(path)) {
+        if (const auto look = lutlib::io::Look::open_if_look(path)) {
+            ui::open_look(state, *look);
+            return;
+        }
     }
     take_shown(state, std::make_shared<const Shown>(load_shown(path, 0)));
     follow_shown();

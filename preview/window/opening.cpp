@@ -9,9 +9,9 @@ namespace {
 void open_looks(ui::State& state, const Options& options) {
     const std::string& on_recipe = options.look_b.empty() ? options.look_a : options.look_b;
     if (on_recipe != "none")
-        ui::open_look(state, on_recipe);
+        ui::open_look(state, lutlib::io::Look::open(on_recipe));
     if (!options.look_b.empty() && options.look_a != "none")
-        ui::open_side(state.sides[0], options.look_a);
+        ui::open_side(state.sides[0], lutlib::io::Look::open(options.look_a));
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "lutlib/interpolation/interpolation.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/image.h"
+#include "lutlib/io/look.h"
 
 #include <gtest/gtest.h>
 
@@ -166,6 +167,28 @@ TEST_P(ApplyRoute, evaluates_the_lut_at_every_pixel_and_keeps_alpha) {
             ASSERT_NEAR(after.rgba[i + c], kept, route.tolerance + 1e-7) << i;
         }
         ASSERT_NEAR(after.rgba[i + 3], before.rgba[i + 3], route.tolerance + 1e-7);
+    }
+}
+
+TEST(Apply, evaluates_a_recipe_exactly_and_clamps_none_of_its_inputs) {
+    const Folder folder;
+    const std::string recipe = folder.write(
+        "r.json", R"({"schema_version": 1, "operators": [{"op": "contrast", "amount": 2}]})");
+    io::write_image(folder.path("a.exr"), ramp(-0.5F, 1.5F), {io::Depth::float32, false, {}});
+    const Result result =
+        lutconv({"apply", recipe, folder.path("a.exr"), "-o", folder.path("b.exr"), "--json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err, "") << "it was sampled";
+    EXPECT_EQ(json::parse(result.out)["pixels_outside_domain"], 0);
+    const io::FloatImage before = io::read_image(folder.path("a.exr")),
+                         after = io::read_image(folder.path("b.exr"));
+    const auto exact = io::Look::open(recipe).exact();
+    for (std::size_t i = 0; i < before.rgba.size(); i += 4) {
+        const lutlib::RgbD expected =
+            exact(lutlib::to_double({before.rgba[i], before.rgba[i + 1], before.rgba[i + 2]}));
+        for (std::size_t c = 0; c < 3; ++c) {
+            ASSERT_EQ(after.rgba[i + c], static_cast<float>(expected[c])) << i;
+        }
     }
 }
 

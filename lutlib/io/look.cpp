@@ -1,0 +1,198 @@
+#include "lutlib/io/look.h"
+
+#include "lutlib/error.h"
+#include "lutlib/io/describe.h"
+#include "lutlib/io/file.h"
+#include "lutlib/io/formats.h"
+#include "lutlib/io/formats/opencolorio.h"
+#include "lutlib/io/lut_picture.h"
+#include "lutlib/io/ocio.h"
+#include "lutlib/io/png.h"
+#include "lutlib/io/recipe_file.h"
+#include "lutlib/metrics/compare.h"
+#include "lutlib/recipe/bake_recipe.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lutlib::io {
+namespace {
+
+// The table that a recipe becomes, with what lies between its nodes measured.
+LookTable baked(const Recipe& recipe) {
+    // Tables hold floats.
+    constexpr double float_rounding = 2e-6;
+    constexpr int finest_lattice = 33, spread_colours = 20000;
+    const auto lut = std::make_shared<const Lut>(bake_recipe(recipe));
+    const int lattice = lut->cube ? std::min(lut->cube->size, finest_lattice) : finest_lattice;
+    const Difference d =
+        compare(Transform::of(recipe), Transform::of(lut),
+                samples_over(lut->domain(), lattice, spread_colours), recipe.output_encoding());
+    LookTable out{lut, {}};
+    if (d.absolute.max > float_rounding * std::max(1.0, largest_magnitude(d.worst.a))) {
+        out.losses.push_back({"recipe sampled onto " + shape_of(*lut) + " over the input " +
+                                  text_of(lut->domain()) + ", largest error",
+                              d.absolute.max, ""});
+    }
+    return out;
+}
+
+bool claims_to_be_a_look(const std::string& path) {
+    const auto formats = file_formats();
+    return std::any_of(formats.begin(), formats.end(), [&](const FileFormat* format) {
+        return format->extensions.contain(extension_of(path)) && !format->picture;
+    });
+}
+
+} // namespace
+
+Look Look::open(const std::string& path, const LookOptions& options) {
+    return of_bytes(read_file(path), path, options);
+}
+
+Look Look::of_bytes(std::string bytes, const std::string& path, const LookOptions& options) {
+    Look out;
+    out.bytes_ = std::move(bytes);
+    out.path_ = path;
+    out.name_ = input_name(path);
+    out.options_ = options;
+    if (options.format.empty() && is_recipe(out.bytes_)) {
+        out.read_recipe();
+    } else {
+        out.read_table(options);
+    }
+    return out;
+}
+
+std::optional<Look> Look::open_if_look(const std::string& path) {
+    std::string bytes = read_file(path);
+    try {
+        return of_bytes(bytes, path);
+    } catch (const Error&) {
+        if (is_recipe(bytes) || claims_to_be_a_look(path)) {
+            throw;
+        }
+        return std::nullopt;
+    }
+}
+
+void Look::read_recipe() {
+    kind_.format = "recipe";
+    files_ = {{name_, {}, {}}};
+    recipe_ = parse_recipe(bytes_, name_);
+    if (recipe_->base.empty()) {
+        return;
+    }
+    Reading base = read_lut(base_path(*recipe_, path_));
+    files_.push_back({base.lut.provenance, base.all_losses(), base.lut.keywords});
+    recipe_->base_lut = std::make_shared<const Lut>(std::move(base.lut));
+}
+
+void Look::read_table(const LookOptions& options) {
+    const FileFormat& format = options.format.empty() ? recognise_format(bytes_, name_)
+                                                      : require_file_format(options.format);
+    Reading reading = decode_lut(bytes_, name_, {.size = 0, .row = options.row}, format.name);
+    kind_ = {std::string(format.name), reading.layout, reading.engine};
+    files_ = {{name_, std::move(reading.losses), reading.lut.keywords}};
+    table_losses_ = std::move(reading.table_losses);
+    lut_ = std::make_shared<const Lut>(std::move(reading.lut));
+}
+
+const std::string& Look::title() const {
+    return recipe_ ? recipe_->title : lut_->title;
+}
+
+Domain Look::domain() const {
+    if (!recipe_) {
+        return lut_->domain();
+    }
+    return recipe_->bake.domain.value_or(recipe_->base_lut ? recipe_->base_lut->domain()
+                                                           : Domain{});
+}
+
+std::optional<Domain> Look::clamps_to() const {
+    const Lut* const table = recipe_ ? recipe_->base_lut.get() : is_table() ? lut_.get() : nullptr;
+    return table ? std::optional(table->domain()) : std::nullopt;
+}
+
+Recipe Look::as_recipe() const {
+    if (recipe_) {
+        return *recipe_;
+    }
+    Recipe out;
+    out.base = path_;
+    out.base_lut = lut_;
+    return out;
+}
+
+Interpolation Look::interpolation() const {
+    return options_.interpolation.value_or(lut_ ? usual_interpolation(*lut_)
+                                                : Interpolation::tetrahedral);
+}
+
+Transform Look::exact() const {
+    return recipe_      ? Transform::of(*recipe_)
+           : is_table() ? Transform::of(lut_, interpolation())
+                        : in_opencolorio(interpolation());
+}
+
+LookTable Look::table(int size) const {
+    if (recipe_) {
+        Recipe recipe = *recipe_;
+        if (size != 0) {
+            recipe.bake.size = size;
+        }
+        return baked(recipe);
+    }
+    if (size == 0 || is_table()) {
+        return {lut_, table_losses_};
+    }
+    Reading reading = decode_lut(bytes_, name_, {.size = size, .row = options_.row}, kind_.format);
+    return {std::make_shared<const Lut>(std::move(reading.lut)), std::move(reading.table_losses)};
+}
+
+std::optional<LookPicture> Look::picture() const {
+    if (!kind_.layout) {
+        return std::nullopt;
+    }
+    LookPicture out{code_picture(read_png(bytes_, name_)), kind_.layout, kind_.engine,
+                    lut_->cube->size};
+    const bool is_whole =
+        kind_.layout->picture(out.size) == PictureSize{out.codes.width, out.codes.height};
+    return is_whole ? std::optional(std::move(out)) : std::nullopt;
+}
+
+LookReference Look::reference(Interpolation how) const {
+    if (recipe_) {
+        return {exact(), "the recipe, evaluated exactly", {}};
+    }
+    if (how == Interpolation::nearest) {
+        return {Transform::of(lut_, how),
+                "lutlib, exactly, as OpenColorIO has no nearest interpolation",
+                {}};
+    }
+    LookReference out{{}, "OpenColorIO " + ocio().version(), {}};
+    if (kind_.layout) {
+        out.refusal = "it reads no pictures";
+    } else if (lut_->interpolation.value_or(how) != how) {
+        out.refusal = "the file asks for " + std::string(name_of(*lut_->interpolation)) +
+                      " interpolation, not " + std::string(name_of(how));
+    } else {
+        try {
+            out.look = in_opencolorio(how);
+            return out;
+        } catch (const Error& error) {
+            out.refusal = error.message();
+        }
+    }
+    out.look = ocio().from_lut(*lut_, {.interpolation = how});
+    return out;
+}
+
+Transform Look::in_opencolorio(Interpolation how) const {
+    const FileFormat& format = require_file_format(kind_.format);
+    return ocio().parse(bytes_, formats::opencolorio_extension(format, name_), name_,
+                        {.interpolation = how});
+}
+
+} // namespace lutlib::io

@@ -10,7 +10,7 @@ void EngineOption::declare(CLI::App& app, const std::string& default_name) {
 }
 
 const lutlib::Engine& EngineOption::get() const {
-    return lutlib::require_named(lutlib::engines(), "engine", name_);
+    return lutlib::require_named(lutlib::engines(), "engine", name_, lutlib::Letters::any_case);
 }
 
 void InterpolationOption::declare(CLI::App& app, const std::string& help) {

@@ -4,8 +4,7 @@
 #include "converter/report.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
-
-#include <fmt/core.h>
+#include "lutlib/named.h"
 
 #include <cstdio>
 #include <exception>
@@ -26,15 +25,8 @@ int answer(const CLI::App& app, const CLI::ParseError& error) {
 // CLI11 would only say that a verb is missing.
 void require_verb(int argc, const char* const* argv) {
     const std::string_view word = argc > 1 ? argv[1] : "-";
-    std::string verbs;
-    for (const Command& command : commands()) {
-        if (command.name == word) {
-            return;
-        }
-        verbs += (verbs.empty() ? "" : ", ") + std::string(command.name);
-    }
     if (!word.starts_with('-')) {
-        throw lutlib::UsageError(fmt::format("there is no verb '{}'; there are {}", word, verbs));
+        lutlib::require_named(commands(), "verb", word);
     }
 }
 

@@ -47,6 +47,10 @@ std::string help_of(const Parameter& parameter) {
     return out;
 }
 
+std::vector<std::string_view> shapers(bool recipe) {
+    return recipe ? lutlib::recipe_shaper_names() : lutlib::shaper_names();
+}
+
 } // namespace
 
 void OperatorFlags::declare(CLI::App& app) {
@@ -94,8 +98,8 @@ void SamplingOptions::declare(CLI::App& app, bool recipe) {
     app.add_option("--domain", domain_, "input range of the result: minimum and maximum")
         ->expected(2);
     app.add_option("--shaper", shaper_,
-                   fmt::format("1D table before the cube: none, base, {}or the curve of one of {}",
-                               recipe ? "tone, " : "", encoding_names()));
+                   "1D table before the cube, or the encoding whose curve it is: " +
+                       lutlib::listed(shapers(recipe)));
     app.add_option("--shaper-size", shaper_size_, "entries of the 1D table")->check(shaper_sizes());
 }
 
@@ -107,8 +111,9 @@ void SamplingOptions::apply_to(lutlib::BakeSettings& settings) const {
         settings.domain = domain_of(domain_);
     }
     if (!shaper_.empty()) {
-        if (shaper_ != "none" && shaper_ != "base" && !(recipe_ && shaper_ == "tone")) {
-            encoding_of(shaper_, "--shaper");
+        const std::vector<std::string_view> names = shapers(recipe_);
+        if (std::find(names.begin(), names.end(), shaper_) == names.end()) {
+            lutlib::refuse_name("shaper", shaper_, names);
         }
         settings.shaper = shaper_;
     }
@@ -162,24 +167,15 @@ void NewLutOptions::declare(CLI::App& app) {
 }
 
 const lutlib::Encoding& NewLutOptions::results() const {
-    return encoding_of(encoding, "--encoding");
+    return encoding_of(encoding);
 }
 
-const lutlib::Encoding& encoding_of(const std::string& name, const std::string& flag) {
-    const lutlib::Encoding* const found = lutlib::encoding_named(name);
-    if (!found) {
-        throw lutlib::UsageError(flag + " '" + name + "' is unknown; there are " +
-                                 encoding_names());
-    }
-    return *found;
+const lutlib::Encoding& encoding_of(const std::string& name) {
+    return lutlib::require_named(lutlib::encodings(), "encoding", name);
 }
 
 std::string encoding_names() {
-    std::string out;
-    for (const lutlib::Encoding& row : lutlib::encodings()) {
-        out += (out.empty() ? "" : ", ") + std::string(row.name);
-    }
-    return out;
+    return lutlib::names_of(lutlib::encodings());
 }
 
 } // namespace converter

@@ -71,7 +71,7 @@ struct NewLutOptions {
 };
 
 /// A row of lutlib::encodings(). Throws UsageError naming the flag.
-const lutlib::Encoding& encoding_of(const std::string& name, const std::string& flag);
+const lutlib::Encoding& encoding_of(const std::string& name);
 /// The names of all rows, for help.
 std::string encoding_names();
 

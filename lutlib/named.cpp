@@ -51,13 +51,6 @@ std::string_view suggestion(std::string_view name, std::span<const std::string_v
 
 } // namespace
 
-bool same_name(std::string_view a, std::string_view b, Letters letters) {
-    return letters == Letters::exact
-               ? a == b
-               : std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                            [](char x, char y) { return upper(x) == upper(y); });
-}
-
 std::string listed(std::span<const std::string_view> names) {
     std::string out;
     for (const std::string_view name : names) {
@@ -66,17 +59,20 @@ std::string listed(std::span<const std::string_view> names) {
     return out;
 }
 
+std::string what_there_is(std::string_view name, std::span<const std::string_view> names) {
+    const std::string_view meant = suggestion(name, names);
+    std::string out;
+    if (!meant.empty()) {
+        out.append("did you mean ").append(meant).append("? ");
+    }
+    out += out.empty() ? "there " : "There ";
+    return out + (names.size() == 1 ? "is " : "are ") + (names.empty() ? "none" : listed(names));
+}
+
 std::string no_such_name(std::string_view kind, std::string_view name,
                          std::span<const std::string_view> names) {
     std::string out = "there is no ";
-    out.append(kind).append(" '").append(name).append("'; ");
-    const std::string_view meant = suggestion(name, names);
-    if (!meant.empty()) {
-        out.append("did you mean ").append(meant).append("? There ");
-    } else {
-        out += "there ";
-    }
-    return out + (names.size() == 1 ? "is " : "are ") + (names.empty() ? "none" : listed(names));
+    return out.append(kind).append(" '").append(name).append("'; ") + what_there_is(name, names);
 }
 
 void refuse_name(std::string_view kind, std::string_view name,

@@ -2,6 +2,7 @@
 // a table is any range of rows or of pointers to rows that outlives the call.
 #pragma once
 
+#include <algorithm>
 #include <ranges>
 #include <span>
 #include <string>
@@ -14,11 +15,16 @@ namespace lutlib {
 enum class Letters { exact, any_case };
 
 /// Whether two names are equal; any_case takes ASCII letters for equal to their capitals.
-bool same_name(std::string_view a, std::string_view b, Letters letters = Letters::exact);
+constexpr bool same_name(std::string_view a, std::string_view b, Letters letters = Letters::exact) {
+    const auto capital = [](char c) { return c >= 'a' && c <= 'z' ? c - 'a' + 'A' : +c; };
+    return letters == Letters::exact ? a == b : std::ranges::equal(a, b, {}, capital, capital);
+}
 
-/// What is said of a name that no row has: "there is no engine 'unrael'; did you mean unreal? There
-/// are piccolo, unreal". `kind` is the singular of what the rows are. A name is suggested where
-/// two edits (one, of names of up to three letters) make it of what was asked for.
+/// What is said beside a name that is none of these: "there are piccolo, unreal", or "did you mean
+/// unreal? There are piccolo, unreal" where two edits (one, of names of up to three letters) make a
+/// name of what was asked for.
+std::string what_there_is(std::string_view name, std::span<const std::string_view> names);
+/// "there is no engine 'unrael'; " and the above. `kind` is the singular of what the rows are.
 std::string no_such_name(std::string_view kind, std::string_view name,
                          std::span<const std::string_view> names);
 /// Throws no_such_name() as a UsageError.

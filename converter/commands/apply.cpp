@@ -8,11 +8,11 @@
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/image.h"
+#include "lutlib/named.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -36,26 +36,16 @@ struct Report {
     const io::DepthInfo* depth = nullptr;
 };
 
-std::string names_of(std::span<const io::Depth> depths) {
-    std::string out;
-    for (const io::Depth depth : depths) {
-        out += (out.empty() ? "" : ", ") + std::string(io::info_of(depth).name);
-    }
-    return out;
-}
-
 // The depth that was asked for, which the file type must hold, else the nearest to the picture's.
 io::Depth choose_depth(const std::string& name, std::span<const io::Depth> held, io::Depth usual) {
     if (name.empty()) {
         return io::nearest_depth(usual, held);
     }
-    const auto row = std::find_if(held.begin(), held.end(),
-                                  [&](io::Depth depth) { return io::info_of(depth).name == name; });
-    if (row == held.end()) {
-        throw lutlib::UsageError("--depth '" + name + "' is none that this type of file holds; " +
-                                 "it holds " + names_of(held));
+    std::vector<const io::DepthInfo*> rows;
+    for (const io::Depth depth : held) {
+        rows.push_back(&io::info_of(depth));
     }
-    return *row;
+    return lutlib::require_named(rows, "--depth of this type of file", name).depth;
 }
 
 // What no table holds, colour by colour.

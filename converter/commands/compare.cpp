@@ -55,7 +55,7 @@ int run(const Options& o) {
         throw lutlib::UsageError("--samples must be a number from 1 to 100000000");
     }
     require_one_standard_input(std::array{o.a, o.b});
-    const lutlib::Encoding& encoding = encoding_of(o.encoding, "--encoding");
+    const lutlib::Encoding& encoding = encoding_of(o.encoding);
     const Compared a = opened(o.a, o), b = opened(o.b, o);
     lutlib::Domain domain = united(a.domain, b.domain);
     if (!o.domain.empty()) {

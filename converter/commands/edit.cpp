@@ -58,10 +58,10 @@ lutlib::Recipe assemble(const Options& o, std::string& base) {
         throw lutlib::UsageError("--save-recipe needs the LUT as a file, not standard input");
     }
     if (!o.input_encoding.empty()) {
-        recipe.input = &encoding_of(o.input_encoding, "--input-encoding");
+        recipe.input = &encoding_of(o.input_encoding);
     }
     if (!o.output_encoding.empty()) {
-        recipe.output = &encoding_of(o.output_encoding, "--output-encoding");
+        recipe.output = &encoding_of(o.output_encoding);
     }
     if (!o.title.empty()) {
         recipe.title = o.title;

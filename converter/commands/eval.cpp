@@ -51,8 +51,7 @@ std::vector<Rgb> from_arguments(const std::vector<std::string>& words) {
     for (const std::string& word : words) {
         if (word.starts_with('-') && !is_number(word)) {
             throw lutlib::UsageError("there is no flag '" + word +
-                                     "'; eval takes --interpolation "
-                                     "and --json");
+                                     "'; lutconv eval --help lists them");
         }
     }
     if (words.size() % 3 != 0) {

@@ -7,6 +7,7 @@
 #include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
+#include "lutlib/named.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -23,6 +24,8 @@ namespace converter {
 namespace {
 
 namespace io = lutlib::io;
+
+constexpr std::array<std::string_view, 1> suites{"stiff"};
 
 struct Options {
     std::string input, suite, output, json, csv, input_encoding, output_encoding;
@@ -71,10 +74,10 @@ struct Report {
 Report report_on_look(const Options& o) {
     lutlib::Recipe recipe = recipe_of(open_look(o.input));
     if (!o.input_encoding.empty()) {
-        recipe.input = &encoding_of(o.input_encoding, "--input-encoding");
+        recipe.input = &encoding_of(o.input_encoding);
     }
     if (!o.output_encoding.empty()) {
-        recipe.output = &encoding_of(o.output_encoding, "--output-encoding");
+        recipe.output = &encoding_of(o.output_encoding);
     }
     ProgressBar bar;
     lutlib::SurveySettings settings;
@@ -100,10 +103,10 @@ Report report_on_suite() {
 
 int run(const Options& o) {
     if (o.input.empty() == o.suite.empty()) {
-        throw lutlib::UsageError("report takes either a look or --suite stiff");
+        throw lutlib::UsageError("report takes either a look or --suite " + lutlib::listed(suites));
     }
-    if (!o.suite.empty() && o.suite != "stiff") {
-        throw lutlib::UsageError("there is no suite '" + o.suite + "'; there is stiff");
+    if (!o.suite.empty() && o.suite != suites.front()) {
+        lutlib::refuse_name("suite", o.suite, suites);
     }
     const std::string shown = standard_output_of(std::array{o.output, o.json, o.csv});
     const Report report = o.suite.empty() ? report_on_look(o) : report_on_suite();

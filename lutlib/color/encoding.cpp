@@ -2,6 +2,7 @@
 
 #include "lutlib/color/transfer.h"
 #include "lutlib/color/transfer_all.h"
+#include "lutlib/named.h"
 
 #include <array>
 
@@ -36,12 +37,7 @@ std::span<const Encoding> encodings() {
 }
 
 const Encoding* encoding_named(std::string_view name) {
-    for (const Encoding& row : table) {
-        if (row.name == name) {
-            return &row;
-        }
-    }
-    return nullptr;
+    return find_named(table, name);
 }
 
 const Encoding& srgb() {

@@ -1,5 +1,7 @@
 #include "lutlib/engine/engine.h"
 
+#include "lutlib/named.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -276,9 +278,7 @@ std::span<const Engine> engines() {
 }
 
 const Engine* engine_named(std::string_view name) {
-    const auto row = std::find_if(table.begin(), table.end(),
-                                  [&](const Engine& engine) { return engine.name == name; });
-    return row == table.end() ? nullptr : &*row;
+    return find_named(table, name, Letters::any_case);
 }
 
 } // namespace lutlib

@@ -39,6 +39,7 @@ struct Engine {
 };
 
 std::span<const Engine> engines();
+/// In letters of any case. Null when there is none.
 const Engine* engine_named(std::string_view name);
 
 } // namespace lutlib

@@ -2,6 +2,7 @@
 
 #include "lutlib/error.h"
 #include "lutlib/limits.h"
+#include "lutlib/named.h"
 
 #include <algorithm>
 #include <array>
@@ -85,9 +86,7 @@ std::span<const Layout> layouts() {
 }
 
 const Layout* layout_named(std::string_view name) {
-    const auto row = std::find_if(table.begin(), table.end(),
-                                  [&](const Layout& layout) { return layout.name == name; });
-    return row == table.end() ? nullptr : &*row;
+    return find_named(table, name);
 }
 
 Picture to_picture(const Lut3D& cube, const Layout& layout) {

@@ -1,5 +1,7 @@
 #include "lutlib/interpolation/interpolation.h"
 
+#include "lutlib/named.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -148,12 +150,8 @@ std::span<const InterpolationInfo> interpolations() {
 }
 
 std::optional<Interpolation> interpolation_named(std::string_view name) {
-    for (const InterpolationInfo& row : table) {
-        if (row.name == name) {
-            return row.kind;
-        }
-    }
-    return std::nullopt;
+    const InterpolationInfo* const row = find_named(table, name);
+    return row ? std::optional(row->kind) : std::nullopt;
 }
 
 std::string_view name_of(Interpolation kind) {

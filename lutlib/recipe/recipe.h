@@ -36,6 +36,9 @@
 
 namespace lutlib {
 
+/// What BakeSettings::shaper may be: tone, and shaper_names().
+std::vector<std::string_view> recipe_shaper_names();
+
 /// How a recipe becomes a LUT. Unset members are taken from the base, else from the defaults above.
 struct BakeSettings {
     std::optional<int> size;

@@ -1,6 +1,8 @@
 #include "lutlib/error.h"
 #include "lutlib/limits.h"
+#include "lutlib/named.h"
 #include "lutlib/recipe/recipe.h"
+#include "lutlib/resample/resample.h"
 
 #include <nlohmann/json.hpp>
 
@@ -78,37 +80,24 @@ struct Node {
         array(3);
         return {item(0).number(), item(1).number(), item(2).number()};
     }
-    template <class Known>
-    void only(const Known& known) const {
+    [[noreturn]] void refuse_name(std::string_view name,
+                                  std::span<const std::string_view> names) const {
+        refuse("is '" + std::string(name) + "'; " + what_there_is(name, names));
+    }
+    void only(std::span<const std::string_view> known) const {
         for (const auto& [key, unused] : object().value.items()) {
-            if (std::find(std::begin(known), std::end(known), key) == std::end(known)) {
-                refuse("has an unknown key '" + key + "'; there are " + listed(known));
+            if (std::find(known.begin(), known.end(), key) == known.end()) {
+                refuse("has an unknown key '" + key + "'; " + what_there_is(key, known));
             }
         }
     }
-    template <class Names>
-    static std::string listed(const Names& names) {
-        std::string out;
-        for (const auto& name : names) {
-            out += (out.empty() ? "" : ", ") + std::string(name);
-        }
-        return out;
-    }
 };
-
-std::vector<std::string_view> encoding_names() {
-    std::vector<std::string_view> names;
-    for (const Encoding& row : encodings()) {
-        names.push_back(row.name);
-    }
-    return names;
-}
 
 const Encoding* read_encoding(const Node& node) {
     const std::string name = node.text();
     const Encoding* const found = encoding_named(name);
     if (!found) {
-        node.refuse("is '" + name + "'; there are " + Node::listed(encoding_names()));
+        node.refuse_name(name, name_list(encodings()));
     }
     return found;
 }
@@ -140,14 +129,9 @@ Operation read_operation(const Node& node) {
     const std::string name = node.member("op").text();
     const Op* const op = op_named(name);
     if (!op) {
-        std::vector<std::string_view> names;
-        for (const Op* row : ops()) {
-            names.push_back(row->name);
-        }
-        node.member("op").refuse("is '" + name + "', which is unknown; there are " +
-                                 Node::listed(names));
+        node.member("op").refuse_name(name, name_list(ops()));
     }
-    std::vector<std::string> keys{"op", "enabled"};
+    std::vector<std::string_view> keys{"op", "enabled"};
     for (const Parameter& parameter : op->parameters) {
         keys.emplace_back(parameter.name);
     }
@@ -195,11 +179,9 @@ BakeSettings read_bake(const Node& node) {
     }
     if (node.has("shaper")) {
         out.shaper = node.member("shaper").text();
-        std::vector<std::string_view> names = encoding_names();
-        names.insert(names.begin(), {"none", "base", "tone"});
+        const std::vector<std::string_view> names = recipe_shaper_names();
         if (std::find(names.begin(), names.end(), out.shaper) == names.end()) {
-            node.member("shaper").refuse("is '" + out.shaper + "'; there are " +
-                                         Node::listed(names));
+            node.member("shaper").refuse_name(out.shaper, names);
         }
     }
     if (node.has("shaper_size")) {
@@ -227,6 +209,12 @@ json parsed(std::string_view text, const std::string& file) {
 }
 
 } // namespace
+
+std::vector<std::string_view> recipe_shaper_names() {
+    std::vector<std::string_view> names = shaper_names();
+    names.insert(names.begin(), "tone");
+    return names;
+}
 
 Recipe parse_recipe(std::string_view text, const std::string& file) {
     const json document = parsed(text, file);

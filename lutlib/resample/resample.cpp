@@ -3,6 +3,7 @@
 #include "lutlib/error.h"
 #include "lutlib/interpolation/interpolation.h"
 #include "lutlib/interpolation/tricubic.h"
+#include "lutlib/named.h"
 #include "lutlib/resample/sample_lut.h"
 
 #include <algorithm>
@@ -50,15 +51,19 @@ std::span<const ResamplingMethod> resampling_methods() {
 }
 
 const ResamplingMethod* resampling_method_named(std::string_view name) {
-    const auto row = std::find_if(table.begin(), table.end(),
-                                  [&](const ResamplingMethod& m) { return m.name == name; });
-    return row == table.end() ? nullptr : &*row;
+    return find_named(table, name);
 }
 
 const ResamplingMethod& usual_resampling() {
     static constexpr ResamplingMethod usual{"", "as the look asks for",
                                             [](const Lut& lut) { return Transform::of(lut); }};
     return usual;
+}
+
+std::vector<std::string_view> shaper_names() {
+    std::vector<std::string_view> names = name_list(encodings());
+    names.insert(names.begin(), {"none", "base"});
+    return names;
 }
 
 Lut sample_like(const Lut& like, const Sampling& sampling, const Transform& whole,

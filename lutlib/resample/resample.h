@@ -38,6 +38,9 @@ struct Sampling {
     const Encoding* input = &srgb(); ///< what the look's input codes are, for an encoding's shaper
 };
 
+/// What Sampling::shaper may be.
+std::vector<std::string_view> shaper_names();
+
 /// The look at the nodes of the new lattice. `shaper`:
 ///   ""           as the look has it, unless a domain is given, which means none
 ///   "none"       a cube alone

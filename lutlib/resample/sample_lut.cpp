@@ -1,6 +1,7 @@
 #include "lutlib/resample/sample_lut.h"
 
 #include "lutlib/error.h"
+#include "lutlib/named.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -89,7 +90,7 @@ Lut1D encoding_shaper(std::string_view shaper, const Encoding& input, const Doma
                       int size) {
     const Encoding* const encoding = encoding_named(shaper);
     if (!encoding) {
-        throw Error("there is no shaper '" + std::string(shaper) + "'");
+        throw Error(no_such_name("shaper", shaper, name_list(encodings())));
     }
     check_shaper_size(size);
     check_domain(domain);

@@ -1,6 +1,7 @@
 #include "lutlib/survey/stiff_suite.h"
 
 #include "lutlib/color/luma.h"
+#include "lutlib/named.h"
 
 #include <algorithm>
 #include <array>
@@ -219,9 +220,7 @@ std::span<const StiffLook> stiff_suite() {
 }
 
 const StiffLook* stiff_look_named(std::string_view name) {
-    const auto row = std::find_if(table.begin(), table.end(),
-                                  [&](const StiffLook& look) { return look.name == name; });
-    return row == table.end() ? nullptr : &*row;
+    return find_named(table, name);
 }
 
 } // namespace lutlib

@@ -1,6 +1,7 @@
 #include "preview/cli/light_edit.h"
 
 #include "lutlib/error.h"
+#include "lutlib/named.h"
 
 #include <fmt/format.h>
 
@@ -17,24 +18,22 @@ namespace {
 
 PointLight& light_named(std::vector<PointLight>& lights, const std::string& name,
                         const std::string& text) {
-    std::string names;
+    std::vector<std::string> names;
     for (std::size_t i = 0; i < lights.size(); ++i) {
         if (lights[i].name == name || std::to_string(i) == name)
             return lights[i];
-        names += (names.empty() ? "" : ", ") + light_name(lights[i], i);
+        names.push_back(light_name(lights[i], i));
     }
-    reject(text, names.empty() ? "there are no lights"
-                               : fmt::format("no light is named '{}', there are: {}", name, names));
+    reject(text, lutlib::no_such_name("light", name,
+                                      std::vector<std::string_view>(names.begin(), names.end())));
 }
 
 const LightControl& control_named(const std::string& name, const std::string& text) {
-    std::string names;
-    for (const LightControl& row : light_controls()) {
-        if (row.name == name)
-            return row;
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", row.name);
-    }
-    reject(text, fmt::format("lights have no '{}', but: {}", name, names));
+    const LightControl* const row = lutlib::find_named(light_controls(), name);
+    if (row == nullptr)
+        reject(text, lutlib::no_such_name("control of a light", name,
+                                          lutlib::name_list(light_controls())));
+    return *row;
 }
 
 glm::vec3 values_of(const LightControl& control, const std::string& values,

@@ -1,6 +1,7 @@
 #include "preview/cli/options.h"
 
 #include "lutlib/error.h"
+#include "lutlib/named.h"
 #include "preview/cli/light_edit.h"
 
 #include <CLI/CLI.hpp>
@@ -14,16 +15,9 @@ namespace {
 
 constexpr std::uint32_t largest_side = 16384;
 
-/// The row of that name, or a UsageError that lists the table's names.
 template <class Rows>
 const auto* require_row(const Rows& rows, const std::string& name, std::string_view what) {
-    std::string names;
-    for (const auto& row : rows) {
-        if (row.name == name)
-            return &row;
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", row.name);
-    }
-    throw lutlib::UsageError(fmt::format("no {} is named '{}'; there are: {}", what, name, names));
+    return &lutlib::require_named(rows, what, name);
 }
 
 Size parse_size(std::string_view option, const std::string& text) {

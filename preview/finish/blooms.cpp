@@ -1,5 +1,7 @@
 #include "preview/finish/blooms.h"
 
+#include "lutlib/named.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -251,10 +253,7 @@ std::span<const Bloom> blooms() {
 }
 
 const Bloom* bloom_named(std::string_view name) {
-    for (const Bloom& row : table)
-        if (row.name == name)
-            return &row;
-    return nullptr;
+    return lutlib::find_named(table, name);
 }
 
 BloomPlan bloom_plan(const Bloom& bloom, BloomExtent picture, const BloomSettings& settings) {

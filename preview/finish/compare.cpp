@@ -1,5 +1,7 @@
 #include "preview/finish/compare.h"
 
+#include "lutlib/named.h"
+
 #include <bit>
 
 namespace preview {
@@ -11,10 +13,7 @@ constexpr double bins_per_unit = 40;
 } // namespace
 
 const Compare* compare_named(std::string_view name) {
-    for (const Compare& row : compares)
-        if (row.name == name)
-            return &row;
-    return nullptr;
+    return lutlib::find_named(compares, name);
 }
 
 DifferenceFigures difference_figures(std::span<const std::uint32_t> counted, std::uint64_t texels) {

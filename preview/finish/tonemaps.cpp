@@ -1,5 +1,7 @@
 #include "preview/finish/tonemaps.h"
 
+#include "lutlib/named.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -144,10 +146,7 @@ std::span<const Tonemap> tonemaps() {
 }
 
 const Tonemap* tonemap_named(std::string_view name) {
-    for (const Tonemap& row : table)
-        if (row.name == name)
-            return &row;
-    return nullptr;
+    return lutlib::find_named(table, name);
 }
 
 } // namespace preview

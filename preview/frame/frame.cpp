@@ -1,6 +1,7 @@
 #include "preview/frame/frame.h"
 
 #include "lutlib/error.h"
+#include "lutlib/named.h"
 #include "preview/frame/instruments.h"
 #include "preview/passes/fxaa.h"
 #include "preview/passes/shadow.h"
@@ -200,9 +201,7 @@ std::span<const DebugView> debug_views() {
 }
 
 const DebugView* debug_view_named(std::string_view name) {
-    const auto* found = std::find_if(std::begin(views), std::end(views),
-                                     [&](const DebugView& view) { return view.name == name; });
-    return found == std::end(views) ? nullptr : found;
+    return lutlib::find_named(views, name);
 }
 
 FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings) {

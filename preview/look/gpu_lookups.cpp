@@ -1,6 +1,7 @@
 #include "preview/look/gpu_lookups.h"
 
 #include "lutlib/error.h"
+#include "lutlib/named.h"
 
 #include <algorithm>
 #include <cmath>
@@ -140,10 +141,7 @@ std::span<const Lookup> lookups() {
 }
 
 const Lookup* lookup_named(std::string_view name) {
-    for (const Lookup& row : lookups())
-        if (row.name == name)
-            return &row;
-    return nullptr;
+    return lutlib::find_named(lookups(), name);
 }
 
 LookData no_look() {

@@ -1,5 +1,6 @@
 #include "preview/scene/scene.h"
 
+#include "lutlib/named.h"
 #include "preview/scene/builtin.h"
 #include "preview/scene/swatches.h"
 
@@ -64,10 +65,7 @@ std::span<const SceneInfo> scenes() {
 }
 
 const SceneInfo* scene_named(std::string_view name) {
-    for (const SceneInfo& info : scenes())
-        if (info.name == name)
-            return &info;
-    return nullptr;
+    return lutlib::find_named(scenes(), name);
 }
 
 Scene scene_at(const SceneInfo& info, double seconds) {

@@ -32,7 +32,7 @@ void choose_engine(Subject& s, const std::string& name) {
     }
 }
 
-int size_in_layout(const Engine& engine, const lutlib::CodePicture& codes) {
+int size_in_layout(const Engine& engine, const lutlib::CodeImage& codes) {
     const lutlib::Layout& layout = *lutlib::layout_named(engine.layout);
     const lutlib::PictureSize wanted{codes.width, codes.height};
     for (int n = lutlib::limits::min_cube_size; n <= lutlib::limits::max_cube_size; ++n) {
@@ -58,7 +58,7 @@ void check_shape(Subject& s) {
         return;
     }
     try {
-        check_contract(*s.engine, s.size, s.codes.bits);
+        check_contract(*s.engine, s.size, s.codes.depth.bits);
     } catch (const lutlib::UsageError& error) {
         s.contract.push_back(error.message());
     }
@@ -69,7 +69,7 @@ void check_alpha(Subject& s) {
     const auto step = static_cast<std::size_t>(s.image.channels);
     std::size_t clear = 0;
     for (std::size_t i = 3; step == 4 && i < s.image.samples.size(); i += step) {
-        clear += s.image.samples[i] < s.image.maximum();
+        clear += s.image.samples[i] < s.image.depth.maximum();
     }
     if (clear > 0) {
         s.contract.push_back(

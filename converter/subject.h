@@ -18,8 +18,8 @@ enum class NamedBy {
 };
 
 struct Subject {
-    lutlib::io::CodeImage image;
-    lutlib::CodePicture codes;
+    lutlib::io::PngImage image;
+    lutlib::CodeImage codes;
     const lutlib::Engine* engine = nullptr;
     NamedBy named_by = NamedBy::option;
     int size = 0;                      ///< 0 when the engine's layout has no such picture

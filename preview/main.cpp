@@ -42,7 +42,7 @@ std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& p
 }
 
 void write_picture(const std::string& path, const Rendered& rendered) {
-    lutlib::io::CodeImage image;
+    lutlib::io::PngImage image;
     image.width = static_cast<int>(rendered.size.width);
     image.height = static_cast<int>(rendered.size.height);
     image.srgb_tag = true;

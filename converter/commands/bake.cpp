@@ -66,9 +66,9 @@ std::string budget_text(const Options& o, const BudgetBake& found) {
         "  {} the promise of dE2000 {:g}: {} nodes, {} bits, {}, {} bytes of codes, {} tried{}\n"
         "    on the {} colours it was chosen on: {}\n"
         "    on {} others, and uphill from the worst of them: {}\n",
-        found.kept ? "keeps" : "NOTHING KEEPS", o.max_delta_e, bake.size, bake.picture.bits,
+        found.kept ? "keeps" : "NOTHING KEEPS", o.max_delta_e, bake.size, bake.picture.depth.bits,
         found.filled.fitted ? "fitted" : "point-sampled",
-        lutlib::lattice_bytes(bake.size, bake.picture.bits), found.tried,
+        lutlib::lattice_bytes(bake.size, bake.picture.depth.bits), found.tried,
         found.kept ? "" : "; this comes nearest", found.chosen_on.delta_e.count,
         to_text(found.chosen_on.delta_e), found.checked_on.delta_e.count,
         to_text(found.checked_on.delta_e));
@@ -84,7 +84,7 @@ nlohmann::ordered_json as_json(const Options& o, const FilledBake& filled, const
             {"width", bake.picture.width},
             {"height", bake.picture.height},
             {"size", bake.size},
-            {"bits", bake.picture.bits},
+            {"bits", bake.picture.depth.bits},
             {"srgb_tag", bake.engine->srgb_tag == lutlib::SrgbTag::present},
             {"loss",
              {{"clamped_values", bake.loss.clamped_values},
@@ -110,7 +110,7 @@ nlohmann::ordered_json budget_json(const Options& o, const BudgetBake& found) {
         {"max_delta_e", o.max_delta_e},
         {"kept", found.kept},
         {"tried", found.tried},
-        {"bytes", lutlib::lattice_bytes(found.filled.bake.size, found.filled.bake.picture.bits)},
+        {"bytes", lutlib::lattice_bytes(found.filled.bake.size, found.filled.bake.picture.depth.bits)},
         {"chosen_on", to_json(found.chosen_on.delta_e)},
         {"checked_on", to_json(found.checked_on.delta_e)}};
 }
@@ -155,7 +155,7 @@ int run(const Options& o) {
     std::optional<Explanation> explanation;
     if (o.explain) {
         // What changes less than half a code is not seen in the picture.
-        explanation = explain(*look.table().lut, 0.5 / filled.bake.picture.maximum());
+        explanation = explain(*look.table().lut, 0.5 / filled.bake.picture.depth.maximum());
         explanation->kept = "the engine reads a lattice of this size whatever the look is";
     }
     if (o.json) {

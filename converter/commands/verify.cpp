@@ -159,7 +159,7 @@ std::string lookup_text(const Subject& s, const lutlib::LookupError& error) {
 std::string as_text(const Options& o, const Subject& s, const Verdict& v) {
     std::string out = fmt::format("{} against {} by {}\n", o.picture, o.against, v.oracle);
     out += fmt::format("  layout {}, {}x{}, {} nodes a side, {} bits: {}\n", s.engine->layout,
-                       s.codes.width, s.codes.height, s.size, s.codes.bits, s.engine->label);
+                       s.codes.width, s.codes.height, s.size, s.codes.depth.bits, s.engine->label);
     if (!v.refusal.empty()) {
         out += "  OpenColorIO evaluates what lutlib read of the look: " + v.refusal + "\n";
     }
@@ -194,7 +194,7 @@ nlohmann::ordered_json as_json(const Options& o, const Subject& s, const Verdict
                                {"engine_named_by", words_of(s.named_by).name},
                                {"layout", s.engine->layout},
                                {"size", s.size},
-                               {"bits", s.codes.bits},
+                               {"bits", s.codes.depth.bits},
                                {"contract_violations", s.contract}};
     if (!v.refusal.empty()) {
         out["oracle_refusal"] = v.refusal;

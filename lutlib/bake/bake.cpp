@@ -49,10 +49,10 @@ Bake lay_out(const std::vector<RgbD>& nodes, const Engine& engine, int size, int
     Bake out{&engine, size, {}, {}};
     out.picture.width = extent.width;
     out.picture.height = extent.height;
-    out.picture.bits = bits;
-    out.picture.codes.resize(static_cast<std::size_t>(extent.width) *
-                             static_cast<std::size_t>(extent.height) * 3);
-    const double maximum = out.picture.maximum();
+    out.picture.depth = {bits};
+    out.picture.samples.resize(static_cast<std::size_t>(extent.width) *
+                               static_cast<std::size_t>(extent.height) * 3);
+    const CodeDepth depth = out.picture.depth;
     double sum = 0;
     auto node = nodes.begin();
     for (int b = 0; b < size; ++b) {
@@ -67,11 +67,11 @@ Bake lay_out(const std::vector<RgbD>& nodes, const Engine& engine, int size, int
                         out.loss.most_clamped =
                             std::max(out.loss.most_clamped, std::abs(value - held));
                     }
-                    const double code = std::floor(held * maximum + 0.5);
-                    const double rounding = std::abs(code / maximum - held);
+                    const std::uint16_t code = depth.code(held);
+                    const double rounding = std::abs(depth.value(code) - held);
                     out.loss.max_rounding = std::max(out.loss.max_rounding, rounding);
                     sum += rounding;
-                    out.picture.code(p, c) = static_cast<std::uint16_t>(code);
+                    out.picture.at(p, c) = code;
                 }
             }
         }
@@ -99,12 +99,12 @@ Bake bake(const Transform& look, const Engine& engine, int size, int bits) {
     return lay_out(nodes, engine, size, bits);
 }
 
-Picture decoded(const CodePicture& codes) {
-    Picture out{codes.width, codes.height, std::vector<Rgb>(codes.codes.size() / 3)};
-    const float maximum = static_cast<float>(codes.maximum());
+Picture decoded(const CodeImage& codes) {
+    Picture out{codes.width, codes.height, std::vector<Rgb>(codes.samples.size() / 3)};
+    const CodeDepth depth = codes.depth;
     for (std::size_t i = 0; i < out.pixels.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
-            out.pixels[i][c] = static_cast<float>(codes.codes[3 * i + c]) / maximum;
+            out.pixels[i][c] = static_cast<float>(depth.value(codes.samples[3 * i + c]));
         }
     }
     return out;

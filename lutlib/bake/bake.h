@@ -1,6 +1,7 @@
 // From a look to the codes of an engine's LUT picture, and what that costs.
 #pragma once
 
+#include "lutlib/code_image.h"
 #include "lutlib/engine/engine.h"
 #include "lutlib/metrics/stats.h"
 #include "lutlib/transform.h"
@@ -9,23 +10,6 @@
 #include <vector>
 
 namespace lutlib {
-
-/// Integer codes of a LUT picture, RGB, rows from the top.
-struct CodePicture {
-    int width = 0, height = 0;
-    int bits = 8;
-    std::vector<std::uint16_t> codes;
-
-    int maximum() const { return (1 << bits) - 1; }
-    std::uint16_t code(Pixel p, std::size_t channel) const { return codes[index(p) + channel]; }
-    std::uint16_t& code(Pixel p, std::size_t channel) { return codes[index(p) + channel]; }
-
-  private:
-    std::size_t index(Pixel p) const {
-        return 3 * (static_cast<std::size_t>(p.y) * static_cast<std::size_t>(width) +
-                    static_cast<std::size_t>(p.x));
-    }
-};
 
 /// What rounding and clamping took, over all nodes.
 struct BakeLoss {
@@ -38,7 +22,7 @@ struct BakeLoss {
 struct Bake {
     const Engine* engine = nullptr;
     int size = 0;
-    CodePicture picture;
+    CodeImage picture; ///< RGB
     BakeLoss loss;
 };
 
@@ -51,7 +35,7 @@ Bake bake(const Transform& look, const Engine& engine, int size, int bits);
 Bake lay_out(const std::vector<RgbD>& nodes, const Engine& engine, int size, int bits);
 
 /// The codes as the engine's sampler sees them: code / maximum.
-Picture decoded(const CodePicture& codes);
+Picture decoded(const CodeImage& codes);
 
 /// Errors of an engine's lookup against a look, per colour: the largest channel difference, and
 /// the colour difference dE2000 of both as display-encoded sRGB.

@@ -126,7 +126,7 @@ FilledBake bake_fitted(const Transform& look, const Engine& engine, int size, in
     const LatticeReader reader = reader_of(engine, size);
     std::vector<RgbD> nodes = point_samples(held, reader);
     const FittedLattice fit =
-        LatticeFit(held, reader, std::move(nodes)).rounded(out.bake.picture.maximum());
+        LatticeFit(held, reader, std::move(nodes)).rounded(out.bake.picture.depth);
     out.fitted = fit.fitted;
     out.point_sampled = fit.point_sampled;
     out.result = fit.result;
@@ -267,7 +267,7 @@ BudgetBake bake_within(const Transform& look, const Engine& engine, const Budget
         std::iota(others.begin(), others.end(), limits::min_cube_size);
         for (const int bits : engine.bits) {
             std::vector<Combination> between = combinations(engine, budget, others);
-            const Combination found{best->filled.bake.size, best->filled.bake.picture.bits};
+            const Combination found{best->filled.bake.size, best->filled.bake.picture.depth.bits};
             std::erase_if(between, [&](Combination c) {
                 return c.bits != bits || c.size <= too_small[bits] || !smaller(c, found);
             });

@@ -59,7 +59,7 @@ std::vector<float> axis_inputs(const Engine& engine, int size) {
 }
 
 // The largest error of the engine's lookup of a picture around each node.
-std::vector<double> local_errors(const CodePicture& codes, const Engine& engine, int size,
+std::vector<double> local_errors(const CodeImage& codes, const Engine& engine, int size,
                                  const Transform& look) {
     const Picture picture = decoded(codes);
     const std::vector<float> axis = axis_inputs(engine, size);
@@ -89,33 +89,33 @@ std::vector<double> local_errors(const CodePicture& codes, const Engine& engine,
 
 } // namespace
 
-FittedCheck check_fitted(const CodePicture& picture, const Engine& engine, int size,
+FittedCheck check_fitted(const CodeImage& picture, const Engine& engine, int size,
                          const Transform& look, const std::vector<Rgb>& inputs) {
-    const CodePicture refit = bake_fitted(look, engine, size, picture.bits).bake.picture;
+    const CodeImage refit = bake_fitted(look, engine, size, picture.depth.bits).bake.picture;
     const std::vector<RgbD> expected = images_of(look, inputs);
-    const auto error_of = [&](const CodePicture& codes) {
+    const auto error_of = [&](const CodeImage& codes) {
         return lookup_error(engine, decoded(codes), size, inputs, expected);
     };
     FittedCheck out;
     out.result = error_of(picture);
     out.refit = error_of(refit);
-    out.point_sampled = error_of(bake(look, engine, size, picture.bits).picture);
+    out.point_sampled = error_of(bake(look, engine, size, picture.depth.bits).picture);
 
     const Layout& layout = *layout_named(engine.layout);
-    const int same = picture.bits == 8 ? same_in_8_bits : same_in_16_bits;
+    const int same = picture.depth.bits == 8 ? same_in_8_bits : same_in_16_bits;
     const std::vector<Node> nodes = nodes_of(size);
     std::vector<int> distance(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const Pixel p = layout.pixel(size, nodes[i].r, nodes[i].g, nodes[i].b);
         for (std::size_t c = 0; c < 3; ++c) {
             distance[i] =
-                std::max(distance[i], std::abs(picture.code(p, c) - int{refit.code(p, c)}));
+                std::max(distance[i], std::abs(picture.at(p, c) - int{refit.at(p, c)}));
         }
         out.moved += distance[i] > same;
     }
     out.texels = nodes.size();
     if (out.moved > 0) {
-        const auto local = [&](const CodePicture& codes) {
+        const auto local = [&](const CodeImage& codes) {
             return local_errors(codes, engine, size, look);
         };
         const std::vector<double> found = local(picture), fitted = local(refit);

@@ -25,7 +25,7 @@ struct FittedCheck {
 
 /// The picture's dimensions must be those of the engine's layout for `size`. Takes as long as
 /// bake_fitted() does.
-FittedCheck check_fitted(const CodePicture& picture, const Engine& engine, int size,
+FittedCheck check_fitted(const CodeImage& picture, const Engine& engine, int size,
                          const Transform& look, const std::vector<Rgb>& inputs);
 
 } // namespace lutlib

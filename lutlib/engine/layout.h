@@ -3,6 +3,7 @@
 // N is the lattice size; r,g,b run over 0..N-1; x to the right and y down from the top row.
 #pragma once
 
+#include "lutlib/code_image.h"
 #include "lutlib/lut.h"
 
 #include <optional>
@@ -12,11 +13,6 @@
 #include <vector>
 
 namespace lutlib {
-
-struct Pixel {
-    int x = 0, y = 0;
-    friend bool operator==(const Pixel&, const Pixel&) = default;
-};
 
 struct PictureSize {
     int width = 0, height = 0;

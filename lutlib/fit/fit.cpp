@@ -17,7 +17,7 @@ namespace lutlib {
 namespace {
 
 // Codes so fine that plain rounding loses nothing.
-constexpr int fine_codes = 65535;
+constexpr int fine_bits = 16;
 
 // Larger values pull towards the point samples; nodes are well determined by their cells' samples,
 // so a little is enough to settle the ends of the domain.
@@ -372,13 +372,13 @@ FittedLattice LatticeFit::exact() const {
     return state_->judged(state_->fitted, state_->point, state_->within_unit);
 }
 
-FittedLattice LatticeFit::rounded(int maximum) const {
+FittedLattice LatticeFit::rounded(CodeDepth depth) const {
     const State& s = *state_;
-    const std::vector<RgbD> plain = rounded_to_codes(s.point, maximum);
-    std::vector<RgbD> nodes = rounded_to_codes(s.fitted, maximum);
-    if (maximum < fine_codes) {
+    const std::vector<RgbD> plain = rounded_to_codes(s.point, depth);
+    std::vector<RgbD> nodes = rounded_to_codes(s.fitted, depth);
+    if (depth.bits < fine_bits) {
         nodes = descended(s.samples, std::move(nodes), plain, corners(s.reader.size), s.reader.size,
-                          maximum);
+                          depth);
     }
     return s.judged(std::move(nodes), plain, true);
 }

@@ -15,6 +15,7 @@
 // that had to go up lets its neighbours go down.
 #pragma once
 
+#include "lutlib/codes.h"
 #include "lutlib/engine/engine.h"
 #include "lutlib/metrics/stats.h"
 #include "lutlib/transform.h"
@@ -57,8 +58,8 @@ class LatticeFit {
 
     /// Nodes in full precision.
     FittedLattice exact() const;
-    /// Nodes of codes / maximum, for samples of that many codes. Values are held to 0..1.
-    FittedLattice rounded(int maximum) const;
+    /// Nodes whose values are codes of that depth. Values are held to 0..1.
+    FittedLattice rounded(CodeDepth depth) const;
 
   private:
     struct State;

@@ -55,10 +55,10 @@ struct Price {
 
 } // namespace
 
-std::vector<RgbD> rounded_to_codes(std::vector<RgbD> nodes, int maximum) {
+std::vector<RgbD> rounded_to_codes(std::vector<RgbD> nodes, CodeDepth depth) {
     for (RgbD& node : nodes) {
         for (std::size_t c = 0; c < 3; ++c) {
-            node[c] = std::floor(saturate(node[c]) * maximum + 0.5) / maximum;
+            node[c] = depth.value(depth.code(node[c]));
         }
     }
     return nodes;
@@ -66,7 +66,7 @@ std::vector<RgbD> rounded_to_codes(std::vector<RgbD> nodes, int maximum) {
 
 std::vector<RgbD> descended(const FitSamples& samples, std::vector<RgbD> nodes,
                             const std::vector<RgbD>& plain, const std::vector<bool>& fixed,
-                            int size, int maximum) {
+                            int size, CodeDepth depth) {
     for (std::size_t k = 0; k < nodes.size(); ++k) {
         nodes[k] = fixed[k] ? plain[k] : nodes[k];
     }
@@ -83,7 +83,7 @@ std::vector<RgbD> descended(const FitSamples& samples, std::vector<RgbD> nodes,
     std::vector<float> paid(count); // each sample's price as it stands
     std::transform(error.begin(), error.end(), paid.begin(), price);
     const Readers readers(samples, nodes.size());
-    const double step = 1.0 / maximum;
+    const double step = depth.value(1);
     const auto n = static_cast<std::size_t>(size);
 
     // Lowers what the node costs; true when it moved.
@@ -106,7 +106,7 @@ std::vector<RgbD> descended(const FitSamples& samples, std::vector<RgbD> nodes,
                     gain += samples.share[s] * (paid[s] - price(after));
                 }
                 if (gain > 0) {
-                    nodes[node][c] = std::round(value * maximum) / maximum;
+                    nodes[node][c] = depth.value(depth.code(value));
                     for (std::size_t k = begin; k < end; ++k) {
                         const auto s = static_cast<std::size_t>(readers.sample[k]);
                         error[s][c] += by * readers.weight[k];

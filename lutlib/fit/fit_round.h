@@ -1,6 +1,7 @@
 // Rounding a fitted lattice to codes, with an eye on what its readers will see.
 #pragma once
 
+#include "lutlib/codes.h"
 #include "lutlib/rgb.h"
 
 #include <vector>
@@ -25,14 +26,14 @@ struct FitSamples {
     }
 };
 
-/// Each value held to 0..1 and rounded to the nearest of k / maximum.
-std::vector<RgbD> rounded_to_codes(std::vector<RgbD> nodes, int maximum);
+/// Each value held to 0..1 and rounded to the nearest code.
+std::vector<RgbD> rounded_to_codes(std::vector<RgbD> nodes, CodeDepth depth);
 
 /// Moves single nodes by single codes as long as that lowers the mean error over the samples, and
 /// holds the largest error below that of `plain`. Nodes that are fixed become `plain`'s. The
 /// result does not depend on the number of threads.
 std::vector<RgbD> descended(const FitSamples& samples, std::vector<RgbD> nodes,
                             const std::vector<RgbD>& plain, const std::vector<bool>& fixed,
-                            int size, int maximum);
+                            int size, CodeDepth depth);
 
 } // namespace lutlib

@@ -1,5 +1,7 @@
 #include "lutlib/interpolation/stored_lut.h"
 
+#include "lutlib/codes.h"
+#include "lutlib/half.h"
 #include "lutlib/interpolation/apply.h"
 
 #include <algorithm>
@@ -11,9 +13,9 @@ namespace lutlib {
 namespace {
 
 constexpr std::array<Storage, 5> storage_table{{
-    {NodeFormat::codes8, "8", "8 bits", 3, 255},
-    {NodeFormat::codes10, "10", "10 bits", 4, 1023},
-    {NodeFormat::codes16, "16", "16 bits", 6, 65535},
+    {NodeFormat::codes8, "8", "8 bits", 3, 8},
+    {NodeFormat::codes10, "10", "10 bits", 4, 10},
+    {NodeFormat::codes16, "16", "16 bits", 6, 16},
     {NodeFormat::halves, "half", "half float", 6, 0},
     {NodeFormat::floats, "float", "float", 12, 0},
 }};
@@ -28,18 +30,6 @@ constexpr std::array<Lookup, 4> lookup_table{{
 // A vector of four channels is loaded where a node has three.
 constexpr std::size_t padding = 16;
 
-// Rounds to nearest, ties to even.
-std::uint16_t float_to_half(double x) {
-    const double held = std::clamp(std::isnan(x) ? 0 : x, -65504.0, 65504.0);
-    const auto sign = static_cast<std::uint16_t>(std::signbit(held) ? 0x8000 : 0);
-    const double magnitude = std::abs(held);
-    const int exponent = std::max(magnitude > 0 ? std::ilogb(magnitude) : -14, -14);
-    const auto mantissa = static_cast<int>(std::nearbyint(std::ldexp(magnitude, 10 - exponent)));
-    // A mantissa that rounds up to 2048 carries into the exponent, as it should.
-    const int bits = ((exponent + 14) << 10) + mantissa;
-    return static_cast<std::uint16_t>(sign | bits);
-}
-
 template <class T>
 void store(std::uint8_t* at, T value) {
     std::memcpy(at, &value, sizeof value);
@@ -48,7 +38,7 @@ void store(std::uint8_t* at, T value) {
 void store_node(std::uint8_t* at, RgbD node, const Storage& storage) {
     std::array<std::uint32_t, 3> code{};
     for (std::size_t c = 0; c < 3; ++c) {
-        code[c] = static_cast<std::uint32_t>(std::floor(saturate(node[c]) * storage.maximum + 0.5));
+        code[c] = CodeDepth{storage.bits}.code(node[c]);
     }
     if (storage.format == NodeFormat::codes10) {
         store(at, code[0] | code[1] << 10 | code[2] << 20);
@@ -65,7 +55,7 @@ void store_node(std::uint8_t* at, RgbD node, const Storage& storage) {
             store(to, static_cast<std::uint16_t>(code[c]));
             break;
         case NodeFormat::halves:
-            store(to, float_to_half(node[c]));
+            store(to, half_from(node[c]));
             break;
         case NodeFormat::floats:
             store(to, static_cast<float>(node[c]));

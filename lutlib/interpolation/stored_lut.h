@@ -20,7 +20,7 @@ struct Storage {
     std::string_view name;
     std::string_view label;
     std::size_t bytes; ///< of a node
-    int maximum;       ///< code of 1; 0 for floating point
+    int bits;          ///< of codes of 0..1; 0 for floating point
 };
 
 /// 8 bits, 10 bits (three in 32), 16 bits, half, float.

@@ -60,7 +60,7 @@ std::string bake_report(const std::string& input, const std::string& output, con
     const Engine& engine = *bake.engine;
     std::string out = fmt::format(
         "{} -> {}\n  {}x{} pixels, {} nodes a side, {} bits, layout {}, {} sRGB tag: {}\n", input,
-        output, bake.picture.width, bake.picture.height, bake.size, bake.picture.bits,
+        output, bake.picture.width, bake.picture.height, bake.size, bake.picture.depth.bits,
         engine.layout, engine.srgb_tag == SrgbTag::present ? "with" : "no", engine.label);
     out += fmt::format("  input: {}\n  import: {}\n", engine.input, engine.import);
     const auto values = static_cast<std::size_t>(bake.size) * static_cast<std::size_t>(bake.size) *
@@ -81,8 +81,9 @@ std::string bake_report(const std::string& input, const std::string& output, con
                            100 * clamped_share(domain), domain_text(domain));
     }
     if (bake.loss.max_rounding > 0) {
-        out += fmt::format("  lost: rounding to {} bits, max {:.4g}, mean {:.4g}\n",
-                           bake.picture.bits, bake.loss.max_rounding, bake.loss.mean_rounding);
+        out +=
+            fmt::format("  lost: rounding to {} bits, max {:.4g}, mean {:.4g}\n",
+                        bake.picture.depth.bits, bake.loss.max_rounding, bake.loss.mean_rounding);
     }
     out += fmt::format("  error of {}'s lookup against the look, {} colours: {}\n", engine.name,
                        error.absolute.count, figures_text(error.absolute));

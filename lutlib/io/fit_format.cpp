@@ -1,5 +1,6 @@
 #include "lutlib/io/fit_format.h"
 
+#include "lutlib/codes.h"
 #include "lutlib/error.h"
 #include "lutlib/interpolation/interpolation.h"
 #include "lutlib/io/describe.h"
@@ -127,8 +128,8 @@ void report_precision(const Lut& lut, const Holds& holds, std::vector<Loss>& los
     if (holds.integer_bits == 0 && holds.decimals == 0) {
         return;
     }
-    const double steps = holds.integer_bits ? std::ldexp(1.0, holds.integer_bits) - 1
-                                            : std::pow(10.0, holds.decimals);
+    const CodeDepth depth{holds.integer_bits};
+    const double steps = holds.integer_bits ? depth.maximum() : std::pow(10.0, holds.decimals);
     std::size_t clamped = 0;
     double most_clamped = 0, most_rounded = 0;
     const auto look_at = [&](const std::vector<Rgb>& values) {
@@ -138,8 +139,9 @@ void report_precision(const Lut& lut, const Holds& holds, std::vector<Loss>& los
                 const double kept = holds.integer_bits ? std::clamp(v, 0.0, 1.0) : v;
                 clamped += kept != v;
                 most_clamped = std::max(most_clamped, std::abs(v - kept));
-                most_rounded =
-                    std::max(most_rounded, std::abs(std::round(kept * steps) / steps - kept));
+                const double rounded = holds.integer_bits ? depth.value(depth.code(kept))
+                                                          : std::round(kept * steps) / steps;
+                most_rounded = std::max(most_rounded, std::abs(rounded - kept));
             }
         }
     };

@@ -1,5 +1,6 @@
 #include "lutlib/io/image.h"
 
+#include "lutlib/codes.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/module.h"
@@ -21,42 +22,38 @@ constexpr std::array<DepthInfo, 4> table{{
     {Depth::float32, "float", false},
 }};
 
-FloatImage to_float_image(const CodeImage& codes) {
+FloatImage to_float_image(const PngImage& codes) {
     FloatImage out;
     out.width = codes.width;
     out.height = codes.height;
     out.alpha = codes.channels == 4;
     out.channels = (codes.grey ? 1 : 3) + (out.alpha ? 1 : 0);
-    out.depth = codes.bits == 16 ? Depth::uint16 : Depth::uint8;
+    out.depth = codes.depth.bits == 16 ? Depth::uint16 : Depth::uint8;
     const auto pixels =
         static_cast<std::size_t>(codes.width) * static_cast<std::size_t>(codes.height);
     const auto channels = static_cast<std::size_t>(codes.channels);
-    const auto maximum = static_cast<float>(codes.maximum());
+    const CodeDepth depth = codes.depth;
     out.rgba.assign(pixels * 4, 1.0F);
     for (std::size_t i = 0; i < pixels; ++i) {
         for (std::size_t c = 0; c < channels; ++c) {
-            out.rgba[i * 4 + c] = static_cast<float>(codes.samples[i * channels + c]) / maximum;
+            out.rgba[i * 4 + c] = static_cast<float>(depth.value(codes.samples[i * channels + c]));
         }
     }
     return out;
 }
 
-CodeImage to_codes(const FloatImage& image, const ImageWriteOptions& options) {
-    CodeImage out;
+PngImage to_codes(const FloatImage& image, const ImageWriteOptions& options) {
+    PngImage out;
     out.width = image.width;
     out.height = image.height;
     out.channels = options.alpha ? 4 : 3;
-    out.bits = options.depth == Depth::uint8 ? 8 : 16;
+    out.depth = {options.depth == Depth::uint8 ? 8 : 16};
     out.text = options.text;
     const auto channels = static_cast<std::size_t>(out.channels);
-    const auto maximum = static_cast<float>(out.maximum());
     out.samples.resize(image.rgba.size() / 4 * channels);
     for (std::size_t i = 0; i < image.rgba.size() / 4; ++i) {
         for (std::size_t c = 0; c < channels; ++c) {
-            const float v = image.rgba[i * 4 + c];
-            // The comparison's form sends NaN to 0.
-            out.samples[i * channels + c] = static_cast<std::uint16_t>(
-                std::lround((v > 0 ? std::min(v, 1.0F) : 0.0F) * maximum));
+            out.samples[i * channels + c] = out.depth.code(image.rgba[i * 4 + c]);
         }
     }
     return out;

@@ -41,7 +41,7 @@ struct LookTable {
 
 /// The codes of a picture that holds one lattice and nothing else.
 struct LookPicture {
-    CodePicture codes;
+    CodeImage codes;
     const Layout* layout = nullptr;
     const Engine* engine = nullptr; ///< that its text names
     int size = 0;

@@ -5,11 +5,8 @@
 namespace lutlib::io {
 
 std::string picture_bytes(const Bake& bake, const BakeOrigin& origin) {
-    CodeImage image;
-    image.width = bake.picture.width;
-    image.height = bake.picture.height;
-    image.bits = bake.picture.bits;
-    image.samples = bake.picture.codes;
+    PngImage image;
+    static_cast<CodeImage&>(image) = bake.picture;
     image.srgb_tag = bake.engine->srgb_tag == SrgbTag::present;
     image.text = {{"Source", origin.source},
                   {"Title", origin.title},
@@ -20,21 +17,21 @@ std::string picture_bytes(const Bake& bake, const BakeOrigin& origin) {
     return write_png(image);
 }
 
-CodePicture code_picture(const CodeImage& image) {
-    CodePicture out;
+CodeImage code_picture(const PngImage& image) {
+    CodeImage out;
     out.width = image.width;
     out.height = image.height;
-    out.bits = image.bits;
+    out.depth = image.depth;
     const auto channels = static_cast<std::size_t>(image.channels);
     const std::size_t pixels = image.samples.size() / channels;
-    out.codes.resize(pixels * 3);
+    out.samples.resize(pixels * 3);
     for (std::size_t i = 0; i < pixels; ++i) {
-        std::copy_n(&image.samples[i * channels], 3, &out.codes[i * 3]);
+        std::copy_n(&image.samples[i * channels], 3, &out.samples[i * 3]);
     }
     return out;
 }
 
-std::optional<std::string> text_entry(const CodeImage& image, std::string_view key) {
+std::optional<std::string> text_entry(const PngImage& image, std::string_view key) {
     for (const auto& [name, text] : image.text) {
         if (name == key) {
             return text;

@@ -23,9 +23,9 @@ struct BakeOrigin {
 std::string picture_bytes(const Bake& bake, const BakeOrigin& origin);
 
 /// The RGB codes of a PNG, alpha left out.
-CodePicture code_picture(const CodeImage& image);
+CodeImage code_picture(const PngImage& image);
 
 /// A text entry of a PNG, if it has one.
-std::optional<std::string> text_entry(const CodeImage& image, std::string_view key);
+std::optional<std::string> text_entry(const PngImage& image, std::string_view key);
 
 } // namespace lutlib::io

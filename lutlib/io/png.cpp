@@ -70,7 +70,7 @@ std::size_t stored_bytes(const spng_ihdr& header) {
 }
 
 template <class Code>
-void copy_codes(const std::vector<unsigned char>& decoded, CodeImage& image) {
+void copy_codes(const std::vector<unsigned char>& decoded, PngImage& image) {
     const auto pixels =
         static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     const auto channels = static_cast<std::size_t>(image.channels);
@@ -84,7 +84,7 @@ void copy_codes(const std::vector<unsigned char>& decoded, CodeImage& image) {
     }
 }
 
-void read_text(spng_ctx* context, CodeImage& image, const std::string& file) {
+void read_text(spng_ctx* context, PngImage& image, const std::string& file) {
     std::uint32_t count = 0;
     const int status = spng_get_text(context, nullptr, &count);
     if (status == SPNG_ECHUNKAVAIL) {
@@ -103,7 +103,7 @@ bool is_ascii(const std::string& text) {
 }
 
 // Text beyond ASCII is taken as UTF-8, which only iTXt can say.
-void set_text(spng_ctx* context, const CodeImage& image) {
+void set_text(spng_ctx* context, const PngImage& image) {
     std::vector<spng_text> chunks;
     std::string empty;
     for (const auto& [key, value] : image.text) {
@@ -135,7 +135,7 @@ bool is_png(std::string_view bytes) {
     return bytes.substr(0, signature.size()) == signature;
 }
 
-CodeImage read_png(std::string_view bytes, const std::string& file) {
+PngImage read_png(std::string_view bytes, const std::string& file) {
     if (!is_png(bytes)) {
         throw Error("this is not a PNG file", {file, 0, {}});
     }
@@ -149,10 +149,10 @@ CodeImage read_png(std::string_view bytes, const std::string& file) {
         throw Error("the PNG file is cut short; fetch or export it again", {file, 0, {}});
     }
 
-    CodeImage image;
+    PngImage image;
     image.width = static_cast<int>(header.width);
     image.height = static_cast<int>(header.height);
-    image.bits = header.bit_depth == 16 ? 16 : 8;
+    image.depth.bits = header.bit_depth == 16 ? 16 : 8;
     image.interlaced = header.interlace_method != SPNG_INTERLACE_NONE;
     image.palette = header.color_type == SPNG_COLOR_TYPE_INDEXED;
     image.grey = header.color_type == SPNG_COLOR_TYPE_GRAYSCALE ||
@@ -163,7 +163,7 @@ CodeImage read_png(std::string_view bytes, const std::string& file) {
                        spng_get_trns(context.get(), &transparency) == SPNG_OK;
     image.channels = alpha ? 4 : 3;
 
-    const int format = image.bits == 16 ? SPNG_FMT_RGBA16 : SPNG_FMT_RGBA8;
+    const int format = image.depth.bits == 16 ? SPNG_FMT_RGBA16 : SPNG_FMT_RGBA8;
     std::size_t length = 0;
     check_read(spng_decoded_image_size(context.get(), format, &length), file);
     std::vector<unsigned char> decoded(length);
@@ -175,7 +175,7 @@ CodeImage read_png(std::string_view bytes, const std::string& file) {
     if (bytes.rfind("IEND") + 8 > bytes.size()) {
         check_read(SPNG_IO_EOF, file);
     }
-    if (image.bits == 16) {
+    if (image.depth.bits == 16) {
         copy_codes<std::uint16_t>(decoded, image);
     } else {
         copy_codes<std::uint8_t>(decoded, image);
@@ -193,19 +193,19 @@ CodeImage read_png(std::string_view bytes, const std::string& file) {
     return image;
 }
 
-std::string write_png(const CodeImage& image) {
+std::string write_png(const PngImage& image) {
     check_size(static_cast<std::uint64_t>(std::max(image.width, 0)),
                static_cast<std::uint64_t>(std::max(image.height, 0)), {});
     const std::size_t count = static_cast<std::size_t>(image.width) *
                               static_cast<std::size_t>(image.height) *
                               static_cast<std::size_t>(image.channels);
-    if ((image.channels != 3 && image.channels != 4) || (image.bits != 8 && image.bits != 16) ||
-        image.samples.size() != count) {
+    if ((image.channels != 3 && image.channels != 4) ||
+        (image.depth.bits != 8 && image.depth.bits != 16) || image.samples.size() != count) {
         throw Error("a PNG picture has 3 or 4 channels of 8 or 16 bits, and one sample for each");
     }
     if (std::any_of(image.samples.begin(), image.samples.end(),
-                    [&](std::uint16_t code) { return code > image.maximum(); })) {
-        throw Error("a code is larger than " + std::to_string(image.maximum()));
+                    [&](std::uint16_t code) { return code > image.depth.maximum(); })) {
+        throw Error("a code is larger than " + std::to_string(image.depth.maximum()));
     }
 
     const Context context = open_context(SPNG_CTX_ENCODER);
@@ -213,7 +213,7 @@ std::string write_png(const CodeImage& image) {
     spng_ihdr header{};
     header.width = static_cast<std::uint32_t>(image.width);
     header.height = static_cast<std::uint32_t>(image.height);
-    header.bit_depth = static_cast<std::uint8_t>(image.bits);
+    header.bit_depth = static_cast<std::uint8_t>(image.depth.bits);
     header.color_type =
         image.channels == 4 ? SPNG_COLOR_TYPE_TRUECOLOR_ALPHA : SPNG_COLOR_TYPE_TRUECOLOR;
     check_write(spng_set_ihdr(context.get(), &header));
@@ -224,11 +224,12 @@ std::string write_png(const CodeImage& image) {
     set_text(context.get(), image);
 
     const std::vector<std::uint8_t> narrow =
-        image.bits == 8 ? std::vector<std::uint8_t>(image.samples.begin(), image.samples.end())
-                        : std::vector<std::uint8_t>{};
-    const void* pixels = image.bits == 8 ? static_cast<const void*>(narrow.data())
-                                         : static_cast<const void*>(image.samples.data());
-    const std::size_t length = count * (image.bits == 8 ? 1 : 2);
+        image.depth.bits == 8
+            ? std::vector<std::uint8_t>(image.samples.begin(), image.samples.end())
+            : std::vector<std::uint8_t>{};
+    const void* pixels = image.depth.bits == 8 ? static_cast<const void*>(narrow.data())
+                                               : static_cast<const void*>(image.samples.data());
+    const std::size_t length = count * (image.depth.bits == 8 ? 1 : 2);
     check_write(
         spng_encode_image(context.get(), pixels, length, SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE));
     std::size_t size = 0;

@@ -5,8 +5,8 @@
 // about its encoding is reported beside them.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include "lutlib/code_image.h"
+
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,12 +14,8 @@
 
 namespace lutlib::io {
 
-/// Integer codes, rows from the top, channels interleaved.
-struct CodeImage {
-    int width = 0, height = 0;
-    int channels = 3; ///< 3 RGB or 4 RGBA (alpha not premultiplied)
-    int bits = 8;     ///< 8 or 16: codes run over 0 .. 2^bits - 1
-    std::vector<std::uint16_t> samples;
+/// A PNG file: its codes, of 8 or 16 bits, and what it says of them.
+struct PngImage : CodeImage {
     bool srgb_tag = false;      ///< an sRGB chunk
     bool gamma_tag = false;     ///< a gAMA chunk
     bool profile_tag = false;   ///< an iCCP chunk
@@ -29,18 +25,6 @@ struct CodeImage {
     bool interlaced = false;
     /// tEXt, zTXt and iTXt keys with their texts, in the file's order.
     std::vector<std::pair<std::string, std::string>> text;
-
-    int maximum() const { return (1 << bits) - 1; }
-    std::uint16_t& at(int x, int y, int channel) { return samples[index(x, y, channel)]; }
-    std::uint16_t at(int x, int y, int channel) const { return samples[index(x, y, channel)]; }
-
-  private:
-    std::size_t index(int x, int y, int channel) const {
-        return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                static_cast<std::size_t>(x)) *
-                   static_cast<std::size_t>(channels) +
-               static_cast<std::size_t>(channel);
-    }
 };
 
 /// Whether bytes begin as a PNG file does.
@@ -50,11 +34,11 @@ bool is_png(std::string_view bytes);
 /// grey is scaled to 8; transparency becomes alpha. Throws Error for anything that is not a whole,
 /// undamaged PNG within limits.h; sizes are checked before pixels are allocated. `file` names the
 /// input in errors.
-CodeImage read_png(std::string_view bytes, const std::string& file);
+PngImage read_png(std::string_view bytes, const std::string& file);
 
-/// The bytes of an RGB or RGBA file of image.bits; srgb_tag and text are written, the other
+/// The bytes of an RGB or RGBA file of image.depth; srgb_tag and text are written, the other
 /// tags are not. Keys are 1..79 Latin-1 characters; keys with an empty text are left out. Throws
 /// Error for codes that do not fit.
-std::string write_png(const CodeImage& image);
+std::string write_png(const PngImage& image);
 
 } // namespace lutlib::io

@@ -255,9 +255,9 @@ class Surveyor {
         const double base_seconds = filled.seconds + now_seconds() - start;
         for (const Storage& storage : storages()) {
             // 16 bits are so fine that plain rounding loses nothing.
-            const bool coarse = storage.maximum > 0 && storage.maximum < 65535;
+            const bool coarse = storage.bits > 0 && storage.bits < 16;
             start = now_seconds();
-            const FittedLattice result = coarse ? fit.rounded(storage.maximum) : exact;
+            const FittedLattice result = coarse ? fit.rounded({storage.bits}) : exact;
             const double seconds = base_seconds + now_seconds() - start;
             const auto nodes = std::make_shared<const std::vector<RgbD>>(result.nodes);
             for (const Lookup& lookup : lookups()) {

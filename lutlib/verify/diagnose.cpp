@@ -179,7 +179,7 @@ struct Agreement {
     double share = 0;
 };
 
-Agreement agreement(const CodePicture& picture, const Engine& engine, int n, const Mistake& mistake,
+Agreement agreement(const CodeImage& picture, const Engine& engine, int n, const Mistake& mistake,
                     Values& values) {
     std::vector<double> axis;
     for (int i = 0; i < n; ++i) {
@@ -189,7 +189,7 @@ Agreement agreement(const CodePicture& picture, const Engine& engine, int n, con
     const auto input = [&axis](int i) { return axis[static_cast<std::size_t>(i)]; };
     const Layout& layout = *layout_named(engine.layout);
     Agreement out;
-    out.texels.resize(picture.codes.size() / 3);
+    out.texels.resize(picture.samples.size() / 3);
     std::size_t agreeing = 0, i = 0;
     for (int b = 0; b < n; ++b) {
         for (int g = 0; g < n; ++g) {
@@ -198,8 +198,8 @@ Agreement agreement(const CodePicture& picture, const Engine& engine, int n, con
                 const RgbD value = mistake.value({input(r), input(g), input(b)}, looked_up[i]);
                 bool all = true;
                 for (std::size_t c = 0; c < 3; ++c) {
-                    all = all && mistake.agrees(picture.code(p, c), saturate(value[c]),
-                                                picture.maximum(), values.tolerance());
+                    all = all && mistake.agrees(picture.at(p, c), saturate(value[c]),
+                                                picture.depth.maximum(), values.tolerance());
                 }
                 out.texels[static_cast<std::size_t>(p.y) * static_cast<std::size_t>(picture.width) +
                            static_cast<std::size_t>(p.x)] = all;
@@ -212,7 +212,7 @@ Agreement agreement(const CodePicture& picture, const Engine& engine, int n, con
 }
 
 // The lattice size whose picture in the engine's layout has these dimensions; 0: none.
-int size_for(const Engine& engine, const CodePicture& picture) {
+int size_for(const Engine& engine, const CodeImage& picture) {
     const Layout& layout = *layout_named(engine.layout);
     for (int n = limits::min_cube_size; n <= limits::max_cube_size; ++n) {
         if (layout.picture(n) == PictureSize{picture.width, picture.height}) {
@@ -251,7 +251,7 @@ bool is_rounded(int code, double value, int maximum, double tolerance) {
     return std::abs(code - value * maximum) <= 0.5 + tolerance * maximum;
 }
 
-Findings diagnose(const CodePicture& picture, const Engine& engine, int size, const Transform& look,
+Findings diagnose(const CodeImage& picture, const Engine& engine, int size, const Transform& look,
                   const Alternatives& alternatives) {
     Values values(look);
     const Agreement plain = agreement(picture, engine, size, none, values);

@@ -36,7 +36,7 @@ struct Findings {
 /// texels are right, single ones are damaged. Else the mistake that explains most is the diagnosis
 /// if it explains nearly all of them, and nearly all that are wrong without it; else the noise of a
 /// lossy format is recognised by what it does to blocks of texels.
-Findings diagnose(const CodePicture& picture, const Engine& engine, int size, const Transform& look,
+Findings diagnose(const CodeImage& picture, const Engine& engine, int size, const Transform& look,
                   const Alternatives& alternatives);
 
 /// For each node, red fastest: where it sits in the picture, and the look's value, not clamped, at

@@ -22,7 +22,7 @@ RgbD luma_and_chroma(RgbD e) {
 
 } // namespace
 
-std::optional<std::string> lossy_noise(const CodePicture& picture, const Engine& engine, int size,
+std::optional<std::string> lossy_noise(const CodeImage& picture, const Engine& engine, int size,
                                        const Transform& look) {
     const auto [pixels, values] = right_texels(engine, size, look);
 
@@ -39,8 +39,7 @@ std::optional<std::string> lossy_noise(const CodePicture& picture, const Engine&
     for (std::size_t i = 0; i < values.size(); ++i) {
         RgbD error;
         for (std::size_t c = 0; c < 3; ++c) {
-            const double right = saturate(values[i][c]) * picture.maximum();
-            error[c] = picture.code(pixels[i], c) - std::floor(right + 0.5);
+            error[c] = picture.at(pixels[i], c) - picture.depth.code(values[i][c]);
             distance.push_back(error[c]);
         }
         wrong += !(error == RgbD{});
@@ -59,7 +58,7 @@ std::optional<std::string> lossy_noise(const CodePicture& picture, const Engine&
     }
     const double all = squares.r + squares.g + squares.b;
     const auto count = static_cast<double>(values.size());
-    const double rms_in_8_bits = std::sqrt(all / (3 * count)) * 255 / picture.maximum();
+    const double rms_in_8_bits = std::sqrt(all / (3 * count)) * 255 / picture.depth.maximum();
     if (static_cast<double>(wrong) < least_wrong * count || rms_in_8_bits < least_rms ||
         in_means > most_in_block_means * all) {
         return std::nullopt;

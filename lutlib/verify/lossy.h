@@ -13,7 +13,7 @@ namespace lutlib {
 /// whose means such formats keep best. Another look's errors are smooth and do not cancel: their
 /// block means hold two thirds of the squared error and more, a lossy format's a third at most
 /// (JPEG of qualities 60 to 95 on four looks and three layouts; at 30, half).
-std::optional<std::string> lossy_noise(const CodePicture& picture, const Engine& engine, int size,
+std::optional<std::string> lossy_noise(const CodeImage& picture, const Engine& engine, int size,
                                        const Transform& look);
 
 } // namespace lutlib

@@ -6,25 +6,25 @@
 namespace lutlib {
 namespace {
 
-TexelCheck check_texels(const CodePicture& picture, const Engine& engine, int size,
+TexelCheck check_texels(const CodeImage& picture, const Engine& engine, int size,
                         const Transform& look) {
     const auto [pixels, values] = right_texels(engine, size, look);
     TexelCheck out;
     out.texels = values.size();
-    const int maximum = picture.maximum();
+    const int maximum = picture.depth.maximum();
     const double tolerance = tolerance_of(look.precision());
     double sum = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
         bool wrong = false;
         for (std::size_t c = 0; c < 3; ++c) {
             const double value = saturate(values[i][c]);
-            const int code = picture.code(pixels[i], c);
+            const int code = picture.at(pixels[i], c);
             if (is_rounded(code, value, maximum, tolerance)) {
                 continue;
             }
             wrong = true;
             const int difference =
-                std::abs(code - static_cast<int>(std::floor(value * maximum + 0.5)));
+                std::abs(code - picture.depth.code(value));
             sum += difference;
             if (difference > out.max_difference) {
                 out.max_difference = difference;
@@ -39,7 +39,7 @@ TexelCheck check_texels(const CodePicture& picture, const Engine& engine, int si
 
 } // namespace
 
-Verification verify(const CodePicture& picture, const Engine& engine, int size,
+Verification verify(const CodeImage& picture, const Engine& engine, int size,
                     const Transform& look, const std::vector<Rgb>& inputs,
                     const Alternatives& alternatives) {
     Verification out;

@@ -4,6 +4,7 @@
 // Every pass is timed by GPU timestamps, several times a frame over many frames; the median counts.
 // Beside it stand the bytes that it has to move (each image read and written once), the ratio of
 // its time to the copy's, and the time that the copy's bandwidth allows for those bytes.
+#include "lutlib/codes.h"
 #include "lutlib/error.h"
 #include "preview/cli/headless.h"
 #include "preview/look/look_bake.h"
@@ -91,7 +92,7 @@ std::vector<std::uint8_t> codes_of(const std::vector<float>& texels) {
     std::vector<std::uint8_t> codes;
     codes.reserve(texels.size());
     for (const float v : texels)
-        codes.push_back(static_cast<std::uint8_t>(std::clamp(v, 0.0F, 1.0F) * 255 + 0.5F));
+        codes.push_back(static_cast<std::uint8_t>(lutlib::CodeDepth{8}.code(v)));
     return codes;
 }
 

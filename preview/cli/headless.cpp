@@ -1,5 +1,7 @@
 #include "preview/cli/headless.h"
 
+#include "lutlib/half.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -20,13 +22,6 @@ std::vector<T> values_of(const std::vector<std::byte>& bytes) {
     std::vector<T> values(bytes.size() / sizeof(T));
     std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
     return values;
-}
-
-/// IEEE 754 binary16; the texels are finite and not negative.
-float float_of_half(std::uint16_t half) {
-    const int exponent = half >> 10 & 31;
-    const auto mantissa = static_cast<float>(half & 1023);
-    return exponent == 0 ? std::ldexp(mantissa, -24) : std::ldexp(mantissa + 1024, exponent - 25);
 }
 
 /// The inputs with the HDR maximum measured, where the frame has one.
@@ -73,7 +68,7 @@ Rendered render_frame(Executor& executor, const FrameInputs& inputs,
     if (settings.keep_hdr) {
         out.hdr_size = size_of(graph, handles.hdr);
         for (const std::uint16_t half : values_of<std::uint16_t>(executor.read_image(handles.hdr)))
-            out.hdr.push_back(float_of_half(half));
+            out.hdr.push_back(lutlib::float_from_half(half));
     }
     if (handles.figures) {
         const Size size = size_of(graph, handles.graded);

@@ -1,5 +1,6 @@
 #include "preview/finish/probe.h"
 
+#include "lutlib/codes.h"
 #include "lutlib/color/difference.h"
 
 #include <fmt/format.h>
@@ -42,9 +43,8 @@ std::optional<Probe> probe_from(std::span<const std::byte> bytes) {
 }
 
 Codes codes_of(lutlib::RgbD color) {
-    const lutlib::RgbD unit = lutlib::saturate(color);
-    const auto code = [](double value) { return static_cast<int>(std::lround(255 * value)); };
-    return {code(unit.r), code(unit.g), code(unit.b)};
+    constexpr lutlib::CodeDepth depth{8};
+    return {depth.code(color.r), depth.code(color.g), depth.code(color.b)};
 }
 
 ProbeDifferences differences_of(const Probe& probe) {

@@ -1,5 +1,6 @@
 #include "preview/look/cube_view.h"
 
+#include "lutlib/codes.h"
 #include "lutlib/interpolation/interpolation.h"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ class Camera {
 
 Rgb8 codes(Rgb color) {
     const auto code = [](float value) {
-        return static_cast<std::uint8_t>(std::lround(255 * lutlib::saturate(value)));
+        return static_cast<std::uint8_t>(lutlib::CodeDepth{8}.code(value));
     };
     return {code(color.r), code(color.g), code(color.b)};
 }

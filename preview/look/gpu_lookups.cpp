@@ -1,6 +1,8 @@
 #include "preview/look/gpu_lookups.h"
 
+#include "lutlib/codes.h"
 #include "lutlib/error.h"
+#include "lutlib/half.h"
 #include "lutlib/named.h"
 
 #include <algorithm>
@@ -70,20 +72,6 @@ void append(std::vector<std::byte>& bytes, T value) {
     bytes.insert(bytes.end(), raw.begin(), raw.end());
 }
 
-// IEEE 754 binary16, to nearest, ties to even; beyond its range the largest finite value.
-std::uint16_t half_of(float value) {
-    const float magnitude = std::min(std::abs(value), 65504.0f);
-    std::uint32_t sign = 0;
-    std::memcpy(&sign, &value, sizeof sign);
-    sign = sign >> 16 & 0x8000u;
-    const int exponent = magnitude > 0 ? std::max(std::ilogb(magnitude), -14) : -14;
-    // In units of the last place, so that a carry runs into the exponent by itself.
-    const auto units =
-        static_cast<std::uint32_t>(std::nearbyint(std::ldexp(magnitude, 10 - exponent)));
-    return static_cast<std::uint16_t>(sign + (static_cast<std::uint32_t>(exponent + 14) << 10) +
-                                      units);
-}
-
 Texels float_volume(const lutlib::Lut3D& cube) {
     const auto n = static_cast<std::uint32_t>(cube.size);
     Texels out{{Format::rgba32f, n, n, n}, {}};
@@ -101,8 +89,7 @@ Texels filtered_volume(const lutlib::Lut3D& cube) {
     Texels out{{unit ? Format::rgba16 : Format::rgba16f, n, n, n}, {}};
     for (const lutlib::Rgb& node : cube.nodes)
         for (const float value : {node.r, node.g, node.b, 1.0f})
-            append(out.bytes, unit ? static_cast<std::uint16_t>(std::lround(value * 65535.0f))
-                                   : half_of(value));
+            append(out.bytes, unit ? lutlib::CodeDepth{16}.code(value) : lutlib::half_from(value));
     return out;
 }
 
@@ -118,14 +105,14 @@ Texels shaper_texels(const lutlib::Lut1D& shaper) {
     return out;
 }
 
-std::vector<std::uint16_t> half_nodes(const lutlib::CodePicture& strip, int size) {
+std::vector<std::uint16_t> half_nodes(const lutlib::CodeImage& strip, int size) {
     std::vector<std::uint16_t> nodes;
     for (int b = 0; b < size; ++b)
         for (int g = 0; g < size; ++g)
             for (int r = 0; r < size; ++r)
                 for (std::size_t c = 0; c < 4; ++c)
                     nodes.push_back(
-                        c < 3 ? half_of(static_cast<float>(strip.code({b * size + r, g}, c))) : 0);
+                        c < 3 ? lutlib::half_from(strip.at({b * size + r, g}, c)) : 0);
     return nodes;
 }
 
@@ -150,28 +137,28 @@ LookData no_look() {
     return data;
 }
 
-LookData look_data(const lutlib::CodePicture& codes, int size, const Lookup& lookup) {
+LookData look_data(const lutlib::CodeImage& codes, int size, const Lookup& lookup) {
     const std::string name(lookup.name);
     if (lookup.source != Source::picture)
         throw lutlib::Error("the lookup '" + name + "' reads a table and no picture");
-    if (lookup.shared && (size != shared_size || codes.bits != 8))
+    if (lookup.shared && (size != shared_size || codes.depth.bits != 8))
         throw lutlib::Error("the lookup '" + name +
                             "' reads pictures of 16 nodes and 8 bits, not " + std::to_string(size) +
-                            " nodes and " + std::to_string(codes.bits) + " bits");
+                            " nodes and " + std::to_string(codes.depth.bits) + " bits");
     LookData data;
     data.lookup = &lookup;
     data.block.size = size;
     if (lookup.shared)
         data.nodes = half_nodes(codes, size);
-    const bool wide = codes.bits > 8;
+    const bool wide = codes.depth.bits > 8;
     data.picture.desc = {wide ? Format::rgba16 : Format::rgba8,
                          static_cast<std::uint32_t>(codes.width),
                          static_cast<std::uint32_t>(codes.height)};
-    const int scale = wide ? 65535 / codes.maximum() : 1;
+    const int scale = wide ? 65535 / codes.depth.maximum() : 1;
     for (int y = 0; y < codes.height; ++y) {
         for (int x = 0; x < codes.width; ++x) {
             for (std::size_t c = 0; c < 4; ++c) {
-                const int code = c < 3 ? codes.code({x, y}, c) : codes.maximum();
+                const int code = c < 3 ? codes.at({x, y}, c) : codes.depth.maximum();
                 if (wide)
                     append(data.picture.bytes, static_cast<std::uint16_t>(code * scale));
                 else

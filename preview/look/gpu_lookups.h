@@ -64,7 +64,7 @@ LookData no_look();
 
 /// An engine's picture, for rows of Source::picture. Throws lutlib::Error where the row reads no
 /// such picture (the shared ones: 16 nodes, 8 bits).
-LookData look_data(const lutlib::CodePicture& codes, int size, const Lookup& lookup);
+LookData look_data(const lutlib::CodeImage& codes, int size, const Lookup& lookup);
 
 /// A look's own table in float, for rows of Source::table. The texture unit's row keeps 16 bits of
 /// values within 0..1, half floats of others; it knows neither shaper nor domain and throws

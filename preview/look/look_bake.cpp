@@ -10,7 +10,7 @@ namespace preview {
 
 namespace {
 
-using lutlib::CodePicture;
+using lutlib::CodeImage;
 using lutlib::Lut;
 using lutlib::Lut3D;
 
@@ -59,18 +59,16 @@ int general_size(const Lut& look, const Lookup& lookup) {
 }
 
 /// A look as a picture for a lookup of that layout which no engine's contract describes.
-CodePicture general_codes(const lutlib::Transform& exact, int size, const Lookup& lookup) {
+CodeImage general_codes(const lutlib::Transform& exact, int size, const Lookup& lookup) {
     Lut3D sampled = lutlib::identity_cube(size);
     const std::vector<lutlib::RgbD> values = images_of(exact, sampled.nodes);
     std::transform(values.begin(), values.end(), sampled.nodes.begin(), lutlib::to_float);
     const lutlib::Picture picture =
         lutlib::to_picture(sampled, *lutlib::layout_named(lookup.layout));
-    CodePicture codes{picture.width, picture.height, lookup.shared ? 8 : general_bits, {}};
+    CodeImage codes{picture.width, picture.height, 3, {lookup.shared ? 8 : general_bits}, {}};
     for (const lutlib::Rgb& pixel : picture.pixels)
         for (std::size_t c = 0; c < 3; ++c) {
-            const float value = pixel[c] > 0 ? std::min(pixel[c], 1.0F) : 0.0F;
-            codes.codes.push_back(static_cast<std::uint16_t>(
-                std::lround(value * static_cast<float>(codes.maximum()))));
+            codes.samples.push_back(codes.depth.code(pixel[c]));
         }
     return codes;
 }

@@ -32,9 +32,9 @@ TEST_P(BakeEngine, bakes_what_verify_proves_against_opencolorio) {
     ASSERT_EQ(baked.exit_code, 0) << baked.err;
     EXPECT_EQ(json::parse(baked.out)["engine"], engine);
 
-    const lutlib::io::CodeImage image = lutlib::io::read_png(contents(picture), "strip.png");
+    const lutlib::io::PngImage image = lutlib::io::read_png(contents(picture), "strip.png");
     EXPECT_EQ(image.srgb_tag, GetParam().srgb_tag == lutlib::SrgbTag::present);
-    EXPECT_EQ(image.bits, GetParam().default_bits);
+    EXPECT_EQ(image.depth.bits, GetParam().default_bits);
     EXPECT_FALSE(image.gamma_tag || image.profile_tag);
     const auto source = std::find_if(image.text.begin(), image.text.end(),
                                      [](const auto& entry) { return entry.first == "Source"; });
@@ -88,9 +88,9 @@ TEST(Verify, finds_the_damage_in_a_fitted_lattice) {
     const std::string look = folder.write("look.cube", saturated_cube(17));
     const std::string picture = folder.path("strip.png");
     ASSERT_EQ(lutconv({"bake", look, "-o", picture, "--size", "9", "--fit"}).exit_code, 0);
-    lutlib::io::CodeImage image = lutlib::io::read_png(contents(picture), "strip.png");
+    lutlib::io::PngImage image = lutlib::io::read_png(contents(picture), "strip.png");
     for (int c = 0; c < 3; ++c) {
-        image.at(40, 4, c) = c == 1 ? 0 : 255;
+        image.at({40, 4}, c) = c == 1 ? 0 : 255;
     }
     folder.write("strip.png", write_png(image));
     const Result result = lutconv({"verify", picture, "--against", look, "--samples", "2000"});
@@ -196,7 +196,7 @@ TEST(Verify, fails_with_words_on_a_wrong_size_and_a_wrong_tag) {
     const std::string look = folder.write("a.cube", saturated_cube(17));
     const std::string picture = folder.path("strip.png");
     ASSERT_EQ(lutconv({"bake", look, "-o", picture, "--size", "33"}).exit_code, 0);
-    lutlib::io::CodeImage image = lutlib::io::read_png(contents(picture), "strip.png");
+    lutlib::io::PngImage image = lutlib::io::read_png(contents(picture), "strip.png");
     image.srgb_tag = true;
     folder.write("strip.png", write_png(image));
     const Result result = lutconv({"verify", picture, "--against", look, "--engine", "unreal"});

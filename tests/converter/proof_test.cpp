@@ -13,7 +13,7 @@
 namespace converter_test {
 namespace {
 
-using lutlib::io::CodeImage;
+using lutlib::io::PngImage;
 using nlohmann::json;
 
 std::vector<std::string> readable_files() {
@@ -83,16 +83,16 @@ class Unnamed : public testing::Test {
     const std::string look = folder.write("a.cube", saturated_cube(17));
     const std::string picture = folder.path("strip.png");
 
-    CodeImage baked(const std::vector<std::string>& options) const {
+    PngImage baked(const std::vector<std::string>& options) const {
         std::vector<std::string> words{"bake", look, "-o", picture};
         words.insert(words.end(), options.begin(), options.end());
         EXPECT_EQ(lutconv(words).exit_code, 0);
-        CodeImage image = lutlib::io::read_png(contents(picture), "strip.png");
+        PngImage image = lutlib::io::read_png(contents(picture), "strip.png");
         image.text.clear();
         return image;
     }
 
-    Result verified(const CodeImage& image, const std::vector<std::string>& options = {}) const {
+    Result verified(const PngImage& image, const std::vector<std::string>& options = {}) const {
         return verified(write_png(image), options);
     }
     Result verified(const std::string& bytes, const std::vector<std::string>& options = {}) const {
@@ -104,7 +104,7 @@ class Unnamed : public testing::Test {
 };
 
 TEST_F(Unnamed, passes_with_the_engine_in_the_verdict) {
-    const CodeImage swapped = baked({"--engine", "ocio", "--size", "16", "--bits", "8"});
+    const PngImage swapped = baked({"--engine", "ocio", "--size", "16", "--bits", "8"});
     const Result text = verified(swapped);
     EXPECT_EQ(text.exit_code, 0) << text.out;
     EXPECT_NE(text.out.find("passed as OpenColorIO lut image (ocio), which is what the content "
@@ -123,8 +123,8 @@ TEST_F(Unnamed, passes_with_the_engine_in_the_verdict) {
 }
 
 TEST_F(Unnamed, fails_when_it_is_not_opaque) {
-    CodeImage image = baked({});
-    const CodeImage rgb = image;
+    PngImage image = baked({});
+    const PngImage rgb = image;
     image.channels = 4;
     image.samples.clear();
     for (std::size_t i = 0; i < rgb.samples.size(); i += 3) {
@@ -132,7 +132,7 @@ TEST_F(Unnamed, fails_when_it_is_not_opaque) {
         image.samples.push_back(255);
     }
     EXPECT_EQ(verified(image).exit_code, 0);
-    image.at(7, 3, 3) = 128;
+    image.at({7, 3}, 3) = 128;
     const Result result = verified(image);
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_NE(result.out.find("1 texels are not opaque"), std::string::npos) << result.out;
@@ -154,11 +154,11 @@ TEST_F(Unnamed, fails_with_primaries_that_a_loader_may_convert_by) {
 TEST_F(Unnamed, is_told_to_name_what_cannot_be_told_from_content) {
     folder.write("a.cube", "LUT_3D_SIZE 2\n0 0 0\n.2 .2 .2\n.7 .7 .7\n.9 .9 .9\n.1 .1 .1\n.3 .3 "
                            ".3\n.8 .8 .8\n1 1 1\n");
-    const CodeImage mono = baked({});
+    const PngImage mono = baked({});
     const Result untold = verified(mono);
     EXPECT_EQ(untold.exit_code, 2);
     EXPECT_NE(untold.err.find("verify --engine"), std::string::npos) << untold.err;
-    CodeImage named = mono;
+    PngImage named = mono;
     named.text = {{"Engine", "piccolo"}};
     const Result told = verified(named);
     EXPECT_EQ(told.exit_code, 0) << told.out << told.err;

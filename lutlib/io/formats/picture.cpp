@@ -13,7 +13,7 @@
 namespace lutlib::formats {
 namespace {
 
-using io::CodeImage;
+using io::PngImage;
 
 constexpr int recognised_score = 60;
 constexpr int made_size = 65;
@@ -25,7 +25,7 @@ struct LutPicture {
 };
 
 LutPicture picture_of(std::string_view bytes, const std::string& file) {
-    const CodeImage image = io::read_png(bytes, file);
+    const PngImage image = io::read_png(bytes, file);
     return {decoded(io::code_picture(image)), io::text_entry(image, "Title").value_or(""),
             engine_named(io::text_entry(image, "Engine").value_or(""))};
 }
@@ -76,16 +76,14 @@ Reading reading_of(const LutPicture& source, const Layout& layout, int size, int
 
 std::string write(const FileFormat& format, const Lut& lut, const WriteOptions& options) {
     const Picture picture = to_picture(*lut.cube, *format.layout);
-    CodeImage codes;
+    PngImage codes;
     codes.width = picture.width;
     codes.height = picture.height;
-    codes.bits = options.bits;
-    const auto maximum = static_cast<float>(codes.maximum());
+    codes.depth = {options.bits};
     codes.samples.reserve(picture.pixels.size() * 3);
     for (const Rgb& pixel : picture.pixels) {
         for (std::size_t c = 0; c < 3; ++c) {
-            const float v = std::clamp(pixel[c], 0.0F, 1.0F);
-            codes.samples.push_back(static_cast<std::uint16_t>(std::lround(v * maximum)));
+            codes.samples.push_back(codes.depth.code(pixel[c]));
         }
     }
     const std::string& title = options.title.empty() ? lut.title : options.title;

@@ -30,7 +30,7 @@ TEST_P(BakeFor, rounds_every_node_to_nearest_in_every_depth_it_takes) {
             const RgbD value = look.f({engine.node_input(i, n), engine.node_input(n - 1 - i, n),
                                        engine.node_input((3 * i) % n, n)});
             for (std::size_t c = 0; c < 3; ++c) {
-                EXPECT_EQ(baked.picture.code(p, c), std::lround(value[c] * ((1 << bits) - 1)));
+                EXPECT_EQ(baked.picture.at(p, c), std::lround(value[c] * ((1 << bits) - 1)));
             }
         }
         EXPECT_LE(baked.loss.max_rounding, 0.5 / ((1 << bits) - 1) + 1e-12);
@@ -71,7 +71,7 @@ TEST(Bake, counts_and_measures_what_it_clamps) {
     // Red above 1: 8 of 16 nodes; green below 0: 4 of 16; blue NaN: all.
     EXPECT_EQ(baked.loss.clamped_values, 16U * 16 * (8 + 4 + 16));
     EXPECT_DOUBLE_EQ(baked.loss.most_clamped, 1.0);
-    EXPECT_EQ(baked.picture.code({0, 0}, 2), 0);
+    EXPECT_EQ(baked.picture.at({0, 0}, 2), 0);
 }
 
 TEST(Bake, refuses_what_the_engine_does_not_take) {

@@ -16,7 +16,7 @@ class Fitted : public testing::Test {
     const Engine& engine = *engine_named("piccolo");
     const Transform look = test_looks()[3].transform();
     FilledBake baked = bake_fitted(look, engine, n, 8);
-    CodePicture picture = baked.bake.picture;
+    CodeImage picture = baked.bake.picture;
 
     FittedCheck check() const {
         return check_fitted(picture, engine, n, look, sample_colors(n, {.random = 2000}));
@@ -24,7 +24,7 @@ class Fitted : public testing::Test {
 
     template <class F>
     void change_every(F&& change) {
-        for (std::uint16_t& code : picture.codes) {
+        for (std::uint16_t& code : picture.samples) {
             code = static_cast<std::uint16_t>(std::clamp(change(int{code}), 0, 255));
         }
     }
@@ -40,7 +40,7 @@ TEST_F(Fitted, is_right_as_it_was_baked) {
 
 TEST_F(Fitted, is_wrong_with_one_magenta_texel_and_says_where) {
     for (std::size_t c = 0; c < 3; ++c) {
-        picture.code({40, 4}, c) = c == 1 ? 0 : 255;
+        picture.at({40, 4}, c) = c == 1 ? 0 : 255;
     }
     const FittedCheck found = check();
     EXPECT_EQ(found.moved, 1U);
@@ -49,13 +49,13 @@ TEST_F(Fitted, is_wrong_with_one_magenta_texel_and_says_where) {
 }
 
 TEST_F(Fitted, is_wrong_with_one_code_off_by_255) {
-    picture.code({0, 0}, 2) = 255;
+    picture.at({0, 0}, 2) = 255;
     EXPECT_FALSE(check().right());
 }
 
 TEST_F(Fitted, is_wrong_with_a_row_six_codes_too_bright) {
     for (int x = 0; x < picture.width; ++x) {
-        std::uint16_t& code = picture.code({x, 0}, 0);
+        std::uint16_t& code = picture.at({x, 0}, 0);
         code = static_cast<std::uint16_t>(std::min(code + 6, 255));
     }
     EXPECT_FALSE(check().right());

@@ -1,5 +1,7 @@
 #include "lutlib/interpolation/apply.h"
 
+#include "lutlib/codes.h"
+
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
@@ -189,6 +191,7 @@ INSTANTIATE_TEST_SUITE_P(Storages, EveryStorageOnEveryProcessor,
 
 TEST_P(EveryStorageOnEveryProcessor, reads_what_evaluate_reads_of_the_nodes_it_keeps) {
     const Storage& storage = GetParam();
+    const CodeDepth depth{storage.bits};
     const Shape shape{17, 0, odd_domain};
     Lut lut = random_look(shape);
     std::vector<RgbD> nodes;
@@ -196,9 +199,8 @@ TEST_P(EveryStorageOnEveryProcessor, reads_what_evaluate_reads_of_the_nodes_it_k
         nodes.push_back(to_double(node));
         for (std::size_t c = 0; c < 3; ++c) {
             const double v = node[c];
-            if (storage.maximum > 0) {
-                node[c] = static_cast<float>(std::floor(saturate(v) * storage.maximum + 0.5) /
-                                             storage.maximum);
+            if (storage.bits > 0) {
+                node[c] = static_cast<float>(depth.value(depth.code(v)));
             } else if (storage.format == NodeFormat::halves) {
                 const double step = std::ldexp(1, std::max(std::ilogb(v == 0 ? 1 : v), -14) - 10);
                 node[c] = static_cast<float>(std::nearbyint(v / step) * step);
@@ -217,7 +219,7 @@ TEST_P(EveryStorageOnEveryProcessor, reads_what_evaluate_reads_of_the_nodes_it_k
                 const Rgb one = evaluate(lut, inputs[i], how.kind);
                 for (std::size_t c = 0; c < 3; ++c) {
                     // Codes are weighed before they are divided: some roundings of values up to 1.
-                    ASSERT_NEAR(out[i][c], one[c], storage.maximum > 0 ? 5e-7F : 0);
+                    ASSERT_NEAR(out[i][c], one[c], storage.bits > 0 ? 5e-7F : 0);
                 }
             }
         }

@@ -70,12 +70,12 @@ TEST(PictureFormat, reads_the_row_of_stacked_lattices_that_is_asked_for) {
     Lut identity;
     identity.cube = identity_cube(16);
     Bake bake = baked(*engine_named("reshade"), identity);
-    CodePicture& stacked = bake.picture;
-    const std::vector<std::uint16_t> first = stacked.codes;
+    CodeImage& stacked = bake.picture;
+    const std::vector<std::uint16_t> first = stacked.samples;
     // Below the identity the same with red at full.
-    stacked.codes.insert(stacked.codes.end(), first.begin(), first.end());
-    for (std::size_t i = first.size(); i < stacked.codes.size(); i += 3) {
-        stacked.codes[i] = 255;
+    stacked.samples.insert(stacked.samples.end(), first.begin(), first.end());
+    for (std::size_t i = first.size(); i < stacked.samples.size(); i += 3) {
+        stacked.samples[i] = 255;
     }
     stacked.height *= 2;
     const std::string bytes = picture_bytes(bake, {"source", {}, {}});

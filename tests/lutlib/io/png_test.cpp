@@ -12,16 +12,16 @@
 namespace lutlib::io {
 namespace {
 
-CodeImage random_image(int width, int height, int channels, int bits, unsigned seed = 1) {
-    CodeImage image;
+PngImage random_image(int width, int height, int channels, int bits, unsigned seed = 1) {
+    PngImage image;
     image.width = width;
     image.height = height;
     image.channels = channels;
-    image.bits = bits;
+    image.depth.bits = bits;
     std::mt19937 random(seed);
     for (int i = 0; i < width * height * channels; ++i) {
-        image.samples.push_back(
-            static_cast<std::uint16_t>(random() % static_cast<unsigned>(image.maximum() + 1)));
+        image.samples.push_back(static_cast<std::uint16_t>(
+            random() % static_cast<unsigned>(image.depth.maximum() + 1)));
     }
     return image;
 }
@@ -86,12 +86,12 @@ INSTANTIATE_TEST_SUITE_P(Png, EveryShape,
 
 TEST_P(EveryShape, codes_come_back_exactly) {
     const Shape s = GetParam();
-    const CodeImage image = random_image(s.width, s.height, s.channels, s.bits);
-    const CodeImage back = read_png(write_png(image), "x.png");
+    const PngImage image = random_image(s.width, s.height, s.channels, s.bits);
+    const PngImage back = read_png(write_png(image), "x.png");
     EXPECT_EQ(back.width, s.width);
     EXPECT_EQ(back.height, s.height);
     EXPECT_EQ(back.channels, s.channels);
-    EXPECT_EQ(back.bits, s.bits);
+    EXPECT_EQ(back.depth.bits, s.bits);
     EXPECT_EQ(back.samples, image.samples);
     EXPECT_FALSE(back.interlaced || back.palette || back.grey);
 }
@@ -107,7 +107,7 @@ TEST_P(EveryShape, every_cut_of_the_file_is_one_clear_error) {
 }
 
 TEST(Png, reports_the_srgb_chunk_and_writes_it_only_when_asked) {
-    CodeImage image = random_image(4, 4, 3, 8);
+    PngImage image = random_image(4, 4, 3, 8);
     EXPECT_FALSE(read_png(write_png(image), "").srgb_tag);
     EXPECT_EQ(write_png(image).find("sRGB"), std::string::npos);
     EXPECT_EQ(write_png(image).find("gAMA"), std::string::npos);
@@ -116,7 +116,7 @@ TEST(Png, reports_the_srgb_chunk_and_writes_it_only_when_asked) {
 }
 
 TEST(Png, keeps_text_in_order_including_utf8) {
-    CodeImage image = random_image(4, 4, 3, 8);
+    PngImage image = random_image(4, 4, 3, 8);
     image.text = {{"Title", "warm"}, {"Source", "na\xc3\xafve look.cube"}};
     EXPECT_EQ(read_png(write_png(image), "").text, image.text);
     image.text = {{"Title", ""}};
@@ -128,7 +128,7 @@ TEST(Png, keeps_text_in_order_including_utf8) {
 TEST(Png, reads_grey_of_low_depth_scaled_to_8_bits) {
     const std::string bytes =
         Encoder{PNG_COLOR_TYPE_GRAY, 2}(4, 1, {{static_cast<png_byte>(0b00011011)}});
-    const CodeImage image = read_png(bytes, "");
+    const PngImage image = read_png(bytes, "");
     EXPECT_TRUE(image.grey);
     EXPECT_EQ(image.samples,
               (std::vector<std::uint16_t>{0, 0, 0, 85, 85, 85, 170, 170, 170, 255, 255, 255}));
@@ -137,11 +137,11 @@ TEST(Png, reads_grey_of_low_depth_scaled_to_8_bits) {
 TEST(Png, reads_a_palette_as_its_colours_and_its_transparency_as_alpha) {
     Encoder encoder{PNG_COLOR_TYPE_PALETTE, 8};
     encoder.palette = {{1, 2, 3}, {200, 100, 50}};
-    const CodeImage opaque = read_png(encoder(2, 1, {{1, 0}}), "");
+    const PngImage opaque = read_png(encoder(2, 1, {{1, 0}}), "");
     EXPECT_TRUE(opaque.palette);
     EXPECT_EQ(opaque.samples, (std::vector<std::uint16_t>{200, 100, 50, 1, 2, 3}));
     encoder.palette_alpha = {7};
-    const CodeImage clear = read_png(encoder(2, 1, {{1, 0}}), "");
+    const PngImage clear = read_png(encoder(2, 1, {{1, 0}}), "");
     EXPECT_EQ(clear.samples, (std::vector<std::uint16_t>{200, 100, 50, 255, 1, 2, 3, 7}));
 }
 
@@ -155,23 +155,23 @@ TEST(Png, reports_primaries) {
 TEST(Png, never_applies_the_gamma_it_reports) {
     Encoder encoder;
     encoder.gamma = true;
-    const CodeImage image = read_png(encoder(1, 1, {{10, 128, 250}}), "");
+    const PngImage image = read_png(encoder(1, 1, {{10, 128, 250}}), "");
     EXPECT_TRUE(image.gamma_tag);
     EXPECT_EQ(image.samples, (std::vector<std::uint16_t>{10, 128, 250}));
 }
 
 TEST(Png, reads_interlaced_16_bit_pictures_in_the_right_order) {
-    const CodeImage image = random_image(37, 19, 3, 16);
+    const PngImage image = random_image(37, 19, 3, 16);
     std::vector<std::vector<png_byte>> rows;
     for (int y = 0; y < image.height; ++y) {
         auto& row = rows.emplace_back();
         for (int i = 0; i < image.width * 3; ++i) {
-            const unsigned code = image.at(i / 3, y, i % 3);
+            const unsigned code = image.at({i / 3, y}, i % 3);
             row.push_back(static_cast<png_byte>(code >> 8));
             row.push_back(static_cast<png_byte>(code & 255));
         }
     }
-    const CodeImage back =
+    const PngImage back =
         read_png(Encoder{PNG_COLOR_TYPE_RGB, 16, PNG_INTERLACE_ADAM7}(37, 19, rows), "");
     EXPECT_TRUE(back.interlaced);
     EXPECT_EQ(back.samples, image.samples);

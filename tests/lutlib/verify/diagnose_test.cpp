@@ -18,23 +18,23 @@ class Diagnosed : public testing::Test {
     static constexpr int n = 16;
     const Engine& engine = *engine_named("unreal");
     const Transform look = test_looks()[3].transform();
-    CodePicture right = bake(look, engine, n, 8).picture;
+    CodeImage right = bake(look, engine, n, 8).picture;
 
-    std::string words(const CodePicture& picture) const {
+    std::string words(const CodeImage& picture) const {
         const Verification result = verify(picture, engine, n, look, {{0, 0, 0}});
         EXPECT_GT(result.texels.wrong, 0U);
         return result.diagnosis ? result.diagnosis->words : "";
     }
 
     template <class F>
-    CodePicture made(F&& code) const {
-        CodePicture out = right;
+    CodeImage made(F&& code) const {
+        CodeImage out = right;
         for (int b = 0; b < n; ++b) {
             for (int g = 0; g < n; ++g) {
                 for (int r = 0; r < n; ++r) {
                     const RgbD value = code(r, g, b);
                     for (std::size_t c = 0; c < 3; ++c) {
-                        out.code({b * n + r, g}, c) = static_cast<std::uint16_t>(value[c]);
+                        out.at({b * n + r, g}, c) = static_cast<std::uint16_t>(value[c]);
                     }
                 }
             }
@@ -105,13 +105,13 @@ TEST_F(Diagnosed, lossy_compression) {
 }
 
 TEST_F(Diagnosed, single_damaged_texels) {
-    CodePicture picture = right;
-    picture.code({77, 3}, 1) ^= 0x40;
+    CodeImage picture = right;
+    picture.at({77, 3}, 1) ^= 0x40;
     EXPECT_NE(words(picture).find("single texels differ"), std::string::npos);
 }
 
 TEST_F(Diagnosed, another_look_is_not_explained_away) {
-    const CodePicture other = bake(test_looks()[2].transform(), engine, n, 8).picture;
+    const CodeImage other = bake(test_looks()[2].transform(), engine, n, 8).picture;
     EXPECT_EQ(words(other), "");
 }
 
@@ -135,23 +135,23 @@ TEST_F(Diagnosed, nodes_that_stop_one_short) {
 
 TEST_F(Diagnosed, colour_at_half_resolution) {
     // What JPEG 4:2:0 does at any quality: luma stays, chroma becomes means of 2 x 2.
-    CodePicture picture = right;
+    CodeImage picture = right;
     for (int y = 0; y < picture.height; y += 2) {
         for (int x = 0; x < picture.width; x += 2) {
             std::array<Pixel, 4> four{{{x, y}, {x + 1, y}, {x, y + 1}, {x + 1, y + 1}}};
             const auto luma = [&](Pixel p) {
-                return 0.299 * right.code(p, 0) + 0.587 * right.code(p, 1) +
-                       0.114 * right.code(p, 2);
+                return 0.299 * right.at(p, 0) + 0.587 * right.at(p, 1) +
+                       0.114 * right.at(p, 2);
             };
             std::array<double, 3> chroma{};
             for (const Pixel p : four) {
                 for (std::size_t c = 0; c < 3; ++c) {
-                    chroma[c] += (right.code(p, c) - luma(p)) / 4;
+                    chroma[c] += (right.at(p, c) - luma(p)) / 4;
                 }
             }
             for (const Pixel p : four) {
                 for (std::size_t c = 0; c < 3; ++c) {
-                    picture.code(p, c) = static_cast<std::uint16_t>(
+                    picture.at(p, c) = static_cast<std::uint16_t>(
                         std::clamp(std::floor(luma(p) + chroma[c] + 0.5), 0.0, 255.0));
                 }
             }
@@ -162,7 +162,7 @@ TEST_F(Diagnosed, colour_at_half_resolution) {
 }
 
 TEST_F(Diagnosed, no_compression_in_a_look_that_is_nearly_this_one) {
-    const CodePicture other = made([&](int r, int g, int b) {
+    const CodeImage other = made([&](int r, int g, int b) {
         const RgbD v = at(r, g, b);
         const double y = test_luma(v);
         return codes(
@@ -175,9 +175,9 @@ TEST_F(Diagnosed, no_compression_in_a_look_that_is_nearly_this_one) {
 }
 
 TEST_F(Diagnosed, no_compression_where_few_codes_are_off_by_one) {
-    CodePicture picture = right;
-    for (std::size_t i = 0; i < picture.codes.size(); i += 29) {
-        picture.codes[i] = static_cast<std::uint16_t>(picture.codes[i] ^ 1);
+    CodeImage picture = right;
+    for (std::size_t i = 0; i < picture.samples.size(); i += 29) {
+        picture.samples[i] = static_cast<std::uint16_t>(picture.samples[i] ^ 1);
     }
     EXPECT_EQ(words(picture), "");
 }
@@ -190,8 +190,8 @@ TEST_F(Diagnosed, a_lone_wrong_code_of_a_look_that_truncation_would_leave_alone)
                                   +[](RgbD c) {
                                       return RgbD{c.g, c.b, c.r};
                                   }}) {
-        CodePicture picture = bake(Transform::each(f), engine, n, 8).picture;
-        --picture.code({33, 5}, 0);
+        CodeImage picture = bake(Transform::each(f), engine, n, 8).picture;
+        --picture.at({33, 5}, 0);
         const Verification result = verify(picture, engine, n, Transform::each(f), {{0, 0, 0}});
         ASSERT_TRUE(result.diagnosis);
         EXPECT_NE(result.diagnosis->words.find("single texels differ"), std::string::npos)
@@ -200,7 +200,7 @@ TEST_F(Diagnosed, a_lone_wrong_code_of_a_look_that_truncation_would_leave_alone)
 }
 
 // Mistakes between any engine and any look.
-std::string words_of(const CodePicture& picture, const Engine& engine, int n,
+std::string words_of(const CodeImage& picture, const Engine& engine, int n,
                      const Transform& look) {
     const Verification result = verify(picture, engine, n, look, {{0, 0, 0}});
     EXPECT_GT(result.texels.wrong, 0U);
@@ -210,24 +210,24 @@ std::string words_of(const CodePicture& picture, const Engine& engine, int n,
 TEST(Diagnose, names_the_identity_rather_than_a_way_to_round_a_look_near_it) {
     const Engine& engine = *engine_named("piccolo");
     const auto near = Transform::each([](RgbD c) { return RgbD{0.998 * c.r, c.g, c.b}; });
-    const CodePicture identity = bake({}, engine, 16, 8).picture;
+    const CodeImage identity = bake({}, engine, 16, 8).picture;
     EXPECT_NE(words_of(identity, engine, 16, near).find("is the identity"), std::string::npos);
 }
 
 TEST(Diagnose, says_nothing_of_bytes_in_a_black_picture_of_16_bits) {
     const Engine& engine = *engine_named("hald");
-    CodePicture black = bake(Transform::each([](RgbD) { return RgbD{}; }), engine, 16, 16).picture;
+    CodeImage black = bake(Transform::each([](RgbD) { return RgbD{}; }), engine, 16, 16).picture;
     EXPECT_EQ(words_of(black, engine, 16, test_looks()[2].transform()), "");
 }
 
 TEST(Diagnose, knows_codes_of_8_bits_in_16) {
     const Engine& engine = *engine_named("hald");
     const Transform look = test_looks()[2].transform();
-    const CodePicture narrow = bake(look, engine, 16, 8).picture;
+    const CodeImage narrow = bake(look, engine, 16, 8).picture;
     for (const int times : {257, 256}) {
-        CodePicture wide = narrow;
-        wide.bits = 16;
-        for (std::uint16_t& code : wide.codes) {
+        CodeImage wide = narrow;
+        wide.depth.bits = 16;
+        for (std::uint16_t& code : wide.samples) {
             code = static_cast<std::uint16_t>(code * times);
         }
         EXPECT_NE(words_of(wide, engine, 16, look).find("times " + std::to_string(times)),
@@ -248,7 +248,7 @@ TEST(Diagnose, names_the_engine_whose_picture_has_the_same_dimensions) {
                                           {"unity", "ocio", 16, "a picture for Unity"}}};
     const Transform look = test_looks()[2].transform();
     for (const Mixup& m : table) {
-        const CodePicture picture = bake(look, *engine_named(m.made_for), m.size, 8).picture;
+        const CodeImage picture = bake(look, *engine_named(m.made_for), m.size, 8).picture;
         const std::string found = words_of(picture, *engine_named(m.taken_for), m.size, look);
         EXPECT_NE(found.find(m.words), std::string::npos) << m.made_for << ": " << found;
     }
@@ -259,7 +259,7 @@ TEST(Diagnose, knows_texel_centres_from_the_end_nodes_that_godot_reads) {
     const Transform look = test_looks()[3].transform();
     Engine centred = engine;
     centred.node_input = [](int i, int n) { return (i + 0.5) / n; };
-    const CodePicture picture = bake(look, centred, 16, 8).picture;
+    const CodeImage picture = bake(look, centred, 16, 8).picture;
     EXPECT_NE(words_of(picture, engine, 16, look).find("all nodes were sampled at texel centres"),
               std::string::npos);
 }

@@ -44,8 +44,8 @@ lutlib::Lut warm_look() {
     return look;
 }
 
-lutlib::io::CodeImage code_image(const Rendered& rendered) {
-    lutlib::io::CodeImage image;
+lutlib::io::PngImage code_image(const Rendered& rendered) {
+    lutlib::io::PngImage image;
     image.width = static_cast<int>(rendered.size.width);
     image.height = static_cast<int>(rendered.size.height);
     image.srgb_tag = true;

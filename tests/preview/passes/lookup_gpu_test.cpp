@@ -137,7 +137,7 @@ class EveryLookup : public FinishTest, public testing::WithParamInterface<const 
 
     void compare_picture(const lutlib::Engine& engine, int size, int bits) {
         const Lookup& row = *GetParam();
-        const lutlib::CodePicture codes =
+        const lutlib::CodeImage codes =
             lutlib::bake(lutlib::Transform::each(strong_look), engine, size, bits).picture;
         const lutlib::Picture decoded = lutlib::decoded(codes);
         const lutlib::Lut3D cube =
@@ -193,7 +193,7 @@ using SharedLookupTest = FinishTest;
 
 // finish_shared.comp cuts a picture into runs of tiles; finish.comp does not.
 TEST_F(SharedLookupTest, every_texel_of_any_size_is_finished_as_by_the_plain_pass) {
-    const lutlib::CodePicture codes =
+    const lutlib::CodeImage codes =
         lutlib::bake(lutlib::Transform::each(strong_look), *lutlib::engine_named("piccolo"), 16, 8)
             .picture;
     const GpuLook plain(device(), look_data(codes, 16, *lookup_named("strip")));
@@ -272,7 +272,7 @@ TEST(Lookups, have_a_row_for_every_engine) {
 }
 
 TEST(Lookups, refuse_what_they_cannot_read) {
-    lutlib::CodePicture picture;
+    lutlib::CodeImage picture;
     EXPECT_THROW(look_data(picture, 32, *lookup_named("shared-trilinear")), lutlib::Error);
     EXPECT_THROW(look_data(picture, 16, *lookup_named("tetrahedral")), lutlib::Error);
     EXPECT_THROW(look_data(Lut{}, *lookup_named("volume")), lutlib::Error);

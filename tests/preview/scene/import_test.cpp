@@ -4,11 +4,11 @@
 #include "lutlib/io/png.h"
 #include "preview/cli/headless.h"
 #include "preview/cli/light_edit.h"
+#include "preview/frame/shown.h"
 #include "preview/scene/builtin.h"
 #include "preview/scene/import.h"
-#include "preview/frame/shown.h"
-#include "tests/preview/scene/gltf_writer.h"
 #include "tests/preview/graph/gpu_test.h"
+#include "tests/preview/scene/gltf_writer.h"
 
 #include <glm/geometric.hpp>
 
@@ -133,7 +133,7 @@ TEST_F(ImportTest, takes_the_factors_of_materials) {
 }
 
 TEST_F(ImportTest, puts_the_mean_of_a_texture_in_its_place_and_says_so) {
-    lutlib::io::CodeImage image;
+    lutlib::io::PngImage image;
     image.width = 2;
     image.height = 1;
     image.samples = {255, 255, 255, 0, 0, 0};

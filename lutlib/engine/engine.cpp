@@ -281,4 +281,10 @@ const Engine* engine_named(std::string_view name) {
     return find_named(table, name, Letters::any_case);
 }
 
+LatticeReader reader_of(const Engine& engine, int size) {
+    return {size, engine.interpolation, {}, [&engine, size](double in, std::size_t) {
+                return engine.place(in, size);
+            }};
+}
+
 } // namespace lutlib

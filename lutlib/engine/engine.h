@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lutlib/engine/layout.h"
-#include "lutlib/interpolation/interpolation.h"
+#include "lutlib/interpolation/lattice_reader.h"
 
 #include <span>
 #include <string_view>
@@ -41,5 +41,8 @@ struct Engine {
 std::span<const Engine> engines();
 /// In letters of any case. Null when there is none.
 const Engine* engine_named(std::string_view name);
+
+/// How the engine reads a lattice of `size`.
+LatticeReader reader_of(const Engine& engine, int size);
 
 } // namespace lutlib

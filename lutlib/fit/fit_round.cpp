@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 namespace lutlib {
 namespace {
@@ -21,6 +22,9 @@ constexpr float say_of_all_channels = 0.2F;
 struct Readers {
     std::vector<int> first, sample;
     std::vector<float> weight;
+
+    // The entries of a node end where the next one's begin.
+    std::size_t begin(std::size_t node) const { return static_cast<std::size_t>(first[node]); }
 
     Readers(const FitSamples& s, std::size_t nodes)
         : first(nodes + 1), sample(s.node.size()), weight(s.node.size()) {
@@ -44,13 +48,132 @@ struct Readers {
 };
 
 struct Price {
-    float cap;
+    float cap = 0;
 
     float operator()(const Rgb& error) const {
         const float r = std::abs(error.r), g = std::abs(error.g), b = std::abs(error.b);
         const float e = std::max(std::max(r, g), b);
         return e + say_of_all_channels * (r + g + b) + price_of_excess * std::max(0.0F, e - cap);
     }
+};
+
+// Descends along one coordinate at a time: one channel of one node, by one code.
+class CoordinateDescent {
+  public:
+    CoordinateDescent(const FitSamples& samples, std::vector<RgbD> nodes,
+                      const std::vector<RgbD>& plain, const std::vector<bool>& fixed, int size,
+                      CodeDepth depth)
+        : samples_(samples), fixed_(fixed), readers_(samples, nodes.size()),
+          size_(static_cast<std::size_t>(size)), depth_(depth), nodes_(std::move(nodes)),
+          error_(samples.target.size()), paid_(samples.target.size()), settled_(nodes_.size()) {
+        for (std::size_t k = 0; k < nodes_.size(); ++k) {
+            nodes_[k] = fixed[k] ? plain[k] : nodes_[k];
+        }
+        double cap = 0;
+        for (std::size_t s = 0; s < error_.size(); ++s) {
+            const RgbD target = saturate(samples.target[s]);
+            cap = std::max(cap, largest_magnitude(samples.read(plain, s) - target));
+            error_[s] = to_float(samples.read(nodes_, s) - target);
+        }
+        price_ = {static_cast<float>(cap)};
+        std::transform(error_.begin(), error_.end(), paid_.begin(), price_);
+    }
+
+    // Until no node finds anything to gain, or for `most` sweeps.
+    std::vector<RgbD> run(int most) {
+        for (int i = 0; i < most && sweep(); ++i) {
+        }
+        return std::move(nodes_);
+    }
+
+  private:
+    // One try at every node that may have something to gain; false when none moved. Nodes two apart
+    // on an axis share no sample, so each of the eight parities goes in parallel.
+    bool sweep() {
+        std::atomic<bool> any = false;
+        for (std::size_t parity = 0; parity < 8; ++parity) {
+            const std::size_t r0 = parity & 1, g0 = parity >> 1 & 1, b0 = parity >> 2;
+            tbb::parallel_for(std::size_t{0}, (size_ - b0 + 1) / 2, [&](std::size_t slice) {
+                for (std::size_t g = g0; g < size_; g += 2) {
+                    for (std::size_t r = r0; r < size_; r += 2) {
+                        if (visit(r, g, b0 + 2 * slice)) {
+                            any = true;
+                        }
+                    }
+                }
+            });
+        }
+        return any;
+    }
+
+    // A node that found nothing to gain need not look again until a neighbour has moved.
+    bool visit(std::size_t r, std::size_t g, std::size_t b) {
+        const std::size_t node = r + size_ * (g + size_ * b);
+        if (fixed_[node] || settled_[node].load(std::memory_order_relaxed)) {
+            return false;
+        }
+        bool moved = false;
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            moved = step(node, channel, depth_.value(1)) || step(node, channel, -depth_.value(1)) ||
+                    moved;
+        }
+        if (moved) {
+            unsettle_around(r, g, b);
+        } else {
+            settled_[node].store(true, std::memory_order_relaxed);
+        }
+        return moved;
+    }
+
+    // Moves the node's channel if that lowers what its samples cost; true when it did.
+    bool step(std::size_t node, std::size_t channel, double by) {
+        const double value = nodes_[node][channel] + by, half_code = depth_.value(1) / 2;
+        if (value < -half_code || value > 1 + half_code ||
+            !(gain(node, channel, static_cast<float>(by)) > 0)) {
+            return false;
+        }
+        nodes_[node][channel] = depth_.value(depth_.code(value));
+        for (std::size_t k = readers_.begin(node); k < readers_.begin(node + 1); ++k) {
+            const auto s = static_cast<std::size_t>(readers_.sample[k]);
+            error_[s][channel] += static_cast<float>(by) * readers_.weight[k];
+            paid_[s] = price_(error_[s]);
+        }
+        return true;
+    }
+
+    float gain(std::size_t node, std::size_t channel, float by) const {
+        float out = 0;
+        for (std::size_t k = readers_.begin(node); k < readers_.begin(node + 1); ++k) {
+            const auto s = static_cast<std::size_t>(readers_.sample[k]);
+            Rgb after = error_[s];
+            after[channel] += by * readers_.weight[k];
+            out += samples_.share[s] * (paid_[s] - price_(after));
+        }
+        return out;
+    }
+
+    void unsettle_around(std::size_t r, std::size_t g, std::size_t b) {
+        const auto first = [](std::size_t i) { return i > 0 ? i - 1 : 0; };
+        const auto last = [this](std::size_t i) { return std::min(i + 1, size_ - 1); };
+        for (std::size_t k = first(b); k <= last(b); ++k) {
+            for (std::size_t j = first(g); j <= last(g); ++j) {
+                for (std::size_t i = first(r); i <= last(r); ++i) {
+                    settled_[i + size_ * (j + size_ * k)].store(false, std::memory_order_relaxed);
+                }
+            }
+        }
+    }
+
+    const FitSamples& samples_;
+    const std::vector<bool>& fixed_;
+    const Readers readers_;
+    const std::size_t size_;
+    const CodeDepth depth_;
+    Price price_{};
+    std::vector<RgbD> nodes_;
+    std::vector<Rgb> error_;  // of each sample, as the nodes stand
+    std::vector<float> paid_; // its price
+    std::vector<std::atomic<bool>> settled_;
 };
 
 } // namespace
@@ -67,98 +190,7 @@ std::vector<RgbD> rounded_to_codes(std::vector<RgbD> nodes, CodeDepth depth) {
 std::vector<RgbD> descended(const FitSamples& samples, std::vector<RgbD> nodes,
                             const std::vector<RgbD>& plain, const std::vector<bool>& fixed,
                             int size, CodeDepth depth) {
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-        nodes[k] = fixed[k] ? plain[k] : nodes[k];
-    }
-    const std::size_t count = samples.target.size();
-    std::vector<Rgb> error(count);
-    double cap = 0;
-    for (std::size_t s = 0; s < count; ++s) {
-        const RgbD target = saturate(samples.target[s]);
-        const RgbD d = samples.read(plain, s) - target;
-        cap = std::max(cap, largest_magnitude(d));
-        error[s] = to_float(samples.read(nodes, s) - target);
-    }
-    const Price price{static_cast<float>(cap)};
-    std::vector<float> paid(count); // each sample's price as it stands
-    std::transform(error.begin(), error.end(), paid.begin(), price);
-    const Readers readers(samples, nodes.size());
-    const double step = depth.value(1);
-    const auto n = static_cast<std::size_t>(size);
-
-    // Lowers what the node costs; true when it moved.
-    const auto improve = [&](std::size_t node) {
-        bool moved = false;
-        const auto begin = static_cast<std::size_t>(readers.first[node]);
-        const auto end = static_cast<std::size_t>(readers.first[node + 1]);
-        for (std::size_t c = 0; c < 3; ++c) {
-            for (const double direction : {step, -step}) {
-                const double value = nodes[node][c] + direction;
-                if (value < -step / 2 || value > 1 + step / 2) {
-                    continue;
-                }
-                const auto by = static_cast<float>(direction);
-                float gain = 0;
-                for (std::size_t k = begin; k < end; ++k) {
-                    const auto s = static_cast<std::size_t>(readers.sample[k]);
-                    Rgb after = error[s];
-                    after[c] += by * readers.weight[k];
-                    gain += samples.share[s] * (paid[s] - price(after));
-                }
-                if (gain > 0) {
-                    nodes[node][c] = depth.value(depth.code(value));
-                    for (std::size_t k = begin; k < end; ++k) {
-                        const auto s = static_cast<std::size_t>(readers.sample[k]);
-                        error[s][c] += by * readers.weight[k];
-                        paid[s] = price(error[s]);
-                    }
-                    moved = true;
-                    break;
-                }
-            }
-        }
-        return moved;
-    };
-
-    // A node that found nothing to gain need not look again until a neighbour has moved.
-    std::vector<std::atomic<bool>> settled(nodes.size());
-    const auto unsettle_around = [&](std::size_t r, std::size_t g, std::size_t b) {
-        for (std::size_t k = b > 0 ? b - 1 : 0; k <= std::min(b + 1, n - 1); ++k) {
-            for (std::size_t j = g > 0 ? g - 1 : 0; j <= std::min(g + 1, n - 1); ++j) {
-                for (std::size_t i = r > 0 ? r - 1 : 0; i <= std::min(r + 1, n - 1); ++i) {
-                    settled[i + n * (j + n * k)].store(false, std::memory_order_relaxed);
-                }
-            }
-        }
-    };
-    // Nodes two apart on an axis share no sample, so each of the eight parities goes in parallel.
-    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-        std::atomic<bool> any = false;
-        for (std::size_t parity = 0; parity < 8; ++parity) {
-            const std::size_t r0 = parity & 1, g0 = parity >> 1 & 1, b0 = parity >> 2;
-            tbb::parallel_for(std::size_t{0}, (n - b0 + 1) / 2, [&](std::size_t slice) {
-                const std::size_t b = b0 + 2 * slice;
-                for (std::size_t g = g0; g < n; g += 2) {
-                    for (std::size_t r = r0; r < n; r += 2) {
-                        const std::size_t node = r + n * (g + n * b);
-                        if (fixed[node] || settled[node].load(std::memory_order_relaxed)) {
-                            continue;
-                        }
-                        if (improve(node)) {
-                            unsettle_around(r, g, b);
-                            any = true;
-                        } else {
-                            settled[node].store(true, std::memory_order_relaxed);
-                        }
-                    }
-                }
-            });
-        }
-        if (!any) {
-            break;
-        }
-    }
-    return nodes;
+    return CoordinateDescent(samples, std::move(nodes), plain, fixed, size, depth).run(most_sweeps);
 }
 
 } // namespace lutlib

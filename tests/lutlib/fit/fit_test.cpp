@@ -87,7 +87,7 @@ TEST_P(FitOfLook, is_never_worse_than_point_samples) {
         const Transform look = transform_of(GetParam());
         const LatticeReader reader = cube_reader(9, how);
         const LatticeFit fit = fit_of(look, reader);
-        for (const FittedLattice& result : {fit.exact(), fit.rounded(255), fit.rounded(1023)}) {
+        for (const FittedLattice& result : {fit.exact(), fit.rounded({8}), fit.rounded({10})}) {
             EXPECT_LE(result.result.max, result.point_sampled.max) << name_of(how);
             EXPECT_LE(result.result.mean, result.point_sampled.mean) << name_of(how);
             if (!result.fitted) {
@@ -101,7 +101,7 @@ TEST_P(FitOfLook, gives_codes_within_range_and_keeps_the_corners) {
     const Transform look = transform_of(GetParam());
     const LatticeReader reader = cube_reader(9, Interpolation::tetrahedral);
     const std::vector<RgbD> point = point_samples(look, reader);
-    const FittedLattice result = LatticeFit(look, reader, point).rounded(255);
+    const FittedLattice result = LatticeFit(look, reader, point).rounded({8});
     for (const RgbD& node : result.nodes) {
         for (std::size_t c = 0; c < 3; ++c) {
             EXPECT_GE(node[c], 0);
@@ -124,7 +124,7 @@ TEST(Fit, lowers_the_mean_error_of_curved_looks_by_a_third) {
                       }});
     for (const Interpolation how : {Interpolation::trilinear, Interpolation::tetrahedral}) {
         const LatticeFit fit = fit_of(look, cube_reader(9, how));
-        const FittedLattice exact = fit.exact(), codes = fit.rounded(255);
+        const FittedLattice exact = fit.exact(), codes = fit.rounded({8});
         EXPECT_TRUE(exact.fitted && codes.fitted);
         EXPECT_LT(exact.result.mean, 0.67 * exact.point_sampled.mean);
         EXPECT_LT(codes.result.mean, 0.8 * codes.point_sampled.mean);
@@ -160,7 +160,7 @@ TEST(Fit, survives_looks_that_are_not_finite_or_not_of_this_world) {
     });
     const LatticeReader reader = cube_reader(5, Interpolation::tetrahedral);
     const LatticeFit fit = fit_of(rude, reader);
-    for (const FittedLattice& result : {fit.exact(), fit.rounded(255)}) {
+    for (const FittedLattice& result : {fit.exact(), fit.rounded({8})}) {
         for (const RgbD& node : result.nodes) {
             EXPECT_TRUE(std::isfinite(node.r) && std::isfinite(node.g) && std::isfinite(node.b));
         }
@@ -173,7 +173,7 @@ TEST(Fit, gives_the_same_nodes_whatever_the_number_of_threads) {
     const auto nodes_with = [&](std::size_t threads) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         const LatticeFit fit = fit_of(look, reader);
-        return std::pair(fit.exact().nodes, fit.rounded(255).nodes);
+        return std::pair(fit.exact().nodes, fit.rounded({8}).nodes);
     };
     const auto alone = nodes_with(1);
     for (const std::size_t threads : {2U, 3U, 8U}) {

@@ -106,13 +106,13 @@ nlohmann::ordered_json fit_json(const FilledBake& filled) {
 }
 
 nlohmann::ordered_json budget_json(const Options& o, const BudgetBake& found) {
-    return {
-        {"max_delta_e", o.max_delta_e},
-        {"kept", found.kept},
-        {"tried", found.tried},
-        {"bytes", lutlib::lattice_bytes(found.filled.bake.size, found.filled.bake.picture.depth.bits)},
-        {"chosen_on", to_json(found.chosen_on.delta_e)},
-        {"checked_on", to_json(found.checked_on.delta_e)}};
+    return {{"max_delta_e", o.max_delta_e},
+            {"kept", found.kept},
+            {"tried", found.tried},
+            {"bytes",
+             lutlib::lattice_bytes(found.filled.bake.size, found.filled.bake.picture.depth.bits)},
+            {"chosen_on", to_json(found.chosen_on.delta_e)},
+            {"checked_on", to_json(found.checked_on.delta_e)}};
 }
 
 bool is_beyond_fitting(const Options& o, const FilledBake& filled) {
@@ -131,63 +131,101 @@ std::optional<int> if_given(int value) {
     return value ? std::optional(value) : std::nullopt;
 }
 
-int run(const Options& o) {
+// Everything that is found out about one bake, before any of it is written or printed.
+struct BakeReport {
+    FilledBake filled;
+    std::optional<BudgetBake> budgeted; ///< with --max-delta-e
+    std::string title;
+    lutlib::Interpolation interpolation; ///< how the look was read
+    Domain domain;
+    LookupError error;
+    std::optional<Explanation> explanation;
+
+    bool is_kept() const { return !budgeted || budgeted->kept; }
+};
+
+BakeReport make_report(const Options& o) {
     const lutlib::Engine& engine = o.engine.get();
-    require_png_name(o.output, "bake");
     const lutlib::io::Look look = open_look(o.input, {.interpolation = o.interpolation.get()});
     const lutlib::Transform exact = look.exact();
-    std::optional<BudgetBake> budgeted;
-    FilledBake filled;
+    BakeReport out;
+    out.title = look.title();
+    out.interpolation = look.interpolation();
+    out.domain = look.domain();
     if (o.max_delta_e > 0) {
-        budgeted =
+        out.budgeted =
             bake_within(exact, engine, {o.max_delta_e, if_given(o.size), if_given(o.bits), true});
-        filled = budgeted->filled;
+        out.filled = out.budgeted->filled;
     } else {
-        filled = fill(o, exact, engine);
+        out.filled = fill(o, exact, engine);
     }
-    if (!budgeted || budgeted->kept) {
-        lutlib::io::write_file(
-            o.output,
-            lutlib::io::picture_bytes(filled.bake, {lutlib::io::input_name(o.input), look.title(),
-                                                    name_of(look.interpolation()), filled.fitted}));
-    }
-    const LookupError error = measure_bake(filled.bake, exact);
-    std::optional<Explanation> explanation;
+    out.error = measure_bake(out.filled.bake, exact);
     if (o.explain) {
         // What changes less than half a code is not seen in the picture.
-        explanation = explain(*look.table().lut, 0.5 / filled.bake.picture.depth.maximum());
-        explanation->kept = "the engine reads a lattice of this size whatever the look is";
+        out.explanation = explain(*look.table().lut, 0.5 / out.filled.bake.picture.depth.maximum());
+        out.explanation->kept = "the engine reads a lattice of this size whatever the look is";
     }
-    if (o.json) {
-        nlohmann::ordered_json json = as_json(o, filled, look.domain(), error);
-        if (filled.result.count > 0) {
-            json["fit"] = fit_json(filled);
-        }
-        if (is_beyond_fitting(o, filled)) {
-            json["notes"] = {"not fitted: " + lutlib::fit_limit_text()};
-        }
-        if (budgeted) {
-            json["budget"] = budget_json(o, *budgeted);
-        }
-        if (explanation) {
-            json["explanation"] = to_json(*explanation);
-        }
-        print(json, o.output);
-    } else {
-        print(bake_report(input_text(o.input), output_text(o.output), filled.bake, look.domain(),
-                          error) +
-                  (filled.result.count > 0 ? fit_text(filled) : "") +
-                  (is_beyond_fitting(o, filled) ? "  not fitted: " + lutlib::fit_limit_text() + "\n"
-                                                : "") +
-                  (budgeted ? budget_text(o, *budgeted) : "") +
-                  (explanation ? to_text(*explanation) : ""),
-              o.output);
+    return out;
+}
+
+void write_picture(const Options& o, const BakeReport& report) {
+    lutlib::io::write_file(
+        o.output, lutlib::io::picture_bytes(report.filled.bake,
+                                            {lutlib::io::input_name(o.input), report.title,
+                                             name_of(report.interpolation), report.filled.fitted}));
+}
+
+nlohmann::ordered_json report_json(const Options& o, const BakeReport& report) {
+    nlohmann::ordered_json json = as_json(o, report.filled, report.domain, report.error);
+    if (report.filled.result.count > 0) {
+        json["fit"] = fit_json(report.filled);
     }
-    if (budgeted && !budgeted->kept) {
-        print(fmt::format("  nothing was written; raise --max-delta-e above {:.4g}{}\n",
-                          budgeted->largest_delta_e(),
-                          o.size || o.bits ? ", or leave --size and --bits open" : ""),
-              std::string(lutlib::io::standard_stream));
+    if (is_beyond_fitting(o, report.filled)) {
+        json["notes"] = {"not fitted: " + lutlib::fit_limit_text()};
+    }
+    if (report.budgeted) {
+        json["budget"] = budget_json(o, *report.budgeted);
+    }
+    if (report.explanation) {
+        json["explanation"] = to_json(*report.explanation);
+    }
+    return json;
+}
+
+std::string report_text(const Options& o, const BakeReport& report) {
+    std::string out = bake_report(input_text(o.input), output_text(o.output), report.filled.bake,
+                                  report.domain, report.error);
+    if (report.filled.result.count > 0) {
+        out += fit_text(report.filled);
+    }
+    if (is_beyond_fitting(o, report.filled)) {
+        out += "  not fitted: " + lutlib::fit_limit_text() + "\n";
+    }
+    if (report.budgeted) {
+        out += budget_text(o, *report.budgeted);
+    }
+    if (report.explanation) {
+        out += to_text(*report.explanation);
+    }
+    return out;
+}
+
+void say_that_nothing_was_written(const Options& o, const BudgetBake& found) {
+    print(fmt::format("  nothing was written; raise --max-delta-e above {:.4g}{}\n",
+                      found.largest_delta_e(),
+                      o.size || o.bits ? ", or leave --size and --bits open" : ""),
+          std::string(lutlib::io::standard_stream));
+}
+
+int run(const Options& o) {
+    require_png_name(o.output, "bake");
+    const BakeReport report = make_report(o);
+    if (report.is_kept()) {
+        write_picture(o, report);
+    }
+    o.json ? print(report_json(o, report), o.output) : print(report_text(o, report), o.output);
+    if (!report.is_kept()) {
+        say_that_nothing_was_written(o, *report.budgeted);
         return verification_failed;
     }
     return ok;

@@ -6,21 +6,26 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 namespace lutlib {
 namespace {
 
+constexpr double step_of_8_bits = 1.0 / 255;
+
 // Around a texel that differs from the new fit, the lookup may be worse than that fit's by a share
-// of the error that is there anyway and one step of 8 bits. Fits that differ by rounding alone
-// exceed that in a few texels of a large lattice (10 of 262,144, by 1.4 steps), so there it takes
-// more of them, or more steps.
-constexpr double one_code = 1.0 / 255;
-constexpr double share_of_error = 0.25;
-constexpr double few = 1e-4, many_codes = 4 * one_code;
+// of the error that is there anyway and one step of 8 bits.
+constexpr double allowed_share_of_error = 0.25;
+constexpr double allowed_excess = step_of_8_bits;
+// Fits that differ by rounding alone exceed that in a few texels of a large lattice (10 of 262,144,
+// by 1.4 steps), so there it takes more of them, or more steps.
+constexpr double share_of_few_texels = 1e-4;
+constexpr double excess_of_few_texels = 4 * step_of_8_bits;
 // The same fit from an oracle in float and from one in double differs in up to a quarter of the
 // texels of 16 bits, by 8 codes, and of 8 bits in one of 150, mostly by one.
-constexpr int same_in_8_bits = 1, same_in_16_bits = 16;
-constexpr double same_mean = 1.05;
+constexpr int same_code_in_8_bits = 1, same_code_in_16_bits = 16;
+// The mean error of the picture may be this much of the new fit's.
+constexpr double allowed_mean = 1.05;
 
 struct Node {
     int r, g, b;
@@ -87,71 +92,112 @@ std::vector<double> local_errors(const CodeImage& codes, const Engine& engine, i
     return out;
 }
 
+// A picture beside a fit made anew: how far apart the two are at each node, and how large the
+// lookup's errors are around it.
+struct Measured {
+    std::vector<Pixel> pixel;
+    std::vector<int> distance;         ///< in codes, of the channel furthest apart
+    int same = 0;                      ///< the distance that rounding explains
+    std::vector<double> found, fitted; ///< errors; empty where no texel has moved
+
+    bool is_moved(std::size_t node) const { return distance[node] > same; }
+    double excess(std::size_t node) const {
+        return found[node] - (1 + allowed_share_of_error) * fitted[node];
+    }
+};
+
+Measured measured(const CodeImage& picture, const CodeImage& refit, const Engine& engine, int size,
+                  const Transform& look) {
+    const Layout& layout = *layout_named(engine.layout);
+    Measured out;
+    out.same = picture.depth.bits == 8 ? same_code_in_8_bits : same_code_in_16_bits;
+    bool any_moved = false;
+    for (const Node& node : nodes_of(size)) {
+        const Pixel p = layout.pixel(size, node.r, node.g, node.b);
+        int furthest = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            furthest = std::max(furthest, std::abs(picture.at(p, c) - int{refit.at(p, c)}));
+        }
+        out.pixel.push_back(p);
+        out.distance.push_back(furthest);
+        any_moved = any_moved || furthest > out.same;
+    }
+    if (any_moved) {
+        out.found = local_errors(picture, engine, size, look);
+        out.fitted = local_errors(refit, engine, size, look);
+    }
+    return out;
+}
+
+// Texels that are not the new fit's and make the lookup worse.
+struct Harm {
+    std::size_t texels = 0;
+    double most_excess = 0;
+    std::size_t worst = 0; ///< the damaged texel itself, before its neighbours: the furthest off
+};
+
+// None where rounding explains what there is.
+std::optional<Harm> judged(const Measured& m) {
+    Harm out;
+    int furthest = 0;
+    for (std::size_t i = 0; i < m.found.size(); ++i) {
+        if (!m.is_moved(i) || m.excess(i) <= allowed_excess) {
+            continue;
+        }
+        ++out.texels;
+        out.most_excess = std::max(out.most_excess, m.excess(i));
+        if (m.distance[i] > furthest) {
+            furthest = m.distance[i];
+            out.worst = i;
+        }
+    }
+    const bool is_few = static_cast<double>(out.texels) <=
+                        share_of_few_texels * static_cast<double>(m.pixel.size());
+    const bool is_rounding = is_few && out.most_excess <= excess_of_few_texels;
+    return out.texels == 0 || is_rounding ? std::nullopt : std::optional(out);
+}
+
+std::string sentence(const Harm& harm, const Measured& m) {
+    const Pixel p = m.pixel[harm.worst];
+    return std::to_string(harm.texels) + " of " + std::to_string(m.pixel.size()) +
+           " texels are not what the fit gives, and the lookup is worse for it; the furthest at " +
+           std::to_string(p.x) + "," + std::to_string(p.y) + " is off by " +
+           std::to_string(m.distance[harm.worst]) + " codes, with errors of up to " +
+           figure(m.found[harm.worst]) + " around it where the fit has " +
+           figure(m.fitted[harm.worst]);
+}
+
 } // namespace
 
 FittedCheck check_fitted(const CodeImage& picture, const Engine& engine, int size,
                          const Transform& look, const std::vector<Rgb>& inputs) {
-    const CodeImage refit = bake_fitted(look, engine, size, picture.depth.bits).bake.picture;
-    const std::vector<RgbD> expected = images_of(look, inputs);
-    const auto error_of = [&](const CodeImage& codes) {
-        return lookup_error(engine, decoded(codes), size, inputs, expected);
-    };
-    FittedCheck out;
-    out.result = error_of(picture);
-    out.refit = error_of(refit);
-    out.point_sampled = error_of(bake(look, engine, size, picture.depth.bits).picture);
+    oracle(one);
+    return to_double(one.front());
+};
+const CodeImage refit = bake_fitted(look, engine, size, picture.depth.bits).bake.picture;
+const std::vector<RgbD> expected = images_of(look, inputs);
+const auto error_of = [&](const CodeImage& codes) {
+    return lookup_error(engine, decoded(codes), size, inputs, expected);
+};
+FittedCheck out;
+out.result = error_of(picture);
+out.refit = error_of(refit);
+out.point_sampled = error_of(bake(look, engine, size, picture.depth.bits).picture);
 
-    const Layout& layout = *layout_named(engine.layout);
-    const int same = picture.depth.bits == 8 ? same_in_8_bits : same_in_16_bits;
-    const std::vector<Node> nodes = nodes_of(size);
-    std::vector<int> distance(nodes.size());
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const Pixel p = layout.pixel(size, nodes[i].r, nodes[i].g, nodes[i].b);
-        for (std::size_t c = 0; c < 3; ++c) {
-            distance[i] =
-                std::max(distance[i], std::abs(picture.at(p, c) - int{refit.at(p, c)}));
-        }
-        out.moved += distance[i] > same;
-    }
-    out.texels = nodes.size();
-    if (out.moved > 0) {
-        const auto local = [&](const CodeImage& codes) {
-            return local_errors(codes, engine, size, look);
-        };
-        const std::vector<double> found = local(picture), fitted = local(refit);
-        std::size_t harmful = 0, worst = 0;
-        double most_excess = 0;
-        int most = 0;
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            const double excess = found[i] - (1 + share_of_error) * fitted[i];
-            if (distance[i] > same && excess > one_code) {
-                ++harmful;
-                most_excess = std::max(most_excess, excess);
-                // The damaged texel itself, before its neighbours.
-                if (distance[i] > most) {
-                    most = distance[i];
-                    worst = i;
-                }
-            }
-        }
-        const bool is_few = static_cast<double>(harmful) <= few * static_cast<double>(out.texels);
-        if (harmful > 0 && !(is_few && most_excess <= many_codes)) {
-            const Pixel p = layout.pixel(size, nodes[worst].r, nodes[worst].g, nodes[worst].b);
-            out.faults.push_back(
-                std::to_string(harmful) + " of " + std::to_string(out.texels) +
-                " texels are not what the fit gives, and the lookup is worse for it; the furthest "
-                "at " +
-                std::to_string(p.x) + "," + std::to_string(p.y) + " is off by " +
-                std::to_string(distance[worst]) + " codes, with errors of up to " +
-                figure(found[worst]) + " around it where the fit has " + figure(fitted[worst]));
-        }
-    }
-    const double mean = out.result.absolute.mean, right = out.refit.absolute.mean;
-    if (mean > same_mean * right) {
-        out.faults.push_back("the lookup's mean error is " + figure(mean) +
-                             ", that of a fit made anew " + figure(right));
-    }
-    return out;
+const Measured m = measured(picture, refit, engine, size, look);
+out.texels = m.pixel.size();
+for (std::size_t i = 0; i < out.texels; ++i) {
+    out.moved += m.is_moved(i);
+}
+if (const std::optional<Harm> harm = judged(m)) {
+    out.faults.push_back(sentence(*harm, m));
+}
+const double mean = out.result.absolute.mean, right = out.refit.absolute.mean;
+if (mean > allowed_mean * right) {
+    out.faults.push_back("the lookup's mean error is " + figure(mean) +
+                         ", that of a fit made anew " + figure(right));
+}
+return out;
 }
 
 } // namespace lutlib

@@ -1,6 +1,7 @@
 #include "lutlib/bake/fitted.h"
 
 #include "lutlib/bake/budget.h"
+#include "lutlib/nodes.h"
 
 #include <algorithm>
 #include <array>
@@ -27,22 +28,6 @@ constexpr int same_code_in_8_bits = 1, same_code_in_16_bits = 16;
 // The mean error of the picture may be this much of the new fit's.
 constexpr double allowed_mean = 1.05;
 
-struct Node {
-    int r, g, b;
-};
-
-std::vector<Node> nodes_of(int size) {
-    std::vector<Node> out;
-    for (int b = 0; b < size; ++b) {
-        for (int g = 0; g < size; ++g) {
-            for (int r = 0; r < size; ++r) {
-                out.push_back({r, g, b});
-            }
-        }
-    }
-    return out;
-}
-
 std::string figure(double value) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.3g", value);
@@ -68,7 +53,8 @@ std::vector<double> local_errors(const CodeImage& codes, const Engine& engine, i
                                  const Transform& look) {
     const Picture picture = decoded(codes);
     const std::vector<float> axis = axis_inputs(engine, size);
-    std::vector<double> out(nodes_of(size).size());
+    const auto n = static_cast<std::size_t>(size);
+    std::vector<double> out(n * n * n);
     const auto place = [&](float in) { return engine.place(static_cast<double>(in), size); };
     for (const float blue : axis) {
         std::vector<Rgb> inputs;
@@ -112,8 +98,8 @@ Measured measured(const CodeImage& picture, const CodeImage& refit, const Engine
     Measured out;
     out.same = picture.depth.bits == 8 ? same_code_in_8_bits : same_code_in_16_bits;
     bool any_moved = false;
-    for (const Node& node : nodes_of(size)) {
-        const Pixel p = layout.pixel(size, node.r, node.g, node.b);
+    for_each_node(size, [&](int r, int g, int b) {
+        const Pixel p = layout.pixel(size, r, g, b);
         int furthest = 0;
         for (std::size_t c = 0; c < 3; ++c) {
             furthest = std::max(furthest, std::abs(picture.at(p, c) - int{refit.at(p, c)}));
@@ -121,7 +107,7 @@ Measured measured(const CodeImage& picture, const CodeImage& refit, const Engine
         out.pixel.push_back(p);
         out.distance.push_back(furthest);
         any_moved = any_moved || furthest > out.same;
-    }
+    });
     if (any_moved) {
         out.found = local_errors(picture, engine, size, look);
         out.fitted = local_errors(refit, engine, size, look);

@@ -3,6 +3,7 @@
 #include "lutlib/health/jacobian.h"
 #include "lutlib/health/parts.h"
 #include "lutlib/interpolation/interpolation.h"
+#include "lutlib/nodes.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <limits>
 
@@ -234,46 +236,44 @@ double share(std::size_t part, std::size_t whole) {
     return whole ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
 
-void examine_second_differences(const Lut& lut, const Lut3D& cube, Health& out) {
+RgbD input_of(const std::array<std::vector<double>, 3>& inputs, const std::array<int, 3>& node) {
+    return {inputs[0][static_cast<std::size_t>(node[0])],
+            inputs[1][static_cast<std::size_t>(node[1])],
+            inputs[2][static_cast<std::size_t>(node[2])]};
+}
+
+// The largest along any axis, where both cells beside a node are reached.
+Extreme largest_second_difference(const Lut& lut, const Lut3D& cube) {
     const auto axes = cells_of_axes(lut, cube.size, cube.domain);
     const auto inputs = inputs_of_nodes(lut, cube);
-    const int last = cube.size - 1;
     const auto reached = [&](std::size_t c, int i) {
-        return axes[c][static_cast<std::size_t>(i)].reached;
+        return i >= 0 && i < cube.size - 1 && axes[c][static_cast<std::size_t>(i)].reached;
     };
-    for (int b = 0; b <= last; ++b) {
-        for (int g = 0; g <= last; ++g) {
-            for (int r = 0; r <= last; ++r) {
-                const std::array<int, 3> at{r, g, b};
-                for (std::size_t c = 0; c < 3; ++c) {
-                    const int i = at[c];
-                    if (i == 0 || i == last || !reached(c, i - 1) || !reached(c, i)) {
-                        continue;
-                    }
-                    std::array<int, 3> before = at, after = at;
-                    --before[c];
-                    ++after[c];
-                    const RgbD d = to_double(cube.at(before[0], before[1], before[2])) -
-                                   2 * to_double(cube.at(r, g, b)) +
-                                   to_double(cube.at(after[0], after[1], after[2]));
-                    for (std::size_t k = 0; k < 3; ++k) {
-                        if (std::abs(d[k]) > out.second_difference.value) {
-                            RgbD in;
-                            for (std::size_t a = 0; a < 3; ++a) {
-                                in[a] = inputs[a][static_cast<std::size_t>(at[a])];
-                            }
-                            out.second_difference = {std::abs(d[k]), to_float(in)};
-                        }
-                    }
+    const std::array<std::ptrdiff_t, 3> step{1, cube.size,
+                                             static_cast<std::ptrdiff_t>(cube.size) * cube.size};
+    Extreme out;
+    for_each_node(cube.size, [&](int r, int g, int b) {
+        const std::array<int, 3> at{r, g, b};
+        const Rgb* const node = &cube.at(r, g, b);
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (!reached(c, at[c] - 1) || !reached(c, at[c])) {
+                continue;
+            }
+            const RgbD d =
+                to_double(node[-step[c]]) - 2 * to_double(*node) + to_double(node[step[c]]);
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (std::abs(d[k]) > out.value) {
+                    out = {std::abs(d[k]), to_float(input_of(inputs, at))};
                 }
             }
         }
-    }
+    });
+    return out;
 }
 
 } // namespace
 
-void examine_cells(const Lut& lut, const Lut3D& cube, double rounding, Health& out) {
+CellsExamined examine_cells(const Lut& lut, const Lut3D& cube, double rounding) {
     const CellPass pass(lut, cube, rounding);
     const Sums sums = tbb::parallel_deterministic_reduce(
         tbb::blocked_range<int>(0, cube.size - 1, 1), Sums{},
@@ -287,22 +287,26 @@ void examine_cells(const Lut& lut, const Lut3D& cube, double rounding, Health& o
             left.join(right);
             return left;
         });
-    out.tetrahedra = sums.tetrahedra;
-    out.flat = sums.flat;
-    out.mirrored = sums.signed_count[0] > sums.signed_count[1];
-    const std::size_t main = out.mirrored ? 0 : 1;
-    out.folded = sums.signed_count[1 - main];
-    out.deepest_fold = sums.deepest[1 - main];
-    out.invertible = sums.signed_volume[main];
-    out.gain = sums.gain;
-    out.condition = sums.condition;
-    out.banding_channel = sums.channel_gain;
+    CellsExamined out;
+    CellHealth& cells = out.cells;
+    cells.tetrahedra = sums.tetrahedra;
+    cells.flat = sums.flat;
+    cells.mirrored = sums.signed_count[0] > sums.signed_count[1];
+    const std::size_t main = cells.mirrored ? 0 : 1;
+    cells.folded = sums.signed_count[1 - main];
+    cells.deepest_fold = sums.deepest[1 - main];
+    cells.invertible = sums.signed_volume[main];
+    cells.gain = sums.gain;
+    cells.condition = sums.condition;
+    cells.banding_channel = sums.channel_gain;
+    const auto region = [&](const Region& r) { return Extreme{share(r.cells, sums.cells), r.in}; };
     for (std::size_t c = 0; c < 3; ++c) {
-        out.clipped_low[c] = {share(sums.low[c].cells, sums.cells), sums.low[c].in};
-        out.clipped_high[c] = {share(sums.high[c].cells, sums.cells), sums.high[c].in};
+        out.table.clipped_low[c] = region(sums.low[c]);
+        out.table.clipped_high[c] = region(sums.high[c]);
     }
-    out.plateau = {share(sums.plateau.cells, sums.cells), sums.plateau.in};
-    examine_second_differences(lut, cube, out);
+    out.table.plateau = region(sums.plateau);
+    out.table.second_difference = largest_second_difference(lut, cube);
+    return out;
 }
 
 } // namespace lutlib::health

@@ -43,7 +43,8 @@ Counts flat_segments(const Lut1D& curve, std::size_t c, double rounding) {
 
 } // namespace
 
-void examine_curve(const Lut1D& curve, const Lut3D* cube, double rounding, Health& out) {
+CurveExamined examine_curve(const Lut1D& curve, const Lut3D* cube, double rounding) {
+    CurveExamined out;
     const auto segments = static_cast<double>(curve.entries.size() - 1);
     const auto place = [&](std::size_t k) {
         return to_float(entry_position(curve, static_cast<int>(k)));
@@ -54,42 +55,43 @@ void examine_curve(const Lut1D& curve, const Lut3D* cube, double rounding, Healt
             const double step = static_cast<double>(curve.entries[k + 1][c]) -
                                 static_cast<double>(curve.entries[k][c]);
             const double fall = rises ? -step : step;
-            if (fall > std::max(rounding, out.shaper_fall[c].value)) {
-                out.shaper_fall[c] = {fall, place(k)};
+            if (fall > std::max(rounding, out.shaper.shaper_fall[c].value)) {
+                out.shaper.shaper_fall[c] = {fall, place(k)};
             }
         }
         const Counts counts = flat_segments(curve, c, rounding);
         const auto share = [&](std::size_t n) { return static_cast<double>(n) / segments; };
         if (!cube) {
-            out.clipped_low[c] = {share(counts.low), place(counts.low_at)};
-            out.clipped_high[c] = {share(counts.high), place(counts.high_at)};
+            out.table.clipped_low[c] = {share(counts.low), place(counts.low_at)};
+            out.table.clipped_high[c] = {share(counts.high), place(counts.high_at)};
         }
         const double flat = share(cube ? counts.low + counts.high + counts.flat : counts.flat);
-        if (flat > out.plateau.value) {
+        if (flat > out.table.plateau.value) {
             const std::size_t at = counts.flat   ? counts.flat_at
                                    : counts.high ? counts.high_at
                                                  : counts.low_at;
-            out.plateau = {flat, place(at)};
+            out.table.plateau = {flat, place(at)};
         }
         for (std::size_t k = 0; cube && k < curve.entries.size(); ++k) {
             const float value = curve.entries[k][c];
-            out.cut_off += std::isfinite(value) &&
-                           (value < cube->domain.min[c] || value > cube->domain.max[c]);
+            out.shaper.cut_off += std::isfinite(value) &&
+                                  (value < cube->domain.min[c] || value > cube->domain.max[c]);
         }
     }
     if (cube) {
-        return;
+        return out;
     }
     for (std::size_t c = 0; c < 3; ++c) {
         for (std::size_t k = 1; k + 1 < curve.entries.size(); ++k) {
             const double d = static_cast<double>(curve.entries[k - 1][c]) -
                              2 * static_cast<double>(curve.entries[k][c]) +
                              static_cast<double>(curve.entries[k + 1][c]);
-            if (std::abs(d) > out.second_difference.value) {
-                out.second_difference = {std::abs(d), place(k)};
+            if (std::abs(d) > out.table.second_difference.value) {
+                out.table.second_difference = {std::abs(d), place(k)};
             }
         }
     }
+    return out;
 }
 
 } // namespace lutlib::health

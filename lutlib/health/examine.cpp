@@ -79,7 +79,8 @@ double rounding_of(const Lut& lut) {
                     static_cast<double>(std::numeric_limits<float>::denorm_min()));
 }
 
-void examine_values(const Lut& lut, Health& out) {
+StoredValues examine_values(const Lut& lut) {
+    StoredValues out;
     out.lowest.value = std::numeric_limits<double>::infinity();
     out.highest.value = -out.lowest.value;
     const Places place(lut);
@@ -115,6 +116,7 @@ void examine_values(const Lut& lut, Health& out) {
             }
         }
     }
+    return out;
 }
 
 namespace {
@@ -138,6 +140,14 @@ Lut3D cube_after(const Lut1D& curve) {
     return identity_cube(2, range);
 }
 
+// Of a curve and the cube behind it: a plateau of either is one of the look.
+TableHealth joined(TableHealth cube, const TableHealth& curve) {
+    if (curve.plateau.value > cube.plateau.value) {
+        cube.plateau = curve.plateau;
+    }
+    return cube;
+}
+
 } // namespace
 } // namespace health
 
@@ -151,17 +161,23 @@ Health examine(const Lut& lut) {
     const double rounding = health::rounding_of(lut);
     const Lut3D after = lut.cube ? Lut3D{} : health::cube_after(*lut.shaper);
     const Lut3D& cube = lut.cube ? *lut.cube : after;
-    health::examine_values(lut, out);
-    health::examine_cells(lut, cube, rounding, out);
+    static_cast<StoredValues&>(out) = health::examine_values(lut);
+    const health::CellsExamined cells = health::examine_cells(lut, cube, rounding);
+    static_cast<CellHealth&>(out) = cells.cells;
+    static_cast<TableHealth&>(out) = cells.table;
     // Steps of a channel's ramp cannot exceed what the look's outputs span.
     const double range = std::max(0.0, out.highest.value - out.lowest.value);
     out.banding_channel.value = std::min(out.banding_channel.value, 255 * range);
     if (lut.shaper) {
-        health::examine_curve(*lut.shaper, lut.cube ? &cube : nullptr, rounding, out);
+        const health::CurveExamined curve =
+            health::examine_curve(*lut.shaper, lut.cube ? &cube : nullptr, rounding);
+        static_cast<ShaperHealth&>(out) = curve.shaper;
+        static_cast<TableHealth&>(out) =
+            lut.cube ? health::joined(cells.table, curve.table) : curve.table;
     }
-    health::examine_neutrals(lut, rounding, out);
-    health::examine_black(lut, out);
-    health::predict_errors(lut, rounding, out);
+    static_cast<NeutralHealth&>(out) = health::examine_neutrals(lut, rounding);
+    out.noise_gain = health::examine_black(lut);
+    out.expected = health::predict_errors(lut, rounding);
     return out;
 }
 

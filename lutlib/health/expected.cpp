@@ -258,13 +258,14 @@ ExpectedError predict(const Lut3D& cube, Differences& differences, int nodes, bo
 
 } // namespace
 
-void predict_errors(const Lut& lut, double rounding, Health& out) {
+std::array<ExpectedError, 2> predict_errors(const Lut& lut, double rounding) {
     const Lut3D shaped = lut.shaper || !lut.cube ? without_shaper(lut) : Lut3D{};
     const Lut3D& cube = shaped.size ? shaped : *lut.cube;
     Differences differences(cube);
-    for (ExpectedError& expected : out.expected) {
-        expected = predict(cube, differences, expected.nodes, shaped.size == 0, rounding);
-    }
+    const auto expected = [&](int nodes) {
+        return predict(cube, differences, nodes, shaped.size == 0, rounding);
+    };
+    return {expected(16), expected(33)};
 }
 
 } // namespace lutlib::health

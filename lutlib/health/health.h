@@ -37,44 +37,56 @@ struct ExpectedError {
     Rgb in;
 };
 
-struct Health {
-    // The stored numbers, three for each node and entry.
+/// The stored numbers, three for each node and entry.
+struct StoredValues {
     std::size_t values = 0;
     std::size_t non_finite = 0;
     std::optional<Rgb> first_non_finite;
     std::size_t outside = 0; ///< finite values below 0 or above 1 in the output
     Extreme lowest, highest; ///< of the output
-    std::size_t cut_off = 0; ///< finite shaper values that the cube's domain cuts off
+};
 
-    // The six tetrahedra of every cell that an input can reach, and the sign of the Jacobian's
-    // determinant in each. Flat: too small to have a sign beside the rounding of six decimals.
+/// The six tetrahedra of every cell that an input can reach, and the sign of the Jacobian's
+/// determinant in each. Flat: too small to have a sign beside the rounding of six decimals.
+struct CellHealth {
     std::size_t tetrahedra = 0;
     std::size_t flat = 0;
     std::size_t folded = 0; ///< of the rarer sign
     bool mirrored = false; ///< the commoner sign is negative: two channels swapped, or one inverted
     Extreme deepest_fold;  ///< determinant of the worst folded tetrahedron, against the sign
     double invertible = 0; ///< share of the input's volume that is neither flat nor folded
-    std::array<Extreme, 3> shaper_fall; ///< largest fall between neighbouring entries, >= 0
 
-    // Stiffness.
-    Extreme gain;              ///< largest singular value of the Jacobian
-    Extreme condition;         ///< largest ratio of singular values where not flat
+    Extreme gain;            ///< largest singular value of the Jacobian
+    Extreme condition;       ///< largest ratio of singular values where not flat
+    Extreme banding_channel; ///< output codes between neighbouring input codes of one channel
+};
+
+/// Where the tables bend, and where an output channel stands still. Shares of the cells or of the
+/// curve's segments; a place is where it begins.
+struct TableHealth {
     Extreme second_difference; ///< between neighbouring nodes along an axis, in output units
-
-    // What that means.
-    Extreme banding_neutral; ///< output codes between neighbouring input codes of a neutral ramp
-    Extreme banding_channel; ///< the same of a ramp of one channel
-    Extreme noise_gain;      ///< of white noise, in the darkest sixteenth of the neutral axis
-    std::array<ExpectedError, 2> expected{{{16, 0, false, {}}, {33, 0, false, {}}}};
-
-    // Where an output channel stands still. Shares of the cells; a place is where it begins.
     std::array<Extreme, 3> clipped_low, clipped_high; ///< at the lowest, the highest value
     Extreme plateau; ///< a channel constant between its extremes, along every axis
+};
 
-    // Along the neutral axis, from the domain's minimum to its maximum.
+/// The 1D table before a cube, or alone.
+struct ShaperHealth {
+    std::size_t cut_off = 0;            ///< finite values that the cube's domain cuts off
+    std::array<Extreme, 3> shaper_fall; ///< largest fall between neighbouring entries, >= 0
+};
+
+/// Along the neutral axis, from the domain's minimum to its maximum.
+struct NeutralHealth {
     Extreme neutral_fall;                ///< largest fall of Rec.709 luma from its highest so far
     std::array<Extreme, 3> channel_fall; ///< the same of each channel
     double neutral_rise = 0;             ///< luma at the end less luma at the start
+    Extreme banding_neutral; ///< output codes between neighbouring input codes of a neutral ramp
+};
+
+/// All that is found out about a look, each part by its own examiner.
+struct Health : StoredValues, CellHealth, TableHealth, ShaperHealth, NeutralHealth {
+    Extreme noise_gain; ///< of white noise, in the darkest sixteenth of the neutral axis
+    std::array<ExpectedError, 2> expected;
 };
 
 /// Everything above. The look may hold values that are not finite; else it must be valid.

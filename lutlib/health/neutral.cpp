@@ -40,7 +40,8 @@ std::vector<double> breakpoints(const Lut& lut) {
 
 } // namespace
 
-void examine_neutrals(const Lut& lut, double rounding, Health& out) {
+NeutralHealth examine_neutrals(const Lut& lut, double rounding) {
+    NeutralHealth out;
     RgbD highest{-INFINITY, -INFINITY, -INFINITY};
     double highest_luma = -INFINITY, first_luma = 0;
     bool first = true;
@@ -80,9 +81,11 @@ void examine_neutrals(const Lut& lut, double rounding, Health& out) {
             last = value;
         }
     }
+    return out;
 }
 
-void examine_black(const Lut& lut, Health& out) {
+Extreme examine_black(const Lut& lut) {
+    Extreme out;
     const Domain& d = lut.domain();
     constexpr double half_code = 0.5 / codes;
     for (int k = 1; k <= dark_codes; ++k) {
@@ -101,11 +104,12 @@ void examine_black(const Lut& lut, Health& out) {
             }
         }
         for (std::size_t c = 0; c < 3; ++c) {
-            if (std::sqrt(square[c]) > out.noise_gain.value) {
-                out.noise_gain = {std::sqrt(square[c]), to_float(in)};
+            if (std::sqrt(square[c]) > out.value) {
+                out = {std::sqrt(square[c]), to_float(in)};
             }
         }
     }
+    return out;
 }
 
 } // namespace lutlib::health

@@ -1,4 +1,4 @@
-// What examine() is made of. Each part fills its own members of Health.
+// What examine() is made of: each examiner returns its part of Health.
 #pragma once
 
 #include "lutlib/health/health.h"
@@ -12,12 +12,28 @@ double rounding_of(const Lut& lut);
 /// Whole colours of finite values.
 bool finite(const Rgb& c);
 
+StoredValues examine_values(const Lut& lut);
+
+struct CellsExamined {
+    CellHealth cells;
+    TableHealth table;
+};
 /// `cube` is the look's own, or the identity over its curve's outputs where it has none.
-void examine_values(const Lut& lut, Health& out);
-void examine_cells(const Lut& lut, const Lut3D& cube, double rounding, Health& out);
-void examine_curve(const Lut1D& curve, const Lut3D* cube, double rounding, Health& out);
-void examine_neutrals(const Lut& lut, double rounding, Health& out);
-void examine_black(const Lut& lut, Health& out);
-void predict_errors(const Lut& lut, double rounding, Health& out);
+CellsExamined examine_cells(const Lut& lut, const Lut3D& cube, double rounding);
+
+struct CurveExamined {
+    ShaperHealth shaper;
+    TableHealth table; ///< of a curve before a cube the plateau alone
+};
+/// `cube` is what follows the curve, or null.
+CurveExamined examine_curve(const Lut1D& curve, const Lut3D* cube, double rounding);
+
+NeutralHealth examine_neutrals(const Lut& lut, double rounding);
+
+/// Health::noise_gain.
+Extreme examine_black(const Lut& lut);
+
+/// Of lattices of 16 and 33 nodes.
+std::array<ExpectedError, 2> predict_errors(const Lut& lut, double rounding);
 
 } // namespace lutlib::health

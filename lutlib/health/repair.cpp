@@ -3,6 +3,7 @@
 #include "lutlib/color/luma.h"
 #include "lutlib/error.h"
 #include "lutlib/health/parts.h"
+#include "lutlib/nodes.h"
 
 #include <algorithm>
 #include <array>
@@ -22,17 +23,6 @@ const Rgb& node_at(const Lut3D& cube, const Node& n) {
 std::optional<Node> moved(const Lut3D& cube, Node n, std::size_t axis, int by) {
     n[axis] += by;
     return n[axis] < 0 || n[axis] >= cube.size ? std::nullopt : std::optional<Node>(n);
-}
-
-template <class F>
-void each_node(const Lut3D& cube, F visit) {
-    for (int b = 0; b < cube.size; ++b) {
-        for (int g = 0; g < cube.size; ++g) {
-            for (int r = 0; r < cube.size; ++r) {
-                visit(Node{r, g, b});
-            }
-        }
-    }
 }
 
 // What the finite neighbours say of a value, and how well they know: 0, the mean of two that
@@ -86,7 +76,8 @@ void fill(Lut3D& cube) {
         std::size_t channel;
     };
     std::vector<Missing> missing;
-    each_node(cube, [&](const Node& n) {
+    for_each_node(cube.size, [&](int r, int g, int b) {
+        const Node n{r, g, b};
         for (std::size_t c = 0; c < 3; ++c) {
             if (!std::isfinite(node_at(cube, n)[c])) {
                 missing.push_back({n, c});
@@ -255,7 +246,8 @@ std::string level_spikes(Lut& lut, const RepairOptions&) {
         return "";
     }
     std::vector<std::pair<std::size_t, Rgb>> found;
-    each_node(*lut.cube, [&](const Node& n) {
+    for_each_node(lut.cube->size, [&](int r, int g, int b) {
+        const Node n{r, g, b};
         Rgb value = node_at(*lut.cube, n);
         for (std::size_t c = 0; c < 3; ++c) {
             value[c] = without_spike(*lut.cube, n, c).value_or(value[c]);
@@ -296,7 +288,8 @@ std::string straighten_neutrals(Lut& lut, const RepairOptions&) {
     }
     const std::vector<double> straight = rising(values);
     const double last = cube.size - 1;
-    each_node(cube, [&](const Node& n) {
+    for_each_node(cube.size, [&](int r, int g, int b) {
+        const Node n{r, g, b};
         const auto [low, high] = std::minmax({n[0], n[1], n[2]});
         const double chroma = (high - low) / last;
         if (chroma >= carried) {

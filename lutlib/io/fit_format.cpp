@@ -6,6 +6,7 @@
 #include "lutlib/io/describe.h"
 #include "lutlib/limits.h"
 #include "lutlib/metrics/compare.h"
+#include "lutlib/nodes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -113,13 +114,9 @@ Lut sampled_cube(const Lut& lut, const Domain& domain, int size) {
     Lut out = lut;
     out.shaper.reset();
     out.cube = identity_cube(size, domain);
-    for (int b = 0; b < size; ++b) {
-        for (int g = 0; g < size; ++g) {
-            for (int r = 0; r < size; ++r) {
-                out.cube->at(r, g, b) = evaluate(lut, to_float(node_position(*out.cube, r, g, b)));
-            }
-        }
-    }
+    for_each_node(size, [&](int r, int g, int b) {
+        out.cube->at(r, g, b) = evaluate(lut, to_float(node_position(*out.cube, r, g, b)));
+    });
     return out;
 }
 

@@ -1,6 +1,7 @@
 #include "lutlib/resample/simplify.h"
 
 #include "lutlib/interpolation/interpolation.h"
+#include "lutlib/nodes.h"
 
 #include <algorithm>
 #include <array>
@@ -14,24 +15,13 @@ double distance(const Rgb& a, const Rgb& b) {
     return largest_magnitude(to_double(a) - to_double(b));
 }
 
-template <class F>
-void each_node(const Lut3D& cube, F visit) {
-    for (int b = 0; b < cube.size; ++b) {
-        for (int g = 0; g < cube.size; ++g) {
-            for (int r = 0; r < cube.size; ++r) {
-                visit(r, g, b);
-            }
-        }
-    }
-}
-
 // Inputs outside the domain are clamped to it: the identity only of what lies inside. That is said.
 Omission drop_identity_cube(Lut& lut, double tolerance) {
     if (!lut.cube) {
         return {};
     }
     double bound = 0;
-    each_node(*lut.cube, [&](int r, int g, int b) {
+    for_each_node(lut.cube->size, [&](int r, int g, int b) {
         bound = std::max(bound, largest_magnitude(to_double(lut.cube->at(r, g, b)) -
                                                   node_position(*lut.cube, r, g, b)));
     });
@@ -77,7 +67,7 @@ Omission drop_identity_curve(Lut& lut, double tolerance) {
 // The steepest edge of the cube along each input channel, in output per width of its domain.
 RgbD steepest_edges(const Lut3D& cube) {
     RgbD out;
-    each_node(cube, [&](int r, int g, int b) {
+    for_each_node(cube.size, [&](int r, int g, int b) {
         const std::array<int, 3> at{r, g, b};
         for (std::size_t c = 0; c < 3; ++c) {
             if (at[c] + 1 < cube.size) {
@@ -159,7 +149,7 @@ Omission cube_to_curve(Lut& lut, double tolerance) {
     const Lut3D& cube = *lut.cube;
     const auto n = static_cast<std::size_t>(cube.size);
     std::vector<Rgb> low(n), high(n);
-    each_node(cube, [&](int r, int g, int b) {
+    for_each_node(cube.size, [&](int r, int g, int b) {
         const std::array<int, 3> at{r, g, b};
         for (std::size_t c = 0; c < 3; ++c) {
             const auto i = static_cast<std::size_t>(at[c]);

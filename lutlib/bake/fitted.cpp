@@ -157,33 +157,30 @@ std::string sentence(const Harm& harm, const Measured& m) {
 
 FittedCheck check_fitted(const CodeImage& picture, const Engine& engine, int size,
                          const Transform& look, const std::vector<Rgb>& inputs) {
-    oracle(one);
-    return to_double(one.front());
-};
-const CodeImage refit = bake_fitted(look, engine, size, picture.depth.bits).bake.picture;
-const std::vector<RgbD> expected = images_of(look, inputs);
-const auto error_of = [&](const CodeImage& codes) {
-    return lookup_error(engine, decoded(codes), size, inputs, expected);
-};
-FittedCheck out;
-out.result = error_of(picture);
-out.refit = error_of(refit);
-out.point_sampled = error_of(bake(look, engine, size, picture.depth.bits).picture);
+    const CodeImage refit = bake_fitted(look, engine, size, picture.depth.bits).bake.picture;
+    const std::vector<RgbD> expected = images_of(look, inputs);
+    const auto error_of = [&](const CodeImage& codes) {
+        return lookup_error(engine, decoded(codes), size, inputs, expected);
+    };
+    FittedCheck out;
+    out.result = error_of(picture);
+    out.refit = error_of(refit);
+    out.point_sampled = error_of(bake(look, engine, size, picture.depth.bits).picture);
 
-const Measured m = measured(picture, refit, engine, size, look);
-out.texels = m.pixel.size();
-for (std::size_t i = 0; i < out.texels; ++i) {
-    out.moved += m.is_moved(i);
-}
-if (const std::optional<Harm> harm = judged(m)) {
-    out.faults.push_back(sentence(*harm, m));
-}
-const double mean = out.result.absolute.mean, right = out.refit.absolute.mean;
-if (mean > allowed_mean * right) {
-    out.faults.push_back("the lookup's mean error is " + figure(mean) +
-                         ", that of a fit made anew " + figure(right));
-}
-return out;
+    const Measured m = measured(picture, refit, engine, size, look);
+    out.texels = m.pixel.size();
+    for (std::size_t i = 0; i < out.texels; ++i) {
+        out.moved += m.is_moved(i);
+    }
+    if (const std::optional<Harm> harm = judged(m)) {
+        out.faults.push_back(sentence(*harm, m));
+    }
+    const double mean = out.result.absolute.mean, right = out.refit.absolute.mean;
+    if (mean > allowed_mean * right) {
+        out.faults.push_back("the lookup's mean error is " + figure(mean) +
+                             ", that of a fit made anew " + figure(right));
+    }
+    return out;
 }
 
 } // namespace lutlib

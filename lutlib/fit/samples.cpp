@@ -1,8 +1,5 @@
 #include "lutlib/fit/samples.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <array>
 #include <cmath>
 
@@ -48,9 +45,7 @@ AxisSamples axis_samples(const LatticeReader& reader, std::size_t channel) {
 } // namespace
 
 std::vector<RgbD> mapped(const Transform& look, std::vector<RgbD> colours) {
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, colours.size(), 1024),
-        [&](const auto& range) { look(std::span(colours).subspan(range.begin(), range.size())); });
+    apply_in_parallel(look, colours);
     for (RgbD& c : colours) {
         for (std::size_t i = 0; i < 3; ++i) {
             c[i] = std::isnan(c[i]) ? 0 : c[i];

@@ -115,15 +115,7 @@ Difference difference_of(const std::vector<Rgb>& inputs, const std::vector<RgbD>
 std::vector<Rgb> samples_over(const Domain& domain, int lattice_size, int random_count) {
     SampleCounts counts;
     counts.random = random_count;
-    std::vector<Rgb> out = sample_colors(lattice_size, counts);
-    if (!domain.is_unit()) {
-        for (Rgb& c : out) {
-            for (std::size_t i = 0; i < 3; ++i) {
-                c[i] = std::lerp(domain.min[i], domain.max[i], c[i]);
-            }
-        }
-    }
-    return out;
+    return over_domain(sample_colors(lattice_size, counts), domain);
 }
 
 } // namespace lutlib

@@ -1,7 +1,7 @@
 // The colours on which a look and its bake are compared, the same for every command.
 #pragma once
 
-#include "lutlib/rgb.h"
+#include "lutlib/lut.h"
 
 #include <cstddef>
 #include <vector>
@@ -19,5 +19,8 @@ struct SampleCounts {
 /// `lattice_size` and its cell centres, and points of the R3 sequence (Roberts 2018),
 /// which covers the cube evenly and is the same on every machine.
 std::vector<Rgb> sample_colors(int lattice_size, const SampleCounts& counts);
+
+/// Colours of 0..1 moved to where they lie in a domain.
+std::vector<Rgb> over_domain(std::vector<Rgb> colours, const Domain& domain);
 
 } // namespace lutlib

@@ -1,0 +1,69 @@
+// The lattices that a survey looks at: point samples of every size and shaper, and fits.
+#pragma once
+
+#include "lutlib/survey/survey.h"
+#include "lutlib/transform.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lutlib {
+
+/// What is surveyed: a look, and colours with what it makes of them.
+struct SurveyReference {
+    const Recipe& recipe;
+    Transform exact;
+    Domain domain;
+    std::vector<Rgb> inputs;
+    std::vector<RgbD> expected;
+    bool held = false; ///< no answer lies outside 0..1, and lookups are held to it as well
+
+    SurveyReference(const Recipe& recipe, const SurveySettings& settings);
+
+    /// Of reading `stored` at the inputs.
+    Difference error_of(const StoredLut& stored, const Lookup& lookup) const;
+};
+
+/// A lattice before storage: its nodes by point sampling.
+struct PointLattice {
+    const ShaperChoice* shaper = nullptr;
+    Lut lut;
+    std::shared_ptr<const std::vector<RgbD>> nodes;
+    double seconds = 0; ///< that it took
+};
+
+/// The first choice.
+const ShaperChoice& no_shaper();
+
+struct PointLattices {
+    std::vector<PointLattice> rows;
+    std::vector<std::string> notes; ///< which shapers were left out, and why
+};
+
+/// Every size with every shaper; those that cannot be or do nothing are left out.
+PointLattices point_lattices(const SurveyReference& reference, const SurveySettings& settings,
+                             const Progress& progress);
+
+/// One way of keeping the look, with its nodes.
+struct Candidate {
+    const PointLattice* lattice = nullptr;
+    Combination what;
+    std::shared_ptr<const std::vector<RgbD>> nodes;
+    double seconds = 0; ///< that it took
+};
+
+/// Every lattice in every storage for every lookup, as it was sampled.
+std::vector<Candidate> point_candidates(const std::vector<PointLattice>& lattices);
+
+struct FittedCandidates {
+    std::vector<Candidate> rows;
+    std::vector<std::string> notes; ///< what was not fitted, and why
+};
+
+/// Fits wherever they may help: where a shaper does not make point samples worse than none does.
+FittedCandidates fitted_candidates(const SurveyReference& reference,
+                                   const std::vector<PointLattice>& lattices,
+                                   const SurveySettings& settings, const Progress& progress);
+
+} // namespace lutlib

@@ -106,41 +106,99 @@ struct Mistake {
 };
 
 // A rule that more codes satisfy stands behind a stricter one that explains as much.
-constexpr std::array<Mistake, 21> mistakes{{
-    {"green and blue are swapped: this is another tool's slice order", swap_green_blue},
-    {"red and blue are swapped: the slices run along red", swap_red_blue},
-    {"it is flipped: green runs the other way", flip_green},
-    {"it is flipped: red runs the other way", flip_red},
-    {"it is flipped: blue runs the other way", flip_blue},
-    {"red and blue channels are swapped (BGR codes)", as_is, engine_input, channels_swapped},
-    {"half texel: all nodes were sampled at texel centres, (i + 0.5) / N; this engine reads its "
-     "first node at 0 and its last at 1",
-     as_is, centre_input},
-    {"half texel: nodes were sampled at i / (N - 1), this engine reads them at texel centres",
-     as_is, lattice_input},
-    {"one node short: nodes were sampled at i / N, so that the last is not at 1", as_is,
-     edge_input},
-    {"the picture is the identity: no look was applied", as_is, engine_input, input_itself},
-    {"the picture is the identity, with green and blue swapped", swap_green_blue, engine_input,
-     input_itself},
-    {"sRGB was decoded twice: the codes are darker by one sRGB curve", as_is, engine_input,
-     decoded_again},
-    {"sRGB was encoded twice: the codes are brighter by one sRGB curve", as_is, engine_input,
-     encoded_again},
-    {"wrong size: these are the lowest nodes of a lattice of 32", as_is, lowest_of_32},
-    {"wrong size: these are the lowest nodes of a lattice of 33", as_is, lowest_of_33},
-    {"wrong size: these are the lowest nodes of a lattice of 64", as_is, lowest_of_64},
-    {"wrong size: these are the lowest nodes of a lattice of 65", as_is, lowest_of_65},
-    {"8-bit codes were widened to 16 bits (times 257); the look was rounded to 8 bits before",
-     as_is, engine_input, value_of, is_repeated_byte},
-    {"8-bit codes were shifted to 16 bits (times 256), so that white is not white", as_is,
-     engine_input, value_of, is_shifted_byte},
-    {"codes were truncated instead of rounded", as_is, engine_input, value_of, is_truncated},
-    {"codes are the high bytes of 16-bit codes, truncated instead of rounded", as_is, engine_input,
-     value_of, is_high_byte},
-}};
+constexpr auto mistakes = std::to_array<Mistake>({
+    {
+        .words = "green and blue are swapped: this is another tool's slice order",
+        .pixel = swap_green_blue,
+    },
+    {
+        .words = "red and blue are swapped: the slices run along red",
+        .pixel = swap_red_blue,
+    },
+    {
+        .words = "it is flipped: green runs the other way",
+        .pixel = flip_green,
+    },
+    {
+        .words = "it is flipped: red runs the other way",
+        .pixel = flip_red,
+    },
+    {
+        .words = "it is flipped: blue runs the other way",
+        .pixel = flip_blue,
+    },
+    {
+        .words = "red and blue channels are swapped (BGR codes)",
+        .value = channels_swapped,
+    },
+    {
+        .words = "half texel: all nodes were sampled at texel centres, (i + 0.5) / N; this engine "
+                 "reads its "
+                 "first node at 0 and its last at 1",
+        .input = centre_input,
+    },
+    {
+        .words = "half texel: nodes were sampled at i / (N - 1), this engine reads them at texel "
+                 "centres",
+        .input = lattice_input,
+    },
+    {
+        .words = "one node short: nodes were sampled at i / N, so that the last is not at 1",
+        .input = edge_input,
+    },
+    {
+        .words = "the picture is the identity: no look was applied",
+        .value = input_itself,
+    },
+    {
+        .words = "the picture is the identity, with green and blue swapped",
+        .pixel = swap_green_blue,
+        .value = input_itself,
+    },
+    {
+        .words = "sRGB was decoded twice: the codes are darker by one sRGB curve",
+        .value = decoded_again,
+    },
+    {
+        .words = "sRGB was encoded twice: the codes are brighter by one sRGB curve",
+        .value = encoded_again,
+    },
+    {
+        .words = "wrong size: these are the lowest nodes of a lattice of 32",
+        .input = lowest_of_32,
+    },
+    {
+        .words = "wrong size: these are the lowest nodes of a lattice of 33",
+        .input = lowest_of_33,
+    },
+    {
+        .words = "wrong size: these are the lowest nodes of a lattice of 64",
+        .input = lowest_of_64,
+    },
+    {
+        .words = "wrong size: these are the lowest nodes of a lattice of 65",
+        .input = lowest_of_65,
+    },
+    {
+        .words = "8-bit codes were widened to 16 bits (times 257); the look was rounded to 8 bits "
+                 "before",
+        .agrees = is_repeated_byte,
+    },
+    {
+        .words = "8-bit codes were shifted to 16 bits (times 256), so that white is not white",
+        .agrees = is_shifted_byte,
+    },
+    {
+        .words = "codes were truncated instead of rounded",
+        .agrees = is_truncated,
+    },
+    {
+        .words = "codes are the high bytes of 16-bit codes, truncated instead of rounded",
+        .agrees = is_high_byte,
+    },
+});
 
-constexpr Mistake none{"nothing"};
+constexpr Mistake none{.words = "nothing"};
 
 // The look over the lattice that one set of inputs an axis makes, evaluated once for every mistake
 // that has the same.

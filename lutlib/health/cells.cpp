@@ -232,10 +232,6 @@ class CellPass {
     Rgb lowest_, highest_;
 };
 
-double share(std::size_t part, std::size_t whole) {
-    return whole ? static_cast<double>(part) / static_cast<double>(whole) : 0;
-}
-
 RgbD input_of(const std::array<std::vector<double>, 3>& inputs, const std::array<int, 3>& node) {
     return {inputs[0][static_cast<std::size_t>(node[0])],
             inputs[1][static_cast<std::size_t>(node[1])],

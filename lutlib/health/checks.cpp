@@ -1,5 +1,6 @@
 // The checks as a table: what a look's figures mean, in words.
 #include "lutlib/health/health.h"
+#include "lutlib/health/parts.h"
 
 #include <algorithm>
 #include <array>
@@ -39,10 +40,6 @@ std::size_t largest_of(const std::array<Extreme, 3>& channels_of) {
     return static_cast<std::size_t>(at - channels_of.begin());
 }
 
-double share(std::size_t part, std::size_t whole) {
-    return whole ? static_cast<double>(part) / static_cast<double>(whole) : 0;
-}
-
 std::optional<Rgb> place(const Extreme& extreme) {
     return extreme.value > 0 ? std::optional<Rgb>(extreme.in) : std::nullopt;
 }
@@ -72,7 +69,7 @@ Finding range(const Health& h) {
 }
 
 Finding folds(const Health& h) {
-    const double folded = share(h.folded, h.tetrahedra);
+    const double folded = health::share(h.folded, h.tetrahedra);
     if (h.folded == 0) {
         return {h.mirrored ? Severity::note : Severity::good,
                 0,

@@ -9,6 +9,11 @@ namespace lutlib::health {
 /// are codes of 8, 10 or 12 bits, else the last of six decimals, else the last bit of tiny values.
 double rounding_of(const Lut& lut);
 
+/// Part of the whole; 0 where that is nothing.
+inline double share(std::size_t part, std::size_t whole) {
+    return whole ? static_cast<double>(part) / static_cast<double>(whole) : 0;
+}
+
 /// Whole colours of finite values.
 bool finite(const Rgb& c);
 

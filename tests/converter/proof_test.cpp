@@ -2,6 +2,7 @@
 #include "lutlib/io/file.h"
 #include "lutlib/io/png.h"
 #include "tests/converter/run_program.h"
+#include "tests/support/names.h"
 
 #include <gtest/gtest.h>
 
@@ -29,11 +30,7 @@ std::vector<std::string> readable_files() {
 
 class BakeFile : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(ReadFiles, BakeFile, testing::ValuesIn(readable_files()),
-                         [](const auto& row) {
-                             std::string name = row.param;
-                             std::replace(name.begin(), name.end(), '.', '_');
-                             return name;
-                         });
+                         [](const auto& row) { return support::test_name(row.param); });
 
 TEST_P(BakeFile, bakes_what_verify_proves) {
     const Folder folder;

@@ -1,6 +1,7 @@
 #include "lutlib/engine/layout.h"
 
 #include "lutlib/error.h"
+#include "tests/support/names.h"
 
 #include <gtest/gtest.h>
 
@@ -88,11 +89,7 @@ const std::map<std::string, Independent>& independent() {
 class EveryLayout : public testing::TestWithParam<Layout> {};
 INSTANTIATE_TEST_SUITE_P(Layouts, EveryLayout,
                          testing::ValuesIn(layouts().begin(), layouts().end()),
-                         [](const auto& row) {
-                             std::string name(row.param.name);
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+                         [](const auto& row) { return support::test_name(row.param.name); });
 
 TEST_P(EveryLayout, puts_nodes_where_an_independent_description_says) {
     const auto row = independent().find(std::string(GetParam().name));

@@ -2,6 +2,7 @@
 
 #include "lutlib/error.h"
 #include "tests/lutlib/looks.h"
+#include "tests/support/names.h"
 
 #include <gtest/gtest.h>
 
@@ -13,11 +14,7 @@ namespace {
 class RecogniseLayout : public testing::TestWithParam<Layout> {};
 INSTANTIATE_TEST_SUITE_P(Layouts, RecogniseLayout,
                          testing::ValuesIn(layouts().begin(), layouts().end()),
-                         [](const auto& row) {
-                             std::string name(row.param.name);
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+                         [](const auto& row) { return support::test_name(row.param.name); });
 
 TEST_P(RecogniseLayout, tells_every_look_in_this_layout_from_all_other_readings) {
     for (const int n : {16, 25, 32, 64}) {

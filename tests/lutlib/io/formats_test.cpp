@@ -7,6 +7,7 @@
 #include "lutlib/named.h"
 #include "tests/lutlib/io/looks.h"
 #include "tests/lutlib/io/scratch.h"
+#include "tests/support/names.h"
 
 #include <gtest/gtest.h>
 
@@ -65,11 +66,6 @@ std::vector<std::string> names(bool readable_too) {
     return out;
 }
 
-std::string test_name(std::string name) {
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-}
-
 // The error that a list of losses admits, values clamped included.
 double admitted(const std::vector<Loss>& losses) {
     double sum = 0;
@@ -88,7 +84,7 @@ Encoded encode(const Lut& lut, const FileFormat& format) {
 
 class EveryWriter : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Formats, EveryWriter, testing::ValuesIn(names(true)),
-                         [](const auto& row) { return test_name(row.param); });
+                         [](const auto& row) { return support::test_name(row.param); });
 
 TEST_P(EveryWriter, what_it_writes_reads_back_as_the_look_it_said) {
     const FileFormat& format = require_file_format(GetParam());

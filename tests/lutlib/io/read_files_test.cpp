@@ -3,6 +3,7 @@
 #include "lutlib/io/ocio.h"
 
 #include "lutlib/io/file.h"
+#include "tests/support/names.h"
 
 #include <gtest/gtest.h>
 
@@ -56,11 +57,7 @@ std::string path_of(const std::string& file) {
 
 class EveryFile : public testing::TestWithParam<Expectation> {};
 INSTANTIATE_TEST_SUITE_P(ReadFiles, EveryFile, testing::ValuesIn(expectations()),
-                         [](const auto& row) {
-                             std::string name = row.param.file;
-                             std::replace(name.begin(), name.end(), '.', '_');
-                             return name;
-                         });
+                         [](const auto& row) { return support::test_name(row.param.file); });
 
 TEST_P(EveryFile, differs_from_opencolorio_by_no_more_than_the_loss_it_reports) {
     const Reading reading = read_lut(path_of(GetParam().file));

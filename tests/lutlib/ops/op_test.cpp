@@ -6,6 +6,7 @@
 #include "lutlib/recipe/recipe.h"
 #include "lutlib/transform.h"
 #include "tests/lutlib/ops/op_samples.h"
+#include "tests/support/names.h"
 
 #include <gtest/gtest.h>
 
@@ -16,15 +17,10 @@
 namespace lutlib {
 namespace {
 
+using support::test_name;
 using test::extreme_operation;
 using test::many_colours;
 using test::some_operation;
-
-std::string test_name(std::string_view name) {
-    std::string out(name);
-    std::replace(out.begin(), out.end(), '-', '_');
-    return out;
-}
 
 class EveryOperator : public testing::TestWithParam<const Op*> {};
 INSTANTIATE_TEST_SUITE_P(Op, EveryOperator, testing::ValuesIn(ops().begin(), ops().end()),

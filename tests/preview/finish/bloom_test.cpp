@@ -2,6 +2,7 @@
 #include "preview/finish/blooms.h"
 #include "preview/reference/bloom.h"
 #include "preview/reference/convolution.h"
+#include "tests/support/names.h"
 
 #include <gtest/gtest.h>
 #include <string>
@@ -138,12 +139,7 @@ std::vector<const Bloom*> every_bloom() {
     return rows;
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, EveryBloom, testing::ValuesIn(every_bloom()), [](const auto& row) {
-    std::string name(row.param->name);
-    for (char& c : name)
-        c = c == '-' ? '_' : c;
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Table, EveryBloom, testing::ValuesIn(every_bloom()), [](const auto& row) { return support::test_name(row.param->name); });
 
 double relative_error(const Image& a, const Image& b) {
     double error = 0, total = 0;

@@ -1,5 +1,6 @@
 // Tone maps without a GPU: defined for every input, bounded, monotone.
 #include "preview/finish/tonemaps.h"
+#include "tests/support/names.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -54,12 +55,7 @@ INSTANTIATE_TEST_SUITE_P(Table, EveryTonemap, testing::ValuesIn([] {
                                  rows.push_back(&row);
                              return rows;
                          }()),
-                         [](const auto& row) {
-                             std::string name(row.param->name);
-                             for (char& c : name)
-                                 c = c == '-' ? '_' : c;
-                             return name;
-                         });
+                         [](const auto& row) { return support::test_name(row.param->name); });
 
 TEST(Tonemaps, hit_published_values) {
     EXPECT_NEAR(srgb_decode(tonemap_named("reinhard")->apply({1, 1, 1}).g), 0.5, 1e-12);

@@ -5,6 +5,7 @@
 #include "preview/reference/bloom.h"
 #include "preview/reference/fxaa.h"
 #include "tests/preview/passes/finish_fixture.h"
+#include "tests/support/names.h"
 
 #include <string>
 
@@ -14,13 +15,6 @@ namespace {
 using lutlib::Rgb;
 using lutlib::RgbD;
 using reference::Image;
-
-std::string without_dashes(std::string_view name) {
-    std::string out(name);
-    for (char& c : out)
-        c = c == '-' ? '_' : c;
-    return out;
-}
 
 template <class Row>
 std::vector<const Row*> rows_of(std::span<const Row> table) {
@@ -65,7 +59,7 @@ TEST_P(EveryTonemapOnGpu, equals_its_twin_in_double) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryTonemapOnGpu, testing::ValuesIn(rows_of(tonemaps())),
-                         [](const auto& row) { return without_dashes(row.param->name); });
+                         [](const auto& row) { return support::test_name(row.param->name); });
 
 // Lights of all sizes on a dim ramp, in half floats so that the device starts from the same values.
 Image night(int width, int height) {
@@ -158,7 +152,7 @@ TEST_P(EveryBloomOnGpu, changes_no_bit_where_nothing_is_bright) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryBloomOnGpu, testing::ValuesIn(rows_of(blooms())),
-                         [](const auto& row) { return without_dashes(row.param->name); });
+                         [](const auto& row) { return support::test_name(row.param->name); });
 
 using PassTest = FinishTest;
 

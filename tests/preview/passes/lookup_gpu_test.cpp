@@ -1,6 +1,7 @@
 // The GPU's grade against lutlib's, for every row of the table of lookups.
 #include "lutlib/error.h"
 #include "tests/preview/passes/finish_fixture.h"
+#include "tests/support/names.h"
 
 #include <string>
 
@@ -182,12 +183,7 @@ INSTANTIATE_TEST_SUITE_P(Table, EveryLookup, testing::ValuesIn([] {
                                  rows.push_back(&row);
                              return rows;
                          }()),
-                         [](const auto& row) {
-                             std::string name(row.param->name);
-                             for (char& c : name)
-                                 c = c == '-' ? '_' : c;
-                             return name;
-                         });
+                         [](const auto& row) { return support::test_name(row.param->name); });
 
 using SharedLookupTest = FinishTest;
 

@@ -6,6 +6,7 @@
 #include "preview/passes/probe.h"
 #include "preview/reference/axes.h"
 #include "tests/preview/passes/finish_fixture.h"
+#include "tests/support/names.h"
 
 #include <nlohmann/json.hpp>
 
@@ -93,12 +94,7 @@ std::vector<const Lookup*> lookup_rows() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryLookupProbed, testing::ValuesIn(lookup_rows()),
-                         [](const auto& row) {
-                             std::string name(row.param->name);
-                             for (char& c : name)
-                                 c = c == '-' ? '_' : c;
-                             return name;
-                         });
+                         [](const auto& row) { return support::test_name(row.param->name); });
 
 TEST(ProbedTest, print_codes_values_and_differences_in_words_and_as_json) {
     const Probe probe{{0.5, 0.25, 1}, {0.5, 0.25, 1}, {0.6, -0.1, NAN}};

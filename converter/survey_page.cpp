@@ -1,9 +1,9 @@
 #include "converter/survey_page.h"
 
 #include "converter/report.h"
-#include "lutlib/survey/pareto.h"
 #include "lutlib/plot/page.h"
 #include "lutlib/plot/scatter.h"
+#include "lutlib/survey/pareto.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

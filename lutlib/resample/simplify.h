@@ -1,8 +1,8 @@
 // Leaving out what a look does not need, each omission proved equal within a stated bound.
 //
-// The bounds hold for every input of the look's domain, read trilinearly or tetrahedrally, before the
-// lookup's own rounding: both sides are straight between the finer one's nodes, so the largest difference lies
-// at a node, and all nodes are looked at.
+// The bounds hold for every input of the look's domain, read trilinearly or tetrahedrally, before
+// the lookup's own rounding: both sides are straight between the finer one's nodes, so the largest
+// difference lies at a node, and all nodes are looked at.
 #pragma once
 
 #include "lutlib/lut.h"

@@ -23,8 +23,7 @@ TexelCheck check_texels(const CodeImage& picture, const Engine& engine, int size
                 continue;
             }
             wrong = true;
-            const int difference =
-                std::abs(code - picture.depth.code(value));
+            const int difference = std::abs(code - picture.depth.code(value));
             sum += difference;
             if (difference > out.max_difference) {
                 out.max_difference = difference;
@@ -39,9 +38,8 @@ TexelCheck check_texels(const CodeImage& picture, const Engine& engine, int size
 
 } // namespace
 
-Verification verify(const CodeImage& picture, const Engine& engine, int size,
-                    const Transform& look, const std::vector<Rgb>& inputs,
-                    const Alternatives& alternatives) {
+Verification verify(const CodeImage& picture, const Engine& engine, int size, const Transform& look,
+                    const std::vector<Rgb>& inputs, const Alternatives& alternatives) {
     Verification out;
     out.texels = check_texels(picture, engine, size, look);
     out.lookup = lookup_error(engine, decoded(picture), size, inputs, images_of(look, inputs));

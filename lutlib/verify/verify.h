@@ -27,8 +27,7 @@ struct Verification {
 /// Compares every texel's code with the look's value at the input where the engine reads the node,
 /// rounded to nearest, then the engine's lookup with the look over `inputs`. The picture's
 /// dimensions must be those of the engine's layout for `size`.
-Verification verify(const CodeImage& picture, const Engine& engine, int size,
-                    const Transform& look, const std::vector<Rgb>& inputs,
-                    const Alternatives& alternatives = {});
+Verification verify(const CodeImage& picture, const Engine& engine, int size, const Transform& look,
+                    const std::vector<Rgb>& inputs, const Alternatives& alternatives = {});
 
 } // namespace lutlib

@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(Storages, EveryStorage,
 TEST_P(EveryStorage, reads_what_the_double_oracle_reads_within_its_rounding) {
     const Storage& storage = GetParam();
     // Half a code; of halves below 1, 2^-12; and float arithmetic.
-    const double rounding = storage.bits > 0                       ? 0.5 / CodeDepth{storage.bits}.maximum()
+    const double rounding = storage.bits > 0 ? 0.5 / CodeDepth{storage.bits}.maximum()
                             : storage.format == NodeFormat::halves ? 0x1p-12
                                                                    : 0;
     for (const Domain& domain : {Domain{}, Domain{{-1, 0, 0.25F}, {3, 0.5F, 2}}}) {

@@ -140,8 +140,7 @@ TEST_F(Diagnosed, colour_at_half_resolution) {
         for (int x = 0; x < picture.width; x += 2) {
             std::array<Pixel, 4> four{{{x, y}, {x + 1, y}, {x, y + 1}, {x + 1, y + 1}}};
             const auto luma = [&](Pixel p) {
-                return 0.299 * right.at(p, 0) + 0.587 * right.at(p, 1) +
-                       0.114 * right.at(p, 2);
+                return 0.299 * right.at(p, 0) + 0.587 * right.at(p, 1) + 0.114 * right.at(p, 2);
             };
             std::array<double, 3> chroma{};
             for (const Pixel p : four) {
@@ -200,8 +199,7 @@ TEST_F(Diagnosed, a_lone_wrong_code_of_a_look_that_truncation_would_leave_alone)
 }
 
 // Mistakes between any engine and any look.
-std::string words_of(const CodeImage& picture, const Engine& engine, int n,
-                     const Transform& look) {
+std::string words_of(const CodeImage& picture, const Engine& engine, int n, const Transform& look) {
     const Verification result = verify(picture, engine, n, look, {{0, 0, 0}});
     EXPECT_GT(result.texels.wrong, 0U);
     return result.diagnosis ? result.diagnosis->words : "";

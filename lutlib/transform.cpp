@@ -16,9 +16,8 @@ constexpr std::size_t block = 512;
 } // namespace
 
 Transform Transform::of(std::shared_ptr<const Lut> lut, std::optional<Interpolation> how) {
-    return each([lut = std::move(lut), by = how.value_or(usual_interpolation(*lut))](RgbD c) {
-        return evaluate_exact(*lut, c, by);
-    });
+    const Interpolation by = how.value_or(usual_interpolation(*lut));
+    return each([lut = std::move(lut), by](RgbD c) { return evaluate_exact(*lut, c, by); });
 }
 
 Transform Transform::of(const Lut& lut, std::optional<Interpolation> how) {

@@ -8,6 +8,7 @@
 #include "lutlib/io/describe.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/fit_format.h"
+#include "lutlib/io/formats.h"
 #include "lutlib/io/look.h"
 #include "lutlib/limits.h"
 

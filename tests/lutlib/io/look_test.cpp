@@ -5,6 +5,7 @@
 #include "lutlib/formats/cube.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/lut_picture.h"
+#include "lutlib/io/ocio.h"
 #include "tests/lutlib/io/looks.h"
 #include "tests/lutlib/io/scratch.h"
 #include "tests/lutlib/looks.h"
@@ -58,7 +59,7 @@ TEST(Look, of_a_lut_is_its_table_in_double) {
 
 TEST(Look, of_a_recipe_is_evaluated_exactly_and_measured_as_a_table) {
     const Look look = Look::of_bytes(
-        R"({"schema_version": 1, "operators": [{"op": "contrast", "amount": 2}]})", "x.json");
+        R"({"schema_version": 1, "operators": [{"op": "exposure", "stops": 1}]})", "x.json");
     ASSERT_TRUE(look.recipe());
     EXPECT_EQ(look.kind().format, "recipe");
     EXPECT_FALSE(look.is_table());
@@ -166,7 +167,7 @@ TEST(Look, of_a_picture_knows_its_layout_its_engine_and_its_codes) {
     const auto picture = look.picture();
     ASSERT_TRUE(picture);
     EXPECT_EQ(picture->size, 16);
-    EXPECT_EQ(picture->codes.codes, code_picture(read_png(bytes, "x.png")).codes);
+    EXPECT_EQ(picture->codes.samples, code_picture(read_png(bytes, "x.png")).samples);
     EXPECT_FALSE(Look::open(file("trilinear.clf")).picture());
 }
 
@@ -186,7 +187,7 @@ TEST(OpenIfLook, takes_what_is_a_look_by_content_or_says_so_by_its_name) {
     write_file(folder.file("bad.json"), R"({"schema_version": 99})");
     write_file(folder.file("notes.txt"), "Bring milk.\n");
     write_file(folder.file("strip.png"), picture_of("piccolo", 16));
-    CodeImage photo;
+    PngImage photo;
     photo.width = photo.height = 3;
     photo.samples.assign(27, 100);
     write_file(folder.file("photo.png"), write_png(photo));

@@ -4,11 +4,11 @@
 #include "lutlib/io/file.h"
 #include "lutlib/io/image.h"
 #include "lutlib/io/png.h"
-#include "preview/window/app.h"
 #include "preview/cli/headless.h"
-#include "preview/look/look_file.h"
 #include "preview/cli/options.h"
 #include "preview/frame/shown.h"
+#include "preview/look/look_file.h"
+#include "preview/window/app.h"
 
 #include <CLI/CLI.hpp>
 
@@ -22,8 +22,9 @@ namespace {
 enum ExitCode { ok = 0, bad_input = 2, bad_usage = 3 };
 
 /// The lookup that the options name; null: the look's own.
-const Lookup* lookup_of(const Options& options) {
-    const Lookup* const lookup = options.engine.empty() ? nullptr : lookup_named(options.engine);
+const GpuLookup* lookup_of(const Options& options) {
+    const GpuLookup* const lookup =
+        options.engine.empty() ? nullptr : gpu_lookup_named(options.engine);
     if (lookup == nullptr && !options.engine.empty())
         throw lutlib::UsageError("no lookup is named '" + options.engine + "'; --list names them");
     return lookup;

@@ -3,8 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "common/finish_texel.glsl"
 layout(local_size_x = 1) in;
-layout(binding = 14) uniform Place { ivec2 at; } place;
-layout(binding = 15) writeonly buffer Probed { vec4 before, a, b; } probed;
+layout(binding = 15) uniform Place { ivec2 at; } place;
+layout(binding = 16) writeonly buffer Probed { vec4 before, a, b; } probed;
 
 void main() {
     vec3 c = display_encoded(place.at, picture_at(place.at));

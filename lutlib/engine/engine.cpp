@@ -199,6 +199,7 @@ constexpr auto table = std::to_array<Engine>({
         .place = place_at_lattice,
         .interpolation = Interpolation::trilinear,
         .lookup = unreal,
+        .shader = "unreal",
     },
     {
         .name = "unity",
@@ -217,6 +218,7 @@ constexpr auto table = std::to_array<Engine>({
         .place = place_at_lattice,
         .interpolation = Interpolation::trilinear,
         .lookup = unity,
+        .shader = "unity",
     },
     {
         .name = "godot",
@@ -254,6 +256,7 @@ constexpr auto table = std::to_array<Engine>({
         .place = place_at_lattice,
         .interpolation = Interpolation::trilinear,
         .lookup = reshade,
+        .shader = "reshade",
     },
     {
         .name = "obs",

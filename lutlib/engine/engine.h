@@ -36,6 +36,9 @@ struct Engine {
     Interpolation interpolation;
     /// The engine's arithmetic in float over a picture of codes/maximum; `n` is the lattice size.
     Rgb (*lookup)(const Picture& picture, int n, Rgb in);
+    /// The GLSL function that computes the same in the preview (shaders/common/lookup.glsl); empty
+    /// where layout, place and interpolation say all.
+    std::string_view shader = {};
 };
 
 std::span<const Engine> engines();

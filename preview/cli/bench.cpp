@@ -211,10 +211,10 @@ class Bench {
         };
         copy_ = time_copy(formats);
         add(copy_, copy_);
-        for (const Lookup& lookup : lookups()) {
-            if (lookup.source == Lookup::Source::none)
+        for (const GpuLookup& lookup : gpu_lookups()) {
+            if (lookup.source == GpuLookup::Source::none)
                 continue;
-            GpuLook look(device_, look_for(sample_look(lookup.shared ? 16 : 33), lookup).data);
+            GpuLook look(device_, look_for(sample_look(lookup.shared() ? 16 : 33), lookup).data);
             const auto time_look = [&](const std::string& name) {
                 Row row = measure("lut, " + formats, name, "finish", [&](Graph& graph) {
                     return add_finish(graph, picture(graph), {}, &look, nullptr, {}).picture;
@@ -223,7 +223,7 @@ class Bench {
                 add(std::move(row), copy_);
             };
             time_look(std::string(lookup.name));
-            if (lookup.shared && look.half_arithmetic) {
+            if (lookup.shared() && look.half_arithmetic) {
                 look.half_arithmetic = false;
                 time_look(std::string(lookup.name) + ", float");
             }
@@ -234,7 +234,7 @@ class Bench {
 
     void time_finishing() {
         const GpuLook look(device_,
-                           look_for(sample_look(16), *lookup_named("shared-tetrahedral")).data);
+                           look_for(sample_look(16), *gpu_lookup_named("shared-tetrahedral")).data);
         for (const Bloom& bloom : blooms())
             for (const float threshold : {0.0F, 1.0F}) {
                 Graph graph;
@@ -285,7 +285,7 @@ class Bench {
         const Scene scene = scene_at(*scene_named("sample"), 0);
         const GpuScene gpu_scene(device_, scene);
         const GpuLook look(device_,
-                           look_for(sample_look(16), *lookup_named("shared-tetrahedral")).data);
+                           look_for(sample_look(16), *gpu_lookup_named("shared-tetrahedral")).data);
         FrameInputs inputs;
         inputs.scene = &scene;
         inputs.gpu_scene = &gpu_scene;

@@ -252,7 +252,7 @@ std::string listing() {
     const auto label = [](const auto& row) { return row.label; };
     return section("Scenes", scenes(), help) + section("Tone maps (--tonemap)", tonemaps(), label) +
            section("Blooms (--bloom)", blooms(), label) +
-           section("Lookups (--engine)", lookups(), label) +
+           section("Lookups (--engine)", gpu_lookups(), label) +
            section("Comparisons (--compare)", compares, label) +
            section("Views (--debug-view)", debug_views(), help) +
            section("Scopes (--scope)", scopes, help) +

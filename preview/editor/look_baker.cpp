@@ -22,8 +22,8 @@ bool shows_recipe(const Side& side) {
     return side.source == SideSource::recipe;
 }
 
-const Lookup& float_table() {
-    static const Lookup& row = *lookup_named("tetrahedral");
+const GpuLookup& float_table() {
+    static const GpuLookup& row = *gpu_lookup_named("tetrahedral");
     return row;
 }
 

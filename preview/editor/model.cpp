@@ -91,9 +91,9 @@ void move_operation(lutlib::Recipe& recipe, std::size_t at, std::size_t to) {
         std::rotate(first + onto, first + from, first + from + 1);
 }
 
-std::vector<const Lookup*> engine_lookups() {
-    std::vector<const Lookup*> rows;
-    for (const Lookup& lookup : lookups())
+std::vector<const GpuLookup*> engine_lookups() {
+    std::vector<const GpuLookup*> rows;
+    for (const GpuLookup& lookup : gpu_lookups())
         if (lookup.engine != nullptr)
             rows.push_back(&lookup);
     return rows;

@@ -4,12 +4,12 @@
 #include "lutlib/recipe/recipe.h"
 #include "preview/finish/blooms.h"
 #include "preview/finish/compare.h"
-#include "preview/look/cube_view.h"
 #include "preview/finish/effects.h"
-#include "preview/look/gpu_lookups.h"
-#include "preview/scene/scene.h"
 #include "preview/finish/scopes.h"
 #include "preview/finish/tonemaps.h"
+#include "preview/look/cube_view.h"
+#include "preview/look/gpu_lookups.h"
+#include "preview/scene/scene.h"
 
 #include <array>
 #include <memory>
@@ -43,9 +43,9 @@ inline constexpr std::array<SideSourceInfo, 5> side_sources{{
 
 struct Side {
     SideSource source = SideSource::none;
-    const Lookup* engine = nullptr; ///< of `baked`: a lookup that has an engine
-    int size = 0, bits = 0;         ///< of `baked`; 0: the engine's own
-    std::string path;               ///< of `file`
+    const GpuLookup* engine = nullptr; ///< of `baked`: a lookup that has an engine
+    int size = 0, bits = 0;            ///< of `baked`; 0: the engine's own
+    std::string path;                  ///< of `file`
     std::shared_ptr<const lutlib::Lut> lut;
     friend bool operator==(const Side&, const Side&) = default;
 };
@@ -121,7 +121,7 @@ void remove_operation(lutlib::Recipe& recipe, std::size_t at);
 /// Moves the operation `at` so that it stands at `to`.
 void move_operation(lutlib::Recipe& recipe, std::size_t at, std::size_t to);
 
-/// The rows of lookups() that are an engine's.
-std::vector<const Lookup*> engine_lookups();
+/// The rows of gpu_lookups() that are an engine's.
+std::vector<const GpuLookup*> engine_lookups();
 
 } // namespace preview::ui

@@ -1,197 +1,84 @@
 #include "preview/look/gpu_lookups.h"
 
-#include "lutlib/codes.h"
-#include "lutlib/error.h"
-#include "lutlib/half.h"
 #include "lutlib/named.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <string>
+#include <vector>
 
 namespace preview {
 
 namespace {
 
 using lutlib::Interpolation;
-using Source = Lookup::Source;
+using Source = GpuLookup::Source;
 
-constexpr int shared_size = 16;
-constexpr std::uint32_t shaper_row = 4096;
-
-// The shader's number for an engine's lookup.
-struct EngineShader {
-    std::string_view engine;
-    int shader;
-};
-constexpr std::array<EngineShader, 8> engine_shaders{{
-    {"piccolo", 16},
-    {"unreal", 17},
-    {"unity", 18},
-    {"godot", 19},
-    {"reshade", 20},
-    {"obs", 21},
-    {"hald", 22},
-    {"ocio", 23},
-}};
-
-std::vector<Lookup> make_table() {
-    std::vector<Lookup> table{
-        {"none", "no look", Source::none, 0, ""},
-        {"strip", "2D strip, eight texel fetches, trilinear", Source::picture, 1, "strip"},
-        {"strip-bilinear", "2D strip, two fetches filtered by the texture unit", Source::picture, 2,
-         "strip", nullptr, Interpolation::trilinear, true},
-        {"volume", "3D texture filtered by the texture unit", Source::table, 3, "", nullptr,
-         Interpolation::trilinear, true},
-        {"nearest", "float table with shaper and domain, nearest node", Source::table, 4, "",
-         nullptr, Interpolation::nearest},
-        {"trilinear", "float table with shaper and domain, eight nodes", Source::table, 5, "",
-         nullptr, Interpolation::trilinear},
-        {"tetrahedral", "float table with shaper and domain, four nodes", Source::table, 6, "",
-         nullptr, Interpolation::tetrahedral},
-        {"shared-trilinear", "16 nodes in shared memory, eight nodes", Source::picture, 7, "strip",
-         nullptr, Interpolation::trilinear, false, true},
-        {"shared-tetrahedral", "16 nodes in shared memory, four nodes", Source::picture, 8, "strip",
-         nullptr, Interpolation::tetrahedral, false, true},
+std::vector<GpuLookup> make_table() {
+    std::vector<GpuLookup> table{
+        {.name = "none", .label = "no look"},
+        {.name = "strip",
+         .label = "2D strip, eight texel fetches, trilinear",
+         .source = Source::picture,
+         .layout = "strip"},
+        {.name = "strip-bilinear",
+         .label = "2D strip, two fetches filtered by the texture unit",
+         .source = Source::picture,
+         .shader = "strip_bilinear",
+         .layout = "strip",
+         .filtered = true},
+        {.name = "volume",
+         .label = "3D texture filtered by the texture unit",
+         .source = Source::table,
+         .shader = "volume_filtered",
+         .filtered = true},
+        {.name = "nearest",
+         .label = "float table with shaper and domain, nearest node",
+         .source = Source::table,
+         .shader = "table_nearest",
+         .interpolation = Interpolation::nearest},
+        {.name = "trilinear",
+         .label = "float table with shaper and domain, eight nodes",
+         .source = Source::table,
+         .shader = "table_trilinear"},
+        {.name = "tetrahedral",
+         .label = "float table with shaper and domain, four nodes",
+         .source = Source::table,
+         .shader = "table_tetrahedral",
+         .interpolation = Interpolation::tetrahedral},
+        {.name = "shared-trilinear",
+         .label = "16 nodes in shared memory, eight nodes",
+         .source = Source::picture,
+         .shared_shader = "trilinear16",
+         .layout = "strip"},
+        {.name = "shared-tetrahedral",
+         .label = "16 nodes in shared memory, four nodes",
+         .source = Source::picture,
+         .shared_shader = "tetrahedral16",
+         .layout = "strip",
+         .interpolation = Interpolation::tetrahedral},
     };
-    for (const lutlib::Engine& engine : lutlib::engines()) {
-        const auto row = std::find_if(engine_shaders.begin(), engine_shaders.end(),
-                                      [&](const auto& it) { return it.engine == engine.name; });
-        if (row != engine_shaders.end())
-            table.push_back(
-                {engine.name, engine.label, Source::picture, row->shader, engine.layout, &engine});
-    }
+    for (const lutlib::Engine& engine : lutlib::engines())
+        table.push_back({.name = engine.name,
+                         .label = engine.label,
+                         .source = Source::picture,
+                         .shader = engine.shader,
+                         .layout = engine.layout,
+                         .engine = &engine,
+                         .interpolation = engine.interpolation});
     return table;
-}
-
-template <class T>
-void append(std::vector<std::byte>& bytes, T value) {
-    std::array<std::byte, sizeof(T)> raw;
-    std::memcpy(raw.data(), &value, sizeof(T));
-    bytes.insert(bytes.end(), raw.begin(), raw.end());
-}
-
-Texels float_volume(const lutlib::Lut3D& cube) {
-    const auto n = static_cast<std::uint32_t>(cube.size);
-    Texels out{{Format::rgba32f, n, n, n}, {}};
-    for (const lutlib::Rgb& node : cube.nodes)
-        for (const float value : {node.r, node.g, node.b, 1.0f})
-            append(out.bytes, value);
-    return out;
-}
-
-Texels filtered_volume(const lutlib::Lut3D& cube) {
-    const auto n = static_cast<std::uint32_t>(cube.size);
-    const bool unit = std::all_of(cube.nodes.begin(), cube.nodes.end(), [](lutlib::Rgb node) {
-        return std::min({node.r, node.g, node.b}) >= 0 && std::max({node.r, node.g, node.b}) <= 1;
-    });
-    Texels out{{unit ? Format::rgba16 : Format::rgba16f, n, n, n}, {}};
-    for (const lutlib::Rgb& node : cube.nodes)
-        for (const float value : {node.r, node.g, node.b, 1.0f})
-            append(out.bytes, unit ? lutlib::CodeDepth{16}.code(value) : lutlib::half_from(value));
-    return out;
-}
-
-Texels shaper_texels(const lutlib::Lut1D& shaper) {
-    const auto size = static_cast<std::uint32_t>(shaper.size());
-    const std::uint32_t width = std::min(size, shaper_row);
-    const std::uint32_t height = (size + width - 1) / width;
-    Texels out{{Format::rgba32f, width, height}, {}};
-    for (const lutlib::Rgb& entry : shaper.entries)
-        for (const float value : {entry.r, entry.g, entry.b, 1.0f})
-            append(out.bytes, value);
-    out.bytes.resize(out.desc.bytes());
-    return out;
-}
-
-std::vector<std::uint16_t> half_nodes(const lutlib::CodeImage& strip, int size) {
-    std::vector<std::uint16_t> nodes;
-    for (int b = 0; b < size; ++b)
-        for (int g = 0; g < size; ++g)
-            for (int r = 0; r < size; ++r)
-                for (std::size_t c = 0; c < 4; ++c)
-                    nodes.push_back(
-                        c < 3 ? lutlib::half_from(strip.at({b * size + r, g}, c)) : 0);
-    return nodes;
-}
-
-std::array<float, 4> padded(lutlib::Rgb c) {
-    return {c.r, c.g, c.b, 0};
 }
 
 } // namespace
 
-std::span<const Lookup> lookups() {
-    static const std::vector<Lookup> table = make_table();
+std::span<const GpuLookup> gpu_lookups() {
+    static const std::vector<GpuLookup> table = make_table();
     return table;
 }
 
-const Lookup* lookup_named(std::string_view name) {
-    return lutlib::find_named(lookups(), name);
+const GpuLookup* gpu_lookup_named(std::string_view name) {
+    return lutlib::find_named(gpu_lookups(), name);
 }
 
-LookData no_look() {
-    LookData data;
-    data.lookup = lookup_named("none");
-    return data;
-}
-
-LookData look_data(const lutlib::CodeImage& codes, int size, const Lookup& lookup) {
-    const std::string name(lookup.name);
-    if (lookup.source != Source::picture)
-        throw lutlib::Error("the lookup '" + name + "' reads a table and no picture");
-    if (lookup.shared && (size != shared_size || codes.depth.bits != 8))
-        throw lutlib::Error("the lookup '" + name +
-                            "' reads pictures of 16 nodes and 8 bits, not " + std::to_string(size) +
-                            " nodes and " + std::to_string(codes.depth.bits) + " bits");
-    LookData data;
-    data.lookup = &lookup;
-    data.block.size = size;
-    if (lookup.shared)
-        data.nodes = half_nodes(codes, size);
-    const bool wide = codes.depth.bits > 8;
-    data.picture.desc = {wide ? Format::rgba16 : Format::rgba8,
-                         static_cast<std::uint32_t>(codes.width),
-                         static_cast<std::uint32_t>(codes.height)};
-    const int scale = wide ? 65535 / codes.depth.maximum() : 1;
-    for (int y = 0; y < codes.height; ++y) {
-        for (int x = 0; x < codes.width; ++x) {
-            for (std::size_t c = 0; c < 4; ++c) {
-                const int code = c < 3 ? codes.at({x, y}, c) : codes.depth.maximum();
-                if (wide)
-                    append(data.picture.bytes, static_cast<std::uint16_t>(code * scale));
-                else
-                    append(data.picture.bytes, static_cast<std::uint8_t>(code));
-            }
-        }
-    }
-    return data;
-}
-
-LookData look_data(const lutlib::Lut& look, const Lookup& lookup) {
-    const std::string name(lookup.name);
-    if (lookup.source != Source::table)
-        throw lutlib::Error("the lookup '" + name + "' reads a picture and no table");
-    LookData data;
-    data.lookup = &lookup;
-    if (lookup.filtered &&
-        (look.shaper || !look.cube || !look.cube->domain.is_unit() || look.cube->size > 256))
-        throw lutlib::Error("the lookup '" + name + "' reads a cube over 0..1 without a shaper");
-    if (look.shaper) {
-        data.shaper = shaper_texels(*look.shaper);
-        data.block.shaper_min = padded(look.shaper->domain.min);
-        data.block.shaper_max = padded(look.shaper->domain.max);
-        data.block.shaper_size = look.shaper->size();
-        data.block.shaper_row = static_cast<std::int32_t>(data.shaper.desc.width);
-    }
-    if (look.cube) {
-        data.volume = lookup.filtered ? filtered_volume(*look.cube) : float_volume(*look.cube);
-        data.block.cube_min = padded(look.cube->domain.min);
-        data.block.cube_max = padded(look.cube->domain.max);
-        data.block.size = look.cube->size;
-    }
-    return data;
+int index_of(const GpuLookup& row) {
+    return static_cast<int>(&row - gpu_lookups().data());
 }
 
 } // namespace preview

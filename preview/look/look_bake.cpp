@@ -50,22 +50,22 @@ std::string skip_reason_of(const Lut& look) {
 namespace {
 
 /// Nodes of a picture that no engine's contract fixes.
-int general_size(const Lut& look, const Lookup& lookup) {
+int general_size(const Lut& look, const GpuLookup& lookup) {
     constexpr int shared_size = 16;
     constexpr int without_cube = 33;
-    if (lookup.shared)
+    if (lookup.shared())
         return shared_size;
     return look.cube ? look.cube->size : without_cube;
 }
 
 /// A look as a picture for a lookup of that layout which no engine's contract describes.
-CodeImage general_codes(const lutlib::Transform& exact, int size, const Lookup& lookup) {
+CodeImage general_codes(const lutlib::Transform& exact, int size, const GpuLookup& lookup) {
     Lut3D sampled = lutlib::identity_cube(size);
     const std::vector<lutlib::RgbD> values = images_of(exact, sampled.nodes);
     std::transform(values.begin(), values.end(), sampled.nodes.begin(), lutlib::to_float);
     const lutlib::Picture picture =
         lutlib::to_picture(sampled, *lutlib::layout_named(lookup.layout));
-    CodeImage codes{picture.width, picture.height, 3, {lookup.shared ? 8 : general_bits}, {}};
+    CodeImage codes{picture.width, picture.height, 3, {lookup.shared() ? 8 : general_bits}, {}};
     for (const lutlib::Rgb& pixel : picture.pixels)
         for (std::size_t c = 0; c < 3; ++c) {
             codes.samples.push_back(codes.depth.code(pixel[c]));
@@ -83,10 +83,10 @@ std::shared_ptr<const Lut> table_of(const lutlib::Bake& baked) {
 }
 
 LoadedLook look_for(std::shared_ptr<const Lut> table, const lutlib::Transform& exact,
-                    const Lookup& lookup) {
+                    const GpuLookup& lookup) {
     LoadedLook out;
     out.skip_reason = skip_reason_of(*table);
-    if (lookup.source == Lookup::Source::table) {
+    if (lookup.source == GpuLookup::Source::table) {
         out.data = look_data(*table, lookup);
     } else if (lookup.engine != nullptr) {
         const lutlib::Bake baked = lutlib::bake(exact, *lookup.engine, lookup.engine->default_size,
@@ -101,13 +101,13 @@ LoadedLook look_for(std::shared_ptr<const Lut> table, const lutlib::Transform& e
     return out;
 }
 
-LoadedLook look_for(std::shared_ptr<const Lut> table, const Lookup& lookup) {
+LoadedLook look_for(std::shared_ptr<const Lut> table, const GpuLookup& lookup) {
     const lutlib::Transform exact = lutlib::Transform::of(table);
     return look_for(std::move(table), exact, lookup);
 }
 
-const Lookup& table_lookup(const Lut& look) {
-    return *lookup_named(lutlib::name_of(lutlib::usual_interpolation(look)));
+const GpuLookup& table_lookup(const Lut& look) {
+    return *gpu_lookup_named(lutlib::name_of(lutlib::usual_interpolation(look)));
 }
 
 } // namespace preview

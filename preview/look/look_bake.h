@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lutlib/lut.h"
-#include "preview/look/gpu_lookups.h"
+#include "preview/look/look_texels.h"
 
 #include <memory>
 #include <string>
@@ -25,12 +25,12 @@ std::shared_ptr<const lutlib::Lut> table_of(const lutlib::Bake& baked);
 /// A lookup that reads a picture gets what `lutconv bake` makes of `exact`, which `table` stands
 /// for. Throws lutlib::Error for a look that the lookup cannot hold.
 LoadedLook look_for(std::shared_ptr<const lutlib::Lut> table, const lutlib::Transform& exact,
-                    const Lookup& lookup);
+                    const GpuLookup& lookup);
 /// The same of a look that is a table.
-LoadedLook look_for(std::shared_ptr<const lutlib::Lut> table, const Lookup& lookup);
+LoadedLook look_for(std::shared_ptr<const lutlib::Lut> table, const GpuLookup& lookup);
 
 /// The lookup of float tables that interpolates as the look asks for.
-const Lookup& table_lookup(const lutlib::Lut& look);
+const GpuLookup& table_lookup(const lutlib::Lut& look);
 
 /// "it changes less than half an output code" of 8 bits, or empty.
 std::string skip_reason_of(const lutlib::Lut& look);

@@ -9,7 +9,7 @@ namespace {
 
 LoadedLook look_for(const lutlib::io::LookPicture& picture,
                     std::shared_ptr<const lutlib::Lut> table, const std::string& path,
-                    const Lookup& lookup) {
+                    const GpuLookup& lookup) {
     if (picture.layout->name != lookup.layout) {
         throw lutlib::UsageError(
             "the lookup '" + std::string(lookup.name) + "' reads pictures in the layout '" +
@@ -24,30 +24,30 @@ LoadedLook look_for(const lutlib::io::LookPicture& picture,
 }
 
 /// What reads a look where nobody says.
-const Lookup& usual_lookup(const lutlib::io::Look& look, const lutlib::Lut& table) {
+const GpuLookup& usual_lookup(const lutlib::io::Look& look, const lutlib::Lut& table) {
     if (const lutlib::Layout* const layout = look.kind().layout) {
-        return *lookup_named(layout->name == "strip" ? "strip" : "trilinear");
+        return *gpu_lookup_named(layout->name == "strip" ? "strip" : "trilinear");
     }
     return table_lookup(table);
 }
 
 } // namespace
 
-LoadedLook look_for(const lutlib::io::Look& look, const Lookup* wanted) {
-    if (look.recipe() && (wanted == nullptr || wanted->source == Lookup::Source::table)) {
+LoadedLook look_for(const lutlib::io::Look& look, const GpuLookup* wanted) {
+    if (look.recipe() && (wanted == nullptr || wanted->source == GpuLookup::Source::table)) {
         return measured_look(*measured_table(*look.recipe()),
-                             wanted ? *wanted : *lookup_named("tetrahedral"));
+                             wanted ? *wanted : *gpu_lookup_named("tetrahedral"));
     }
     std::shared_ptr<const lutlib::Lut> table = look.table().lut;
-    const Lookup& lookup = wanted ? *wanted : usual_lookup(look, *table);
+    const GpuLookup& lookup = wanted ? *wanted : usual_lookup(look, *table);
     const auto picture = look.picture();
-    if (picture && lookup.source == Lookup::Source::picture) {
+    if (picture && lookup.source == GpuLookup::Source::picture) {
         return look_for(*picture, std::move(table), look.path(), lookup);
     }
     return look_for(std::move(table), look.exact(), lookup);
 }
 
-LoadedLook load_look(const std::string& path, const Lookup* lookup) {
+LoadedLook load_look(const std::string& path, const GpuLookup* lookup) {
     if (path.empty() || path == "none") {
         return {no_look(), "there is none", {}, nullptr};
     }

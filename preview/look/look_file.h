@@ -12,9 +12,9 @@ namespace preview {
 /// lookup that reads a picture gets a picture file's codes as they are, and of any other look what
 /// `lutconv bake` would make of it. Throws lutlib::Error, and UsageError for a picture whose layout
 /// the lookup does not read.
-LoadedLook look_for(const lutlib::io::Look& look, const Lookup* lookup);
+LoadedLook look_for(const lutlib::io::Look& look, const GpuLookup* lookup);
 
 /// LOOK of the command line: a file, or `none`.
-LoadedLook load_look(const std::string& path, const Lookup* lookup);
+LoadedLook load_look(const std::string& path, const GpuLookup* lookup);
 
 } // namespace preview

@@ -29,6 +29,6 @@ std::optional<RecipeTable> measured_table(
 
 /// The table for a lookup that reads tables, with a note as "65 nodes a side, within dE2000 0.41 of
 /// the recipe, 0.020 on average".
-LoadedLook measured_look(const RecipeTable& table, const Lookup& lookup);
+LoadedLook measured_look(const RecipeTable& table, const GpuLookup& lookup);
 
 } // namespace preview

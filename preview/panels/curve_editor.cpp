@@ -1,7 +1,8 @@
 // The editor of one curve: click an empty place for a knot, drag it, press right to delete it.
 #include "lutlib/color/oklab.h"
-#include "preview/finish/curve_counts.h"
+#include "lutlib/color/transfer.h"
 #include "preview/editor/knots.h"
+#include "preview/finish/curve_counts.h"
 #include "preview/panels/ui.h"
 
 #include <imgui.h>
@@ -28,7 +29,7 @@ ImU32 hue_color(double dial, float alpha) {
     const lutlib::RgbD linear =
         lutlib::linear_from_oklab({lightness, chroma * std::cos(angle), chroma * std::sin(angle)});
     const auto code = [](double light) {
-        return static_cast<float>(srgb_encode(lutlib::saturate(light)));
+        return static_cast<float>(lutlib::srgb_encode(lutlib::saturate(light)));
     };
     return ImGui::ColorConvertFloat4ToU32({code(linear.r), code(linear.g), code(linear.b), alpha});
 }

@@ -67,8 +67,8 @@ void file_panel(Ui& ui) {
     }
     ImGui::Separator();
 
-    const std::vector<const Lookup*> engines = engine_lookups();
-    const Lookup* engine = engines[ui.export_engine];
+    const std::vector<const GpuLookup*> engines = engine_lookups();
+    const GpuLookup* engine = engines[ui.export_engine];
     if (ImGui::BeginCombo("Engine", std::string(engine->label).c_str())) {
         for (std::size_t i = 0; i < engines.size(); ++i)
             if (ImGui::Selectable(std::string(engines[i]->label).c_str(), i == ui.export_engine))

@@ -46,7 +46,7 @@ void side_controls(Ui& ui, Side& side, const std::string& name, const std::strin
         ImGui::TextDisabled("%s", side.path.c_str());
     if (side.source == SideSource::baked) {
         if (ImGui::BeginCombo("Engine", text_of(side.engine->label).c_str())) {
-            for (const Lookup* row : engine_lookups())
+            for (const GpuLookup* row : engine_lookups())
                 if (ImGui::Selectable(text_of(row->label).c_str(), row == side.engine)) {
                     side.engine = row;
                     side.size = side.bits = 0;

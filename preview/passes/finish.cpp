@@ -56,12 +56,19 @@ void bind_look(Graph& graph, Pass& pass, const std::string& side, const GpuLook*
     pass.uniform(look ? graph.data_of(name, look->block) : graph.data_of("no look", LookBlock{}));
 }
 
+/// The table of a tone map that is a curve.
+BufferHandle curve_of(Graph& graph, const Tonemap* tonemap) {
+    if (tonemap == nullptr || tonemap->curve == nullptr)
+        return {};
+    return graph.data("tone curve", std::as_bytes(tabulated_curve(*tonemap)));
+}
+
 std::uint32_t shader_of(const GpuLook* look) {
-    return look ? static_cast<std::uint32_t>(look->lookup->shader) : 0;
+    return look ? static_cast<std::uint32_t>(index_of(*look->lookup)) : 0;
 }
 
 bool is_shared(const GpuLook* look) {
-    return look && look->lookup->shared;
+    return look && look->lookup->shared();
 }
 
 } // namespace
@@ -85,6 +92,7 @@ void bind_finish(Graph& graph, Pass& pass, ImageHandle picture, const BloomLayer
     pass.uniform(graph.data_of("bloom final filter", filter_block(plan)));
     bind_look(graph, pass, "A", a);
     bind_look(graph, pass, "B", b);
+    pass.storage(curve_of(graph, settings.tonemap));
 
     const auto layers = static_cast<std::uint32_t>(plan.layers.size());
     const auto taps =
@@ -92,7 +100,7 @@ void bind_finish(Graph& graph, Pass& pass, ImageHandle picture, const BloomLayer
     const Format format = graph.image_desc(picture).format;
     const bool unit =
         format == Format::rgba8 || format == Format::rgb10a2 || format == Format::rgba16;
-    const int tonemap = settings.tonemap ? settings.tonemap->shader : -1;
+    const int tonemap = settings.tonemap ? index_of(*settings.tonemap) : -1;
     pass.constants({static_cast<std::uint32_t>(tonemap), layers, taps, plan.threshold > 0,
                     shader_of(a), shader_of(b), settings.compare->shader, unit});
     pass.push(Push{std::exp2(settings.exposure), plan.strength, plan.threshold, plan.knee,

@@ -5,7 +5,7 @@
 #include "preview/finish/compare.h"
 #include "preview/finish/tonemaps.h"
 #include "preview/gpu/memory.h"
-#include "preview/look/gpu_lookups.h"
+#include "preview/look/look_texels.h"
 #include "preview/passes/bloom.h"
 
 #include <optional>
@@ -16,10 +16,10 @@ namespace preview {
 struct GpuLook {
     GpuLook(const gpu::Device& device, const LookData& data);
 
-    const Lookup* lookup;
+    const GpuLookup* lookup;
     LookBlock block;
     std::optional<gpu::Image> picture, volume, shaper;
-    std::optional<gpu::Buffer> nodes; ///< of Lookup::shared
+    std::optional<gpu::Buffer> nodes; ///< of a shared lookup
     /// Whether a tetrahedral shared lookup into 8 bits computes in half floats, and how many
     /// workgroups a shared one gets.
     bool half_arithmetic;
@@ -47,7 +47,7 @@ Finished add_finish(Graph& graph, ImageHandle picture, const BloomLayers& bloom,
                     const GpuLook* b, const FinishSettings& settings);
 
 /// For a pass that finishes texels to count or tell them: binds what shaders/common/finish.glsl
-/// reads (bindings 0 to 13) and sets its constants and push constants.
+/// reads (bindings 0 to 14) and sets its constants and push constants.
 void bind_finish(Graph& graph, Pass& pass, ImageHandle picture, const BloomLayers& bloom,
                  const GpuLook* a, const GpuLook* b, const FinishSettings& settings);
 

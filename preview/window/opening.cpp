@@ -47,7 +47,7 @@ ui::State opening_state(const Options& options) {
     state.lights = lights_of(options, shown->scene);
     if (shown->scene)
         state.orbit = orbit_of(options, *shown->scene);
-    for (const Lookup* row : ui::engine_lookups())
+    for (const GpuLookup* row : ui::engine_lookups())
         if (row->name == options.engine)
             for (ui::Side& side : state.sides)
                 side.engine = row;

@@ -1,5 +1,7 @@
 // CIEDE2000 between two sRGB-encoded colours, as lutlib/color/difference.h has it (Sharma, Wu, Dalal
 // 2005), and how a picture of it looks.
+#include "common/sanitise.glsl"
+#include "common/srgb.glsl"
 
 vec3 lab_of(vec3 srgb) {
     const mat3 to_xyz = mat3(0.4123908, 0.2126390, 0.0193308, 0.3575843, 0.7151687, 0.1191948,

@@ -1,9 +1,9 @@
 // The last pass over a picture: the bloom's last filter, exposure, tone map, both looks and their
 // comparison, in one trip through memory. finish.comp and finish_shared.comp are its two forms.
 #include "common/sanitise.glsl"
-#include "common/tonemap.glsl"
+#include "rows/tonemaps.glsl"
 #include "common/difference.glsl"
-#include "common/lookup.glsl"
+#include "rows/lookups.glsl"
 
 layout(constant_id = 0) const int tonemap_row = 0; // -1: the picture is display-encoded already
 layout(constant_id = 1) const int bloom_layers = 0;
@@ -37,8 +37,8 @@ layout(binding = 10) uniform sampler2D picture_b;
 layout(binding = 11) uniform sampler3D volume_b;
 layout(binding = 12) uniform sampler2D shaper_b;
 layout(binding = 13) uniform LookB { Look look_b; };
-layout(binding = 14) writeonly uniform image2D target;
-layout(binding = 15) buffer Figures {
+layout(binding = 15) writeonly uniform image2D target;
+layout(binding = 16) buffer Figures {
     uint largest; // bits of the largest difference
     uint bins[];  // counts of differences, figure_bins of them; the first is left out
 } figures_out;
@@ -91,7 +91,7 @@ vec3 bloomed(ivec2 at, vec3 light) {
 
 /// `texel` is the picture's at `at`.
 vec3 display_encoded(ivec2 at, vec3 texel) {
-    return tonemap_row < 0 ? texel : tonemap(tonemap_row, bloomed(at, texel) * push.exposure);
+    return tonemap_row < 0 ? texel : tonemap(tonemap_row, sanitise(bloomed(at, texel) * push.exposure));
 }
 
 // A line two texels wide at 1080 lines, at least one.

@@ -7,31 +7,23 @@ vec3 graded_a(vec3 c);
 vec3 graded_b(vec3 c);
 #include "common/bloom.glsl"
 #include "common/finish.glsl"
-#include "common/lattice16.glsl"
+#include "rows/shared_lookups.glsl"
 
 // A tone map's result, and what an integer format holds, lies within 0..1.
 vec3 unit(vec3 c) {
     return tonemap_row >= 0 || unit_picture ? c : saturate(c);
 }
 
-bool is_shared(int lookup) {
-    return lookup == lookup_shared_trilinear || lookup == lookup_shared_tetrahedral;
-}
-
-vec3 shared_lookup(int lookup, vec3 c) {
-    return lookup == lookup_shared_trilinear ? trilinear16(unit(c)) : tetrahedral16(unit(c));
-}
-
 vec3 graded_a(vec3 c) {
     if (is_shared(lookup_a))
-        return shared_lookup(lookup_a, c);
+        return shared_lookup(lookup_a, unit(c));
     return apply_lookup(lookup_a, picture_a, volume_a, shaper_a, look_a, c);
 }
 
 // There is shared memory for one lattice only; the second is read from its picture.
 vec3 graded_b(vec3 c) {
     if (is_shared(lookup_b) && !is_shared(lookup_a))
-        return shared_lookup(lookup_b, c);
+        return shared_lookup(lookup_b, unit(c));
     return apply_lookup(lookup_b, picture_b, volume_b, shaper_b, look_b, c);
 }
 

@@ -1,5 +1,5 @@
 // For passes that finish texels and keep no picture of them: what common/finish.glsl needs beside
-// itself. They bind their own resources from binding 14 on, in place of finish.glsl's, which they
+// itself. They bind their own resources from binding 15 on, in place of finish.glsl's, which they
 // must not touch.
 vec3 graded_a(vec3 c);
 vec3 graded_b(vec3 c);

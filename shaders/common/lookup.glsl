@@ -1,8 +1,12 @@
-// Every way of reading a look, by the number of its row in preview/lookups.cpp. The engines' own are
-// those of lutlib/engine/engine.cpp and the float .cube that of lutlib/interpolation, operation for
-// operation and without contraction where a rounding of a coordinate would show, so that they agree
-// to float rounding; only the rows that say so leave the filtering to the texture unit and its few
-// bits of fraction.
+// The ways of reading a look, by the names that rows of preview/look/gpu_lookups.cpp and of
+// lutlib/engine/engine.cpp call them; the build writes the choice among the rows from those
+// (rows/lookups.glsl). The engines' own are those of lutlib/engine/engine.cpp and the float .cube
+// that of lutlib/interpolation, operation for operation and without contraction where a rounding of
+// a coordinate would show, so that they agree to float rounding; only the rows that say so leave the
+// filtering to the texture unit and its few bits of fraction.
+//
+// A lookup of a picture takes (picture, n nodes a side, colour within 0..1), one of a table (volume,
+// shaper, look, any colour).
 #include "common/sanitise.glsl"
 
 struct Look {
@@ -13,24 +17,6 @@ struct Look {
     int shaper_row;  // entries in a row of the shaper's image
     int unused;
 };
-
-const int lookup_none = 0;
-const int lookup_strip_texels = 1;
-const int lookup_strip_bilinear = 2;
-const int lookup_volume = 3;
-const int lookup_nearest = 4;
-const int lookup_trilinear = 5;
-const int lookup_tetrahedral = 6;
-const int lookup_shared_trilinear = 7;
-const int lookup_shared_tetrahedral = 8;
-const int lookup_piccolo = 16;
-const int lookup_unreal = 17;
-const int lookup_unity = 18;
-const int lookup_godot = 19;
-const int lookup_reshade = 20;
-const int lookup_obs = 21;
-const int lookup_hald = 22;
-const int lookup_ocio = 23;
 
 const int layout_strip = 0;
 const int layout_tiles = 1;
@@ -136,7 +122,7 @@ vec3 bilinear_picture(sampler2D picture, float u, float v) {
                  w.f);
 }
 
-vec3 unreal_picture(sampler2D picture, int n, vec3 c) {
+vec3 unreal(sampler2D picture, int n, vec3 c) {
     float size = float(n);
     precise vec3 uvw = c * ((size - 1.0) / size) + 0.5 * (1.0 / size);
     precise float z = uvw.b * size - 0.5;
@@ -146,7 +132,7 @@ vec3 unreal_picture(sampler2D picture, int n, vec3 c) {
                  bilinear_picture(picture, u + 1.0 / size, uvw.g), z - slice);
 }
 
-vec3 unity_picture(sampler2D picture, int n, vec3 c) {
+vec3 unity(sampler2D picture, int n, vec3 c) {
     float width = float(textureSize(picture, 0).x), height = float(n);
     vec3 scaled = c * (height - 1.0);
     float slice = floor(scaled.b);
@@ -156,7 +142,7 @@ vec3 unity_picture(sampler2D picture, int n, vec3 c) {
                  scaled.b - slice);
 }
 
-vec3 reshade_picture(sampler2D picture, int n, vec3 c) {
+vec3 reshade(sampler2D picture, int n, vec3 c) {
     float size = float(n);
     float texel_x = 1.0 / size / size, texel_y = 1.0 / size;
     precise float z = c.b * size - c.b;
@@ -176,9 +162,9 @@ vec3 strip_bilinear(sampler2D picture, int n, vec3 c) {
                textureLod(picture, uv + vec2(1.0 / size, 0.0), 0.0).rgb, x.b - slice);
 }
 
-vec3 volume_filtered(sampler3D volume, int n, vec3 c) {
-    float size = float(n);
-    return textureLod(volume, (c * (size - 1.0) + 0.5) / size, 0.0).rgb;
+vec3 volume_filtered(sampler3D volume, sampler2D shaper, Look look, vec3 c) {
+    float size = float(look.size);
+    return textureLod(volume, (saturate(c) * (size - 1.0) + 0.5) / size, 0.0).rgb;
 }
 
 // Where a value stands among n nodes over lowest..highest; outside it is clamped, NaN is lowest.
@@ -205,74 +191,45 @@ vec3 shape(sampler2D shaper, Look look, vec3 c) {
     return shaped;
 }
 
-vec3 cube_lookup(int row, sampler3D cube, sampler2D shaper, Look look, vec3 c) {
-    if (look.shaper_size > 0)
-        c = shape(shaper, look, c);
-    if (look.size == 0)
-        return c;
-    vec3 x = lattice_coordinates(c, look.cube_min.rgb, look.cube_max.rgb, look.size);
-    if (row == lookup_nearest)
-        return texelFetch(cube, ivec3(x + 0.5), 0).rgb;
+// Nodes of a lattice and what a colour's place among them is, after the shaper; false where the look
+// has no lattice, and `x` is the result.
+bool place_in_cube(sampler2D shaper, Look look, vec3 c, out vec3 x) {
+    x = look.shaper_size > 0 ? shape(shaper, look, c) : c;
+    if (look.size > 0)
+        x = lattice_coordinates(x, look.cube_min.rgb, look.cube_max.rgb, look.size);
+    return look.size > 0;
+}
+
+vec3 table_nearest(sampler3D cube, sampler2D shaper, Look look, vec3 c) {
+    vec3 x;
+    return place_in_cube(shaper, look, c, x) ? texelFetch(cube, ivec3(x + 0.5), 0).rgb : x;
+}
+
+vec3 table_trilinear(sampler3D cube, sampler2D shaper, Look look, vec3 c) {
+    vec3 x;
+    if (!place_in_cube(shaper, look, c, x))
+        return x;
+    Axis r = axis_within(x.r, look.size), g = axis_within(x.g, look.size),
+         b = axis_within(x.b, look.size);
+    vec3 line[4];
+    for (int i = 0; i < 4; ++i) {
+        ivec3 start = ivec3(r.low, g.low, b.low) + ivec3(0, i & 1, i >> 1);
+        line[i] = blend(texelFetch(cube, start, 0).rgb,
+                        texelFetch(cube, start + ivec3(1, 0, 0), 0).rgb, r.f);
+    }
+    return blend(blend(line[0], line[1], g.f), blend(line[2], line[3], g.f), b.f);
+}
+
+vec3 table_tetrahedral(sampler3D cube, sampler2D shaper, Look look, vec3 c) {
+    vec3 x;
+    if (!place_in_cube(shaper, look, c, x))
+        return x;
     Axis r = axis_within(x.r, look.size), g = axis_within(x.g, look.size),
          b = axis_within(x.b, look.size);
     ivec3 low = ivec3(r.low, g.low, b.low);
-    if (row == lookup_trilinear) {
-        vec3 line[4];
-        for (int i = 0; i < 4; ++i) {
-            ivec3 start = low + ivec3(0, i & 1, i >> 1);
-            line[i] = blend(texelFetch(cube, start, 0).rgb,
-                            texelFetch(cube, start + ivec3(1, 0, 0), 0).rgb, r.f);
-        }
-        return blend(blend(line[0], line[1], g.f), blend(line[2], line[3], g.f), b.f);
-    }
     Walk walk = walk_of(vec3(r.f, g.f, b.f));
     return texelFetch(cube, low, 0).rgb * (1.0 - walk.f.x) +
            texelFetch(cube, low + walk.first, 0).rgb * (walk.f.x - walk.f.y) +
            texelFetch(cube, low + walk.second, 0).rgb * (walk.f.y - walk.f.z) +
            texelFetch(cube, low + ivec3(1), 0).rgb * walk.f.z;
-}
-
-vec3 picture_lookup(int row, sampler2D picture, int n, vec3 c) {
-    float last = float(n - 1);
-    switch (row) {
-    case lookup_strip_texels:
-    case lookup_piccolo:
-    case lookup_shared_trilinear:
-        return trilinear_picture(picture, layout_strip, n, c * last);
-    case lookup_obs:
-        return trilinear_picture(picture, layout_tiles, n, c * last);
-    case lookup_godot:
-        return trilinear_picture(picture, layout_tiles, n, c * float(n) - 0.5);
-    case lookup_shared_tetrahedral:
-        return tetrahedral_picture(picture, layout_strip, n, c * last);
-    case lookup_hald:
-        return tetrahedral_picture(picture, layout_hald, n, c * last);
-    case lookup_ocio:
-        return tetrahedral_picture(picture, layout_ocio, n, c * last);
-    case lookup_unreal:
-        return unreal_picture(picture, n, c);
-    case lookup_unity:
-        return unity_picture(picture, n, c);
-    case lookup_reshade:
-        return reshade_picture(picture, n, c);
-    default:
-        return strip_bilinear(picture, n, c);
-    }
-}
-
-/// `row` is a specialisation constant wherever this is called, so one branch remains.
-vec3 apply_lookup(int row, sampler2D picture, sampler3D volume, sampler2D shaper, Look look,
-                  vec3 c) {
-    switch (row) {
-    case lookup_none:
-        return c;
-    case lookup_nearest:
-    case lookup_trilinear:
-    case lookup_tetrahedral:
-        return cube_lookup(row, volume, shaper, look, c);
-    case lookup_volume:
-        return volume_filtered(volume, look.size, saturate(c));
-    default:
-        return picture_lookup(row, picture, look.size, saturate(c));
-    }
 }

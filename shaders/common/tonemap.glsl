@@ -1,18 +1,9 @@
-// Tone maps, formula for formula those of preview/tonemaps.cpp, which has the sources. Linear light
-// in, display-encoded 0..1 out; NaN and negative light read as 0.
-#include "common/sanitise.glsl"
+// The tone maps that mix channels, formula for formula those of preview/finish/tonemaps.cpp, which has
+// the sources. Linear light of 0..65504 in, display-encoded 0..1 out. What treats the channels apart
+// is read from its table (common/tone_curve.glsl).
+#include "common/srgb.glsl"
 
-vec3 srgb_encode(vec3 v) {
-    vec3 high = 1.055 * pow(max(v, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055;
-    return mix(high, 12.92 * v, lessThanEqual(v, vec3(0.0031308)));
-}
-
-vec3 srgb_decode(vec3 v) {
-    vec3 high = pow((max(v, vec3(0.04045)) + 0.055) / 1.055, vec3(2.4));
-    return mix(high, v / 12.92, lessThanEqual(v, vec3(0.04045)));
-}
-
-vec3 tonemap_aces_hill(vec3 c) {
+vec3 aces_hill(vec3 c) {
     const mat3 into = mat3(0.59719, 0.07600, 0.02840, 0.35458, 0.90834, 0.13383, 0.04823, 0.01566,
                            0.83777);
     const mat3 out_of = mat3(1.60475, -0.10208, -0.00327, -0.53108, 1.10813, -0.07276, -0.07367,
@@ -22,12 +13,7 @@ vec3 tonemap_aces_hill(vec3 c) {
     return srgb_encode(clamp(out_of * v, 0.0, 1.0));
 }
 
-vec3 tonemap_aces_narkowicz(vec3 v) {
-    v = v * (2.51 * v + 0.03) / (v * (2.43 * v + 0.59) + 0.14);
-    return srgb_encode(clamp(v, 0.0, 1.0));
-}
-
-vec3 tonemap_agx(vec3 c) {
+vec3 agx(vec3 c) {
     const mat3 inset = mat3(0.842479062253094, 0.0423282422610123, 0.0423756549057051,
                             0.0784335999999992, 0.878468636469772, 0.0784336, 0.0792237451477643,
                             0.0791661274605434, 0.879142973793104);
@@ -44,7 +30,7 @@ vec3 tonemap_agx(vec3 c) {
     return clamp(outset * (0.5 + 2.0 * d * bend), 0.0, 1.0);
 }
 
-vec3 tonemap_khronos_neutral(vec3 c) {
+vec3 khronos_neutral(vec3 c) {
     const float f90 = 0.04, start = 0.8 - f90, desaturation = 0.15;
     float least = min(c.r, min(c.g, c.b));
     c -= least < 2.0 * f90 ? least - least * least / (4.0 * f90) : f90;
@@ -56,41 +42,4 @@ vec3 tonemap_khronos_neutral(vec3 c) {
         c = mix(c * (new_peak / peak), vec3(new_peak), grey);
     }
     return srgb_encode(clamp(c, 0.0, 1.0));
-}
-
-vec3 tonemap_reinhard(vec3 c) {
-    return srgb_encode(c / (1.0 + c));
-}
-
-vec3 uncharted2_curve(vec3 x) {
-    const float a = 0.15, b = 0.50, c = 0.10, d = 0.20, e = 0.02, f = 0.30;
-    // The curve minus its value e/f at 0, over one denominator: exactly 0 at black, where the
-    // power after it would magnify what a subtraction leaves.
-    return x * (a * (f - e) * x + b * (c * f - e)) / (f * (x * (a * x + b) + d * f));
-}
-
-vec3 tonemap_uncharted2(vec3 c) {
-    const float exposure = 4.5, white = 11.2;
-    vec3 v = clamp(uncharted2_curve(exposure * c) / uncharted2_curve(vec3(white)), 0.0, 1.0);
-    return pow(max(v, 1e-10), vec3(1.0 / 2.2));
-}
-
-vec3 tonemap(int row, vec3 light) {
-    vec3 c = sanitise(light);
-    switch (row) {
-    case 0:
-        return tonemap_aces_hill(c);
-    case 1:
-        return tonemap_aces_narkowicz(c);
-    case 2:
-        return tonemap_agx(c);
-    case 3:
-        return tonemap_khronos_neutral(c);
-    case 4:
-        return tonemap_reinhard(c);
-    case 5:
-        return tonemap_uncharted2(c);
-    default:
-        return srgb_encode(min(c, 1.0));
-    }
 }

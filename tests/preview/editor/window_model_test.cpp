@@ -243,7 +243,7 @@ TEST(Side, is_baked_for_every_engine_and_every_source) {
     add_operation(state.recipe, *lutlib::op_named("saturation"));
     state.recipe.operations[0].values[0] = 0.25;
     for (const SideSourceInfo& info : side_sources)
-        for (const Lookup* engine : engine_lookups()) {
+        for (const GpuLookup* engine : engine_lookups()) {
             Side side;
             side.source = info.source;
             side.engine = engine;
@@ -264,7 +264,7 @@ TEST(LookBaker, ends_with_the_newest_request_of_many) {
         baker.request({state.recipe, state.sides});
     }
     const RecipeTable table = *measured_table(state.recipe);
-    const LoadedLook newest = measured_look(table, *lookup_named("tetrahedral"));
+    const LoadedLook newest = measured_look(table, *gpu_lookup_named("tetrahedral"));
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(30);
     bool found = false;
     while (!found && std::chrono::steady_clock::now() < give_up)

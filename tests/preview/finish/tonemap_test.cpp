@@ -1,4 +1,5 @@
 // Tone maps without a GPU: defined for every input, bounded, monotone.
+#include "lutlib/color/transfer.h"
 #include "preview/finish/tonemaps.h"
 #include "tests/support/names.h"
 
@@ -10,6 +11,7 @@ namespace preview {
 namespace {
 
 using lutlib::RgbD;
+using lutlib::srgb_decode;
 
 class EveryTonemap : public testing::TestWithParam<const Tonemap*> {};
 
@@ -43,10 +45,50 @@ TEST_P(EveryTonemap, maps_black_to_black_and_keeps_greys_grey_in_rising_order) {
     EXPECT_GT(last, 0.95);
 }
 
-TEST_P(EveryTonemap, is_found_by_its_name_and_has_a_shader_number_of_its_own) {
+TEST_P(EveryTonemap, is_found_by_its_name) {
     EXPECT_EQ(tonemap_named(GetParam()->name), GetParam());
+}
+
+TEST_P(EveryTonemap, is_a_curve_or_mixes_channels_in_a_shader_function_of_its_own) {
+    const Tonemap& row = *GetParam();
+    EXPECT_EQ(row.curve == nullptr, row.mix != nullptr);
+    EXPECT_EQ(row.curve == nullptr, !row.shader.empty());
     for (const Tonemap& other : tonemaps())
-        EXPECT_TRUE(&other == GetParam() || other.shader != GetParam()->shader);
+        EXPECT_TRUE(&other == &row || row.shader.empty() || other.shader != row.shader);
+}
+
+// What a shader makes of the table: in each octave a float's mantissa counts evenly.
+double from_table(std::span<const float> nodes, double light) {
+    int exponent = 0;
+    const double mantissa =
+        2 * std::frexp(std::max(light, std::ldexp(1, ToneCurve::lowest)), &exponent);
+    const double at = (exponent - 1 - ToneCurve::lowest + mantissa - 1) * ToneCurve::nodes;
+    const auto node = static_cast<std::size_t>(at);
+    return std::min(std::lerp(static_cast<double>(nodes[node]),
+                              static_cast<double>(nodes[node + 1]), at - std::floor(at)),
+                    1.0);
+}
+
+TEST_P(EveryTonemap, has_a_table_within_a_200th_of_an_8_bit_code_if_it_is_a_curve) {
+    const std::span<const float> nodes = tabulated_curve(*GetParam());
+    if (GetParam()->curve == nullptr) {
+        EXPECT_TRUE(nodes.empty());
+        return;
+    }
+    ASSERT_EQ(nodes.size(), static_cast<std::size_t>(ToneCurve::size));
+    double worst = 0, at = 0;
+    for (int i = -40 * 997; i < 16 * 997; ++i) {
+        const double light = std::min(std::exp2(i / 997.0), 65504.0);
+        const double error =
+            std::abs(from_table(nodes, light) - GetParam()->apply({light, light, light}).g);
+        if (error > worst) {
+            worst = error;
+            at = light;
+        }
+    }
+    // 1/8 of the second derivative of a power of 1/2.4 or 1/2.2 over an octave's 1/64.
+    EXPECT_LE(worst, 2e-5) << at;
+    EXPECT_LE(std::abs(from_table(nodes, 0) - GetParam()->apply({0, 0, 0}).g), 2e-5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryTonemap, testing::ValuesIn([] {

@@ -1,8 +1,8 @@
 // The whole frame on a device: what it leaves out, that leaving out changes nothing, and that a
 // steady frame costs nothing but its passes.
 #include "lutlib/error.h"
-#include "preview/finish/curve_counts.h"
 #include "preview/cli/headless.h"
+#include "preview/finish/curve_counts.h"
 #include "preview/look/look_bake.h"
 #include "tests/preview/graph/gpu_test.h"
 
@@ -104,7 +104,7 @@ TEST_F(FrameTest, a_picture_leaves_out_all_that_comes_before_the_resolve) {
 
 TEST_F(FrameTest, every_effect_can_be_switched_off_and_is_said_to_be) {
     const Loaded loaded(scene_at(*scene_named("sample"), 0));
-    const GpuLook look(device(), look_for(inverting_look(), *lookup_named("tetrahedral")).data);
+    const GpuLook look(device(), look_for(inverting_look(), *gpu_lookup_named("tetrahedral")).data);
     FrameInputs inputs = loaded.inputs();
     inputs.look_a = &look;
     FrameSettings settings = settings_for(loaded.scene);
@@ -212,7 +212,7 @@ TEST_F(FrameTest, a_scope_of_what_is_not_shown_is_an_error_and_beside_the_pictur
 
 TEST_F(FrameTest, a_probe_tells_both_sides_of_the_same_texel_whatever_is_compared) {
     const Loaded loaded(scene_at(*scene_named("sample"), 0));
-    const GpuLook look(device(), look_for(inverting_look(), *lookup_named("tetrahedral")).data);
+    const GpuLook look(device(), look_for(inverting_look(), *gpu_lookup_named("tetrahedral")).data);
     FrameInputs inputs = loaded.inputs();
     inputs.look_b = &look;
     FrameSettings settings = settings_for(loaded.scene);
@@ -262,7 +262,7 @@ TEST_F(FrameTest, axes_are_counted_only_while_a_curve_is_seen) {
 
 TEST_F(FrameTest, a_steady_frame_allocates_and_uploads_nothing) {
     const Loaded loaded(scene_at(*scene_named("sample"), 0));
-    const GpuLook look(device(), look_for(inverting_look(), *lookup_named("tetrahedral")).data);
+    const GpuLook look(device(), look_for(inverting_look(), *gpu_lookup_named("tetrahedral")).data);
     FrameInputs inputs = loaded.inputs();
     inputs.look_a = &look;
     const FrameSettings settings = settings_for(loaded.scene);
@@ -336,7 +336,7 @@ TEST_F(FrameTest, the_same_moment_renders_the_same_picture_and_another_one_does_
 
 TEST_F(FrameTest, a_look_reaches_its_own_side_only) {
     const Loaded loaded(scene_at(*scene_named("chart"), 0));
-    const GpuLook look(device(), look_for(inverting_look(), *lookup_named("tetrahedral")).data);
+    const GpuLook look(device(), look_for(inverting_look(), *gpu_lookup_named("tetrahedral")).data);
     FrameInputs inputs = loaded.inputs();
     FrameSettings settings = settings_for(loaded.scene);
     settings.without.set(Effect::fxaa, true);
@@ -361,8 +361,8 @@ TEST_F(FrameTest, a_look_reaches_its_own_side_only) {
 TEST(LookBakeTest, a_look_that_does_nothing_is_skipped_and_says_so) {
     lutlib::Lut look;
     look.cube = lutlib::identity_cube(16);
-    for (const Lookup& lookup : lookups()) {
-        if (lookup.source == Lookup::Source::none)
+    for (const GpuLookup& lookup : gpu_lookups()) {
+        if (lookup.source == GpuLookup::Source::none)
             continue;
         EXPECT_NE(look_for(look, lookup).skip_reason, "") << lookup.name;
         EXPECT_EQ(look_for(inverting_look(), lookup).skip_reason, "") << lookup.name;

@@ -61,7 +61,7 @@ TEST_F(GoldenTest, pictures_look_as_they_did_when_they_were_found_right) {
     const std::filesystem::path expected_folder = LUT_GOLDEN_FOLDER;
     const std::filesystem::path failed_folder = LUT_GOLDEN_FAILED_FOLDER;
     std::filesystem::create_directories(failed_folder);
-    const GpuLook look(device(), look_for(warm_look(), *lookup_named("piccolo")).data);
+    const GpuLook look(device(), look_for(warm_look(), *gpu_lookup_named("piccolo")).data);
     Executor executor(device());
     for (const Golden& golden : goldens) {
         const Scene scene = scene_at(*scene_named(golden.scene), 0);

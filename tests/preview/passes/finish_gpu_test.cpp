@@ -95,9 +95,9 @@ class EveryBloomOnGpu : public FinishTest, public testing::WithParamInterface<co
         std::vector<RgbD> light;
         for (const Rgb& c : colors_of(run_and_read<float>(graph, out))) {
             const double scale = std::exp2(-static_cast<double>(exposure));
-            light.push_back({scale * srgb_decode(static_cast<double>(c.r)),
-                             scale * srgb_decode(static_cast<double>(c.g)),
-                             scale * srgb_decode(static_cast<double>(c.b))});
+            light.push_back({scale * lutlib::srgb_decode(static_cast<double>(c.r)),
+                             scale * lutlib::srgb_decode(static_cast<double>(c.g)),
+                             scale * lutlib::srgb_decode(static_cast<double>(c.b))});
         }
         return light;
     }
@@ -189,7 +189,7 @@ TEST_F(PassTest, differences_are_ciede2000_and_their_figures_those_of_the_pictur
         node = {0.9f * node.r + 0.05f * node.b, node.g * node.g, 0.1f + 0.8f * node.b};
     const std::vector<Rgb> colors = lutlib::sample_colors(8, {256, 4000, true});
     const gpu::Image image = image_of(colors);
-    const GpuLook gpu_look(device(), look_data(look, *lookup_named("tetrahedral")));
+    const GpuLook gpu_look(device(), look_data(look, *gpu_lookup_named("tetrahedral")));
     FinishSettings settings;
     settings.compare = &compare_difference;
     Graph graph;
@@ -226,7 +226,7 @@ TEST_F(PassTest, sides_and_halves_show_the_look_they_are_named_for) {
     black.cube = lutlib::identity_cube(2);
     for (Rgb& node : black.cube->nodes)
         node = {0, 0, 0};
-    const GpuLook look(device(), look_data(black, *lookup_named("tetrahedral")));
+    const GpuLook look(device(), look_data(black, *gpu_lookup_named("tetrahedral")));
     for (const Compare& compare : compares) {
         FinishSettings settings;
         settings.compare = &compare;

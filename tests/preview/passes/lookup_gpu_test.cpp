@@ -101,7 +101,7 @@ void expect_codes_near(const std::vector<std::uint8_t>& got, const std::vector<R
     EXPECT_LE(worst, bound);
 }
 
-class EveryLookup : public FinishTest, public testing::WithParamInterface<const Lookup*> {
+class EveryLookup : public FinishTest, public testing::WithParamInterface<const GpuLookup*> {
   protected:
     static FinishSettings display_encoded() {
         FinishSettings settings;
@@ -122,14 +122,14 @@ class EveryLookup : public FinishTest, public testing::WithParamInterface<const 
             expect_near(finished(inputs, &look, display_encoded()), wanted, inputs, float_bound);
         expect_codes_near(finished_codes(inputs, &look, display_encoded()), wanted,
                           GetParam()->filtered ? std::max(1, filter_codes(size)) : 1);
-        if (!GetParam()->shared || !device().has_half())
+        if (!GetParam()->shared() || !device().has_half())
             return;
         look.half_arithmetic = !look.half_arithmetic;
         expect_codes_near(finished_codes(inputs, &look, display_encoded()), wanted, 1);
     }
 
     void compare_table(const Lut& look, const std::string& what) {
-        const Lookup& row = *GetParam();
+        const GpuLookup& row = *GetParam();
         const int size = look.cube ? look.cube->size : 16;
         compare(
             look_data(look, row), size,
@@ -137,7 +137,7 @@ class EveryLookup : public FinishTest, public testing::WithParamInterface<const 
     }
 
     void compare_picture(const lutlib::Engine& engine, int size, int bits) {
-        const Lookup& row = *GetParam();
+        const GpuLookup& row = *GetParam();
         const lutlib::CodeImage codes =
             lutlib::bake(lutlib::Transform::each(strong_look), engine, size, bits).picture;
         const lutlib::Picture decoded = lutlib::decoded(codes);
@@ -154,18 +154,18 @@ class EveryLookup : public FinishTest, public testing::WithParamInterface<const 
 };
 
 TEST_P(EveryLookup, gives_what_lutlib_gives) {
-    const Lookup& row = *GetParam();
+    const GpuLookup& row = *GetParam();
     switch (row.source) {
-    case Lookup::Source::none:
+    case GpuLookup::Source::none:
         break;
-    case Lookup::Source::table:
+    case GpuLookup::Source::table:
         for (const auto& [name, look] : table_looks())
             if (!row.filtered || (look.cube && look.cube->domain.is_unit() && !look.shaper))
                 compare_table(look, name);
         break;
-    case Lookup::Source::picture: {
+    case GpuLookup::Source::picture: {
         const lutlib::Engine& engine = row.engine ? *row.engine : *lutlib::engine_named("piccolo");
-        compare_picture(engine, row.shared ? 16 : engine.default_size, 8);
+        compare_picture(engine, row.shared() ? 16 : engine.default_size, 8);
         if (row.engine) {
             for (const int size : engine.sizes)
                 compare_picture(engine, size, engine.default_bits);
@@ -178,8 +178,8 @@ TEST_P(EveryLookup, gives_what_lutlib_gives) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryLookup, testing::ValuesIn([] {
-                             std::vector<const Lookup*> rows;
-                             for (const Lookup& row : lookups())
+                             std::vector<const GpuLookup*> rows;
+                             for (const GpuLookup& row : gpu_lookups())
                                  rows.push_back(&row);
                              return rows;
                          }()),
@@ -192,8 +192,8 @@ TEST_F(SharedLookupTest, every_texel_of_any_size_is_finished_as_by_the_plain_pas
     const lutlib::CodeImage codes =
         lutlib::bake(lutlib::Transform::each(strong_look), *lutlib::engine_named("piccolo"), 16, 8)
             .picture;
-    const GpuLook plain(device(), look_data(codes, 16, *lookup_named("strip")));
-    const GpuLook fast(device(), look_data(codes, 16, *lookup_named("shared-trilinear")));
+    const GpuLook plain(device(), look_data(codes, 16, *gpu_lookup_named("strip")));
+    const GpuLook fast(device(), look_data(codes, 16, *gpu_lookup_named("shared-trilinear")));
     for (const auto& [width, height] : {std::pair{1, 1}, {63, 31}, {65, 33}, {135, 67}}) {
         SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height));
         reference::Image picture(width, height);
@@ -233,7 +233,7 @@ TEST_F(SharedLookupTest, of_two_looks_the_one_beyond_shared_memory_is_read_alike
     const gpu::Image image = image_of(inputs);
     for (const char* name : {"shared-trilinear", "shared-tetrahedral"}) {
         SCOPED_TRACE(name);
-        const Lookup& row = *lookup_named(name);
+        const GpuLookup& row = *gpu_lookup_named(name);
         const GpuLook first(device(), look_data(codes_of_look(1), 16, row));
         const GpuLook second(device(), look_data(codes_of_look(2), 16, row));
         const auto run = [&](const GpuLook* a, const GpuLook* b, const char* compare) {
@@ -261,7 +261,7 @@ TEST_F(SharedLookupTest, of_two_looks_the_one_beyond_shared_memory_is_read_alike
 
 TEST(Lookups, have_a_row_for_every_engine) {
     for (const lutlib::Engine& engine : lutlib::engines()) {
-        const Lookup* row = lookup_named(engine.name);
+        const GpuLookup* row = gpu_lookup_named(engine.name);
         ASSERT_NE(row, nullptr) << "shaders/common/lookup.glsl lacks " << engine.name;
         EXPECT_EQ(row->engine, &engine);
     }
@@ -269,10 +269,10 @@ TEST(Lookups, have_a_row_for_every_engine) {
 
 TEST(Lookups, refuse_what_they_cannot_read) {
     lutlib::CodeImage picture;
-    EXPECT_THROW(look_data(picture, 32, *lookup_named("shared-trilinear")), lutlib::Error);
-    EXPECT_THROW(look_data(picture, 16, *lookup_named("tetrahedral")), lutlib::Error);
-    EXPECT_THROW(look_data(Lut{}, *lookup_named("volume")), lutlib::Error);
-    EXPECT_THROW(look_data(Lut{}, *lookup_named("piccolo")), lutlib::Error);
+    EXPECT_THROW(look_data(picture, 32, *gpu_lookup_named("shared-trilinear")), lutlib::Error);
+    EXPECT_THROW(look_data(picture, 16, *gpu_lookup_named("tetrahedral")), lutlib::Error);
+    EXPECT_THROW(look_data(Lut{}, *gpu_lookup_named("volume")), lutlib::Error);
+    EXPECT_THROW(look_data(Lut{}, *gpu_lookup_named("piccolo")), lutlib::Error);
 }
 
 } // namespace

@@ -72,12 +72,12 @@ TEST_F(ProbeTest, tells_the_tone_mapped_colour_before_the_looks) {
         }
 }
 
-class EveryLookupProbed : public ProbeTest, public testing::WithParamInterface<const Lookup*> {};
+class EveryLookupProbed : public ProbeTest, public testing::WithParamInterface<const GpuLookup*> {};
 
 TEST_P(EveryLookupProbed, tells_what_the_finishing_pass_makes_of_the_texel) {
-    const Lookup& lookup = *GetParam();
+    const GpuLookup& lookup = *GetParam();
     const std::vector<Rgb> colors = finite_colors();
-    const GpuLook look(device(), lookup.source == Lookup::Source::none
+    const GpuLook look(device(), lookup.source == GpuLookup::Source::none
                                      ? no_look()
                                      : look_for(bent_look(), lookup).data);
     const std::vector<Rgb> wanted = finished(colors, &look, {});
@@ -86,9 +86,9 @@ TEST_P(EveryLookupProbed, tells_what_the_finishing_pass_makes_of_the_texel) {
             EXPECT_NEAR(probe.b[c], static_cast<double>(wanted[at][c]), 4e-6) << at;
 }
 
-std::vector<const Lookup*> lookup_rows() {
-    std::vector<const Lookup*> rows;
-    for (const Lookup& row : lookups())
+std::vector<const GpuLookup*> lookup_rows() {
+    std::vector<const GpuLookup*> rows;
+    for (const GpuLookup& row : gpu_lookups())
         rows.push_back(&row);
     return rows;
 }

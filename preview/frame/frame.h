@@ -86,7 +86,7 @@ struct DebugView {
     std::string_view name;
     std::string_view help;
     ImageHandle (*handle)(const FrameHandles& handles);
-    ViewMode mode;
+    View view;
 };
 std::span<const DebugView> debug_views();
 const DebugView* debug_view_named(std::string_view name);

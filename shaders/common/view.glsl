@@ -1,0 +1,25 @@
+// A debug view: an image in the size of the picture that shows it, by its nearest texels. Who includes
+// this defines shown(); with VIEW_UNSIGNED the image is of integers.
+#include "common/sanitise.glsl"
+layout(local_size_x = 16, local_size_y = 16) in;
+#ifdef VIEW_UNSIGNED
+#define VIEWED usampler2D
+#define VIEWED_TEXEL uvec4
+#else
+#define VIEWED sampler2D
+#define VIEWED_TEXEL vec4
+#endif
+layout(binding = 0) uniform VIEWED source;
+layout(binding = 1) writeonly uniform image2D target;
+
+/// The colour that stands for a texel, as display codes.
+vec3 shown(VIEWED_TEXEL texel);
+
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 size = imageSize(target);
+    if (any(greaterThanEqual(at, size)))
+        return;
+    vec3 color = shown(texelFetch(source, at * textureSize(source, 0) / size, 0));
+    imageStore(target, at, vec4(saturate(color), 1.0));
+}

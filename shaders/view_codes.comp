@@ -1,0 +1,8 @@
+// Shows display codes as they are.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "common/view.glsl"
+
+vec3 shown(vec4 texel) {
+    return texel.rgb;
+}

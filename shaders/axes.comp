@@ -2,7 +2,7 @@
 // (preview/finish/curve_counts.h). Groups count in shared memory and add their sums to the buffer.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "common/finish_texel.glsl"
+#include "common/finish.glsl"
 layout(local_size_x = 256) in;
 
 const uint axes = 7u, bins_each = 128u;

@@ -2,19 +2,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "common/tile.glsl"
-
-vec3 graded_a(vec3 c);
-vec3 graded_b(vec3 c);
-#include "common/bloom.glsl"
 #include "common/finish.glsl"
-
-vec3 graded_a(vec3 c) {
-    return apply_lookup(lookup_a, picture_a, volume_a, shaper_a, look_a, c);
-}
-
-vec3 graded_b(vec3 c) {
-    return apply_lookup(lookup_b, picture_b, volume_b, shaper_b, look_b, c);
-}
+#include "common/graded.glsl"
+#include "common/finish_target.glsl"
 
 void main() {
     ivec2 size = textureSize(picture, 0);

@@ -217,7 +217,7 @@ class Bench {
             GpuLook look(device_, look_for(sample_look(lookup.shared() ? 16 : 33), lookup).data);
             const auto time_look = [&](const std::string& name) {
                 Row row = measure("lut, " + formats, name, "finish", [&](Graph& graph) {
-                    return add_finish(graph, picture(graph), {}, &look, nullptr, {}).picture;
+                    return add_finish(graph, {picture(graph), {}, &look, nullptr, {}}).picture;
                 });
                 row.exact = !lookup.filtered;
                 add(std::move(row), copy_);
@@ -249,7 +249,7 @@ class Bench {
                 FinishSettings settings;
                 settings.tonemap = tonemap_named("agx");
                 const ImageHandle done =
-                    add_finish(graph, hdr, add_bloom(graph, hdr, plan), &look, nullptr, settings)
+                    add_finish(graph, {hdr, add_bloom(graph, hdr, plan), &look, nullptr, settings})
                         .picture;
                 graph.present(done);
                 Row row;

@@ -244,12 +244,11 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
     handles.hdr = resolved.hdr;
     handles.hdr_maximum = resolved.maximum;
 
-    const BloomLayers bloom = bloom_of(graph, handles.hdr, inputs, settings);
-    handles.bloom = bloom.images[0];
-
-    const Finishing finishing = finishing_of(graph, inputs, settings);
-    const Finished finished = add_finish(graph, handles.hdr, bloom, finishing.look_a,
-                                         finishing.look_b, finishing.settings);
+    Finishing finishing = finishing_of(graph, inputs, settings);
+    finishing.picture = handles.hdr;
+    finishing.bloom = bloom_of(graph, handles.hdr, inputs, settings);
+    handles.bloom = finishing.bloom.images[0];
+    const Finished finished = add_finish(graph, finishing);
     handles.graded = finished.picture;
     handles.figures = finished.figures;
     handles.output = antialiased(graph, handles.graded, settings);
@@ -264,7 +263,7 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
         graph.present(handles.output);
         return handles;
     }
-    add_instruments(graph, settings, bloom, finishing, handles);
+    add_instruments(graph, settings, finishing, handles);
     graph.present(handles.output);
     graph.present(handles.hdr_maximum);
     if (settings.keep_hdr)

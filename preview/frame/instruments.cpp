@@ -41,8 +41,8 @@ ProbePlace before_comparison(ProbePlace place, const FrameSettings& settings, Si
 
 } // namespace
 
-void add_instruments(Graph& graph, const FrameSettings& settings, const BloomLayers& bloom,
-                     const Finishing& finishing, FrameHandles& handles) {
+void add_instruments(Graph& graph, const FrameSettings& settings, const Finishing& finishing,
+                     FrameHandles& handles) {
     add_scopes(graph, settings, handles);
     if (settings.scope != nullptr) {
         handles.output =
@@ -54,15 +54,14 @@ void add_instruments(Graph& graph, const FrameSettings& settings, const BloomLay
     }
     if (settings.probe) {
         handles.probe = add_probe(
-            graph, handles.hdr, bloom, finishing.look_a, finishing.look_b, finishing.settings,
-            before_comparison(*settings.probe, settings, size_of(graph, handles.hdr)));
+            graph, finishing,
+            before_comparison(*settings.probe, settings, size_of(graph, finishing.picture)));
         graph.present(handles.probe);
     } else {
         graph.withhold("probe", "nobody points at the picture");
     }
     if (settings.axes != nullptr) {
-        handles.axis_counts =
-            add_axes(graph, handles.hdr, bloom, finishing.settings, *settings.axes);
+        handles.axis_counts = add_axes(graph, finishing, *settings.axes);
         graph.present(handles.axis_counts);
     } else {
         graph.withhold("count along axes", "no curve is seen");

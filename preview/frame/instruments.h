@@ -6,17 +6,10 @@
 
 namespace preview {
 
-/// What the finishing pass is asked for.
-struct Finishing {
-    FinishSettings settings;
-    const GpuLook* look_a = nullptr;
-    const GpuLook* look_b = nullptr;
-};
-
 /// Declares and presents what the settings ask for, of the picture handles.output and of what the
 /// finishing pass had. With FrameSettings::scope that scope becomes the output. Throws
 /// lutlib::UsageError for one that this frame has nothing for.
-void add_instruments(Graph& graph, const FrameSettings& settings, const BloomLayers& bloom,
-                     const Finishing& finishing, FrameHandles& handles);
+void add_instruments(Graph& graph, const FrameSettings& settings, const Finishing& finishing,
+                     FrameHandles& handles);
 
 } // namespace preview

@@ -8,7 +8,6 @@ namespace preview {
 
 /// axis_bins counts for each row of counted_axes. The finishing pass's own inputs; `encoding` says
 /// what the operators take the picture's codes for.
-BufferHandle add_axes(Graph& graph, ImageHandle picture, const BloomLayers& bloom,
-                      const FinishSettings& settings, const lutlib::Encoding& encoding);
+BufferHandle add_axes(Graph& graph, const Finishing& finishing, const lutlib::Encoding& encoding);
 
 } // namespace preview

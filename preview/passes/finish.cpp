@@ -83,8 +83,8 @@ GpuLook::GpuLook(const gpu::Device& device, const LookData& data)
         nodes = gpu::make_buffer(device, std::as_bytes(std::span(data.nodes)));
 }
 
-void bind_finish(Graph& graph, Pass& pass, ImageHandle picture, const BloomLayers& bloom,
-                 const GpuLook* a, const GpuLook* b, const FinishSettings& settings) {
+void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing) {
+    const auto& [picture, bloom, a, b, settings] = finishing;
     const BloomPlan& plan = bloom.plan;
     pass.read(picture);
     for (const ImageHandle layer : bloom.images)
@@ -107,12 +107,15 @@ void bind_finish(Graph& graph, Pass& pass, ImageHandle picture, const BloomLayer
                    settings.split, settings.heat_scale});
 }
 
-Finished add_finish(Graph& graph, ImageHandle picture, const BloomLayers& bloom, const GpuLook* a,
-                    const GpuLook* b, const FinishSettings& settings) {
+Finished add_finish(Graph& graph, const Finishing& finishing) {
+    Finishing shown = finishing;
+    const FinishSettings& settings = shown.settings;
     const Compare& compare = *settings.compare;
-    a = compare.shows_a ? a : nullptr;
-    b = compare.shows_b ? b : nullptr;
-    const Size size = size_of(graph, picture);
+    const GpuLook* const a = compare.shows_a ? shown.look_a : nullptr;
+    const GpuLook* const b = compare.shows_b ? shown.look_b : nullptr;
+    shown.look_a = a;
+    shown.look_b = b;
+    const Size size = size_of(graph, shown.picture);
     const bool side = &compare == &compare_side;
     const bool difference = &compare == &compare_difference;
     const GpuLook* const shared = is_shared(a) ? a : is_shared(b) ? b : nullptr;
@@ -128,7 +131,7 @@ Finished add_finish(Graph& graph, ImageHandle picture, const BloomLayers& bloom,
     Pass pass = graph.compute("finish", half     ? "finish_shared_half.comp"
                                         : shared ? "finish_shared.comp"
                                                  : "finish.comp");
-    bind_finish(graph, pass, picture, bloom, a, b, settings);
+    bind_finish(graph, pass, shown);
     out.picture = pass.write(target);
     figures = difference ? pass.modify(figures) : pass.write(figures);
     if (difference)

@@ -41,15 +41,21 @@ struct [[nodiscard]] Finished {
     BufferHandle figures;
 };
 
-/// `a` and `b` may be null: no look. They must outlive the frame. The comparison `side` makes a
-/// picture twice as wide as `picture`.
-Finished add_finish(Graph& graph, ImageHandle picture, const BloomLayers& bloom, const GpuLook* a,
-                    const GpuLook* b, const FinishSettings& settings);
+/// What finishes a picture. The looks may be null: none; they must outlive the frame.
+struct Finishing {
+    ImageHandle picture;
+    BloomLayers bloom;
+    const GpuLook* look_a = nullptr;
+    const GpuLook* look_b = nullptr;
+    FinishSettings settings;
+};
+
+/// The comparison `side` makes a picture twice as wide as the one given.
+Finished add_finish(Graph& graph, const Finishing& finishing);
 
 /// For a pass that finishes texels to count or tell them: binds what shaders/common/finish.glsl
 /// reads (bindings 0 to 14) and sets its constants and push constants.
-void bind_finish(Graph& graph, Pass& pass, ImageHandle picture, const BloomLayers& bloom,
-                 const GpuLook* a, const GpuLook* b, const FinishSettings& settings);
+void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing);
 
 /// The size at which a scene is rendered so that its finished picture is `output` wide and high.
 Size picture_size(Size output, const Compare& compare);

@@ -8,8 +8,6 @@ namespace preview {
 
 /// A buffer for probe_from(), after presenting it. The finishing pass's own inputs; both looks
 /// count, whatever the comparison shows.
-BufferHandle add_probe(Graph& graph, ImageHandle picture, const BloomLayers& bloom,
-                       const GpuLook* a, const GpuLook* b, const FinishSettings& settings,
-                       ProbePlace place);
+BufferHandle add_probe(Graph& graph, const Finishing& finishing, ProbePlace place);
 
 } // namespace preview

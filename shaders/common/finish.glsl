@@ -1,9 +1,10 @@
-// The last pass over a picture: the bloom's last filter, exposure, tone map, both looks and their
-// comparison, in one trip through memory. finish.comp and finish_shared.comp are its two forms.
+// What finishes a texel: the bloom's last filter, exposure and tone map, and the looks that come
+// after (common/graded.glsl). preview/passes/finish.h, bind_finish(), binds all that is declared here;
+// the passes' own bindings follow from 15 on.
+#include "common/bloom.glsl"
 #include "common/sanitise.glsl"
-#include "rows/tonemaps.glsl"
-#include "common/difference.glsl"
 #include "rows/lookups.glsl"
+#include "rows/tonemaps.glsl"
 
 layout(constant_id = 0) const int tonemap_row = 0; // -1: the picture is display-encoded already
 layout(constant_id = 1) const int bloom_layers = 0;
@@ -13,12 +14,6 @@ layout(constant_id = 4) const int lookup_a = 0;
 layout(constant_id = 5) const int lookup_b = 0;
 layout(constant_id = 6) const int compare = 0;
 layout(constant_id = 7) const bool unit_picture = false; // its format holds 0..1 only
-
-const int compare_a = 0;
-const int compare_b = 1;
-const int compare_split = 2;
-const int compare_side = 3;
-const int compare_difference = 4;
 
 layout(binding = 0) uniform sampler2D picture;
 layout(binding = 1) uniform sampler2D layer_0;
@@ -37,15 +32,6 @@ layout(binding = 10) uniform sampler2D picture_b;
 layout(binding = 11) uniform sampler3D volume_b;
 layout(binding = 12) uniform sampler2D shaper_b;
 layout(binding = 13) uniform LookB { Look look_b; };
-layout(binding = 15) writeonly uniform image2D target;
-layout(binding = 16) buffer Figures {
-    uint largest; // bits of the largest difference
-    uint bins[];  // counts of differences, figure_bins of them; the first is left out
-} figures_out;
-
-const uint figure_bins = 4096;
-const float bins_per_unit = 40.0;
-
 layout(push_constant) uniform Push {
     float exposure; // factor
     float strength, threshold, knee;
@@ -92,34 +78,4 @@ vec3 bloomed(ivec2 at, vec3 light) {
 /// `texel` is the picture's at `at`.
 vec3 display_encoded(ivec2 at, vec3 texel) {
     return tonemap_row < 0 ? texel : tonemap(tonemap_row, sanitise(bloomed(at, texel) * push.exposure));
-}
-
-// A line two texels wide at 1080 lines, at least one.
-bool on_split_line(int x, ivec2 size) {
-    float half_width = max(float(size.y) / 1080.0, 0.5);
-    return abs(float(x) + 0.5 - push.split * float(size.x)) <= half_width;
-}
-
-// Shows the looks of the display-encoded colour `c`.
-void store_texel(ivec2 at, ivec2 size, vec3 c) {
-    if (compare == compare_a) {
-        imageStore(target, at, vec4(graded_a(c), 1.0));
-    } else if (compare == compare_b) {
-        imageStore(target, at, vec4(graded_b(c), 1.0));
-    } else if (compare == compare_split) {
-        vec3 side = float(at.x) + 0.5 < push.split * float(size.x) ? graded_a(c) : graded_b(c);
-        imageStore(target, at, vec4(on_split_line(at.x, size) ? vec3(1.0) : side, 1.0));
-    } else if (compare == compare_side) {
-        imageStore(target, at, vec4(graded_a(c), 1.0));
-        imageStore(target, at + ivec2(size.x, 0), vec4(graded_b(c), 1.0));
-    } else {
-        float difference = delta_e_2000(saturate(graded_a(c)), saturate(graded_b(c)));
-        uint bin = min(uint(difference * bins_per_unit), figure_bins - 1u);
-        if (bin > 0u)
-            atomicAdd(figures_out.bins[bin], 1u);
-        if (floatBitsToUint(difference) > figures_out.largest)
-            atomicMax(figures_out.largest, floatBitsToUint(difference));
-        vec3 color = with_scale(heat(difference / push.heat_scale), at, size, push.heat_scale);
-        imageStore(target, at, vec4(color, 1.0));
-    }
 }

@@ -3,9 +3,6 @@
 // and then finishes tiles of the picture, a stride apart, until it ends.
 layout(local_size_x = 8, local_size_y = 128) in;
 
-vec3 graded_a(vec3 c);
-vec3 graded_b(vec3 c);
-#include "common/bloom.glsl"
 #include "common/finish.glsl"
 #include "rows/shared_lookups.glsl"
 
@@ -26,6 +23,8 @@ vec3 graded_b(vec3 c) {
         return shared_lookup(lookup_b, unit(c));
     return apply_lookup(lookup_b, picture_b, volume_b, shaper_b, look_b, c);
 }
+
+#include "common/finish_target.glsl"
 
 const int texels_each = 4;
 const ivec2 tile = ivec2(32, 128);

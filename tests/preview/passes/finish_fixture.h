@@ -62,7 +62,7 @@ class FinishTest : public GpuTest {
         settings.format = Format::rgba32f;
         Graph graph;
         const ImageHandle source = graph.import("colours", image, image.desc());
-        const ImageHandle out = add_finish(graph, source, {}, look, nullptr, settings).picture;
+        const ImageHandle out = add_finish(graph, {source, {}, look, nullptr, settings}).picture;
         graph.present(out);
         auto result = colors_of(run_and_read<float>(graph, out));
         result.resize(colors.size());
@@ -76,7 +76,7 @@ class FinishTest : public GpuTest {
         settings.format = Format::rgba8;
         Graph graph;
         const ImageHandle source = graph.import("colours", image, image.desc());
-        const ImageHandle out = add_finish(graph, source, {}, look, nullptr, settings).picture;
+        const ImageHandle out = add_finish(graph, {source, {}, look, nullptr, settings}).picture;
         graph.present(out);
         return run_and_read<std::uint8_t>(graph, out);
     }

@@ -90,7 +90,7 @@ class EveryBloomOnGpu : public FinishTest, public testing::WithParamInterface<co
         const ImageHandle source = graph.import("night", image, image.desc());
         const BloomLayers layers = add_bloom(graph, source, plan, work);
         const ImageHandle out =
-            add_finish(graph, source, layers, nullptr, nullptr, settings).picture;
+            add_finish(graph, {source, layers, nullptr, nullptr, settings}).picture;
         graph.present(out);
         std::vector<RgbD> light;
         for (const Rgb& c : colors_of(run_and_read<float>(graph, out))) {
@@ -194,7 +194,7 @@ TEST_F(PassTest, differences_are_ciede2000_and_their_figures_those_of_the_pictur
     settings.compare = &compare_difference;
     Graph graph;
     const ImageHandle source = graph.import("colours", image, image.desc());
-    const Finished out = add_finish(graph, source, {}, nullptr, &gpu_look, settings);
+    const Finished out = add_finish(graph, {source, {}, nullptr, &gpu_look, settings});
     graph.present(out.picture);
     graph.present(out.figures);
     Executor executor(device());
@@ -234,7 +234,7 @@ TEST_F(PassTest, sides_and_halves_show_the_look_they_are_named_for) {
         settings.format = Format::rgba32f;
         Graph graph;
         const ImageHandle source = graph.import("colours", image, image.desc());
-        const ImageHandle out = add_finish(graph, source, {}, nullptr, &look, settings).picture;
+        const ImageHandle out = add_finish(graph, {source, {}, nullptr, &look, settings}).picture;
         graph.present(out);
         const std::uint32_t width = graph.image_desc(out).width;
         EXPECT_EQ(width, &compare == &compare_side ? 128U : 64U);

@@ -210,9 +210,9 @@ TEST_F(SharedLookupTest, every_texel_of_any_size_is_finished_as_by_the_plain_pas
             const ImageHandle source = graph.import("picture", image, image.desc());
             const BloomPlan plan =
                 bloom_plan(*bloom_named("dual-kawase"), {picture.width, picture.height}, {});
-            const ImageHandle out =
-                add_finish(graph, source, add_bloom(graph, source, plan), &look, nullptr, settings)
-                    .picture;
+            const ImageHandle out = add_finish(graph, {source, add_bloom(graph, source, plan),
+                                                       &look, nullptr, settings})
+                                        .picture;
             graph.present(out);
             return colors_of(run_and_read<float>(graph, out));
         };
@@ -242,7 +242,8 @@ TEST_F(SharedLookupTest, of_two_looks_the_one_beyond_shared_memory_is_read_alike
             settings.format = Format::rgba32f;
             Graph graph;
             const ImageHandle out =
-                add_finish(graph, graph.import("colours", image, image.desc()), {}, a, b, settings)
+                add_finish(graph,
+                           {graph.import("colours", image, image.desc()), {}, a, b, settings})
                     .picture;
             graph.present(out);
             return colors_of(run_and_read<float>(graph, out));

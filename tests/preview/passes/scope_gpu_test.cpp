@@ -107,7 +107,7 @@ TEST_P(EveryScope, counts_the_codes_that_broken_light_became) {
     const gpu::Image image = image_of(colors);
     Graph graph;
     const ImageHandle picture =
-        add_finish(graph, graph.import("colours", image, image.desc()), {}, nullptr, nullptr, {})
+        add_finish(graph, {graph.import("colours", image, image.desc()), {}, nullptr, nullptr, {}})
             .picture;
     const Size size = size_of(graph, picture);
     const ColumnRange range{0, size.width};

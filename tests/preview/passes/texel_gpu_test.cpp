@@ -49,7 +49,7 @@ class ProbeTest : public FinishTest {
                                    static_cast<int>(at / colors_a_row)};
             Graph graph;
             const ImageHandle source = graph.import("colours", image, image.desc());
-            const BufferHandle told = add_probe(graph, source, {}, nullptr, b, settings, place);
+            const BufferHandle told = add_probe(graph, {source, {}, nullptr, b, settings}, place);
             graph.present(told);
             executor.render(graph);
             out.emplace_back(at, probe_from(executor.read_buffer(told)).value());
@@ -117,7 +117,7 @@ class EveryEncodingCounted : public FinishTest,
         const gpu::Image image = image_of(colors, width);
         Graph graph;
         const ImageHandle source = graph.import("colours", image, image.desc());
-        const BufferHandle out = add_axes(graph, source, {}, {}, *GetParam());
+        const BufferHandle out = add_axes(graph, {source, {}, nullptr, nullptr, {}}, *GetParam());
         graph.present(out);
         Executor executor(device());
         executor.render(graph);

@@ -20,7 +20,6 @@ struct TrianglesPush {
 struct TilesPush {
     SharedPush size;
     std::uint32_t capacity = 0;
-    std::uint32_t padding = 0;
 };
 
 BufferHandle rasterise(Graph& graph, const SceneHandles& scene, SharedPush size, BufferHandle keys,

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <list>
+#include <memory>
 #include <set>
 #include <string>
 
@@ -150,8 +151,9 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
     instruments.axes = &lutlib::srgb();
     check(inputs, instruments);
 
-    lutlib::Lut look;
-    look.cube = lutlib::identity_cube(16);
+    lutlib::Lut identity;
+    identity.cube = lutlib::identity_cube(16);
+    const auto look = std::make_shared<const lutlib::Lut>(std::move(identity));
     std::list<GpuLook> looks;
     for (const GpuLookup& row : gpu_lookups())
         if (row.source != GpuLookup::Source::none)

@@ -34,6 +34,7 @@ Run declare_compose(CLI::App& app);
 Run declare_check(CLI::App& app);
 Run declare_convert(CLI::App& app);
 Run declare_edit(CLI::App& app);
+Run declare_encodings(CLI::App& app);
 Run declare_eval(CLI::App& app);
 Run declare_identity(CLI::App& app);
 Run declare_info(CLI::App& app);

@@ -20,6 +20,7 @@ constexpr auto table = std::to_array<Command>({
     {"apply", "A picture through a LUT", declare_apply},
     {"report", "Error against run time and bytes of every way to keep a look", declare_report},
     {"info", "What is in a LUT", declare_info},
+    {"encodings", "The transfer curves and gamuts that options take", declare_encodings},
     {"eval", "Colours through a LUT", declare_eval},
     {"identity", "A LUT that changes nothing", declare_identity},
 });

@@ -135,7 +135,7 @@ lutlib::Sampling SamplingOptions::sampling() const {
     out.shaper = settings.shaper;
     out.shaper_size = settings.shaper_size;
     // Codes of a look that lacks a recipe are taken for light where a curve is to shape them.
-    out.input = lutlib::encoding_named("linear");
+    out.input = lutlib::require_encoding("linear");
     return out;
 }
 
@@ -161,21 +161,21 @@ void NewLutOptions::declare(CLI::App& app) {
     sampling.declare(app, false);
     method.declare(app);
     app.add_option("--encoding", encoding,
-                   "what the results are, for colour differences: " + encoding_names())
+                   std::string("what the results are, for colour differences: ") + encoding_help)
         ->capture_default_str();
     app.add_flag("--json", json, "print the figures as JSON");
 }
 
-const lutlib::Encoding& NewLutOptions::results() const {
-    return encoding_of(encoding);
+lutlib::Encoding NewLutOptions::results() const {
+    return encoding_of(encoding, "--encoding");
 }
 
-const lutlib::Encoding& encoding_of(const std::string& name) {
-    return lutlib::require_named(lutlib::encodings(), "encoding", name);
-}
-
-std::string encoding_names() {
-    return lutlib::names_of(lutlib::encodings());
+lutlib::Encoding encoding_of(const std::string& name, const std::string& flag) {
+    try {
+        return lutlib::require_encoding(name);
+    } catch (const lutlib::Error& error) {
+        throw lutlib::UsageError(flag + ": " + error.message());
+    }
 }
 
 } // namespace converter

@@ -62,7 +62,7 @@ class MethodOption {
 struct NewLutOptions {
     void declare(CLI::App& app);
     /// Throws UsageError.
-    const lutlib::Encoding& results() const;
+    lutlib::Encoding results() const;
 
     std::string output, encoding = "srgb";
     SamplingOptions sampling;
@@ -70,9 +70,10 @@ struct NewLutOptions {
     bool json = false;
 };
 
-/// A row of lutlib::encodings(). Throws UsageError naming the flag.
-const lutlib::Encoding& encoding_of(const std::string& name);
-/// The names of all rows, for help.
-std::string encoding_names();
+/// lutlib::require_encoding() for a flag. Throws UsageError naming it.
+lutlib::Encoding encoding_of(const std::string& name, const std::string& flag);
+/// What an encoding's flag takes, for help.
+inline constexpr const char* encoding_help =
+    "a curve or curve/gamut, such as slog3/sgamut3.cine ('lutconv encodings' lists them)";
 
 } // namespace converter

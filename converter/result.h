@@ -19,8 +19,8 @@ struct Result {
     std::string made_of; ///< "a.cube, then b.cube"
     /// What the LUT stands for, over its domain.
     lutlib::Transform exact;
-    const lutlib::Encoding& encoding; ///< of the result's code values
-    std::vector<std::string> notes;   ///< lines of text, what was lost
+    lutlib::Encoding encoding;      ///< of the result's code values
+    std::vector<std::string> notes; ///< lines of text, what was lost
 };
 
 /// Writes the LUT, measures it over its domain, and prints text or JSON.

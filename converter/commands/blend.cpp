@@ -30,7 +30,7 @@ int run(const Options& o) {
                                  "1 the second");
     }
     require_one_standard_input(std::array{o.a, o.b});
-    const lutlib::Encoding& encoding = o.made.results();
+    const lutlib::Encoding encoding = o.made.results();
     const lutlib::ResamplingMethod& method = o.made.method.get();
     const auto opened = [](const std::string& name) {
         return name == "identity" ? std::make_shared<const lutlib::Lut>() : read_table(name);

@@ -55,7 +55,7 @@ int run(const Options& o) {
         throw lutlib::UsageError("--samples must be a number from 1 to 100000000");
     }
     require_one_standard_input(std::array{o.a, o.b});
-    const lutlib::Encoding& encoding = encoding_of(o.encoding);
+    const lutlib::Encoding encoding = encoding_of(o.encoding, "--encoding");
     const Compared a = opened(o.a, o), b = opened(o.b, o);
     lutlib::Domain domain = united(a.domain, b.domain);
     if (!o.domain.empty()) {
@@ -84,7 +84,7 @@ Run declare_compare(CLI::App& app) {
     app.add_option("B", o->b, "the other, or the word identity")->required();
     o->interpolation.declare(app, "how LUTs are read between their nodes");
     app.add_option("--encoding", o->encoding,
-                   "what the results are, for colour differences: " + encoding_names())
+                   std::string("what the results are, for colour differences: ") + encoding_help)
         ->capture_default_str();
     app.add_option("--samples", o->samples, "colours spread over the domain, besides a lattice")
         ->capture_default_str();

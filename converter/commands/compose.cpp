@@ -26,7 +26,7 @@ int run(const Options& o) {
         throw lutlib::UsageError("compose takes two looks or more, the first to apply first");
     }
     require_one_standard_input(o.inputs);
-    const lutlib::Encoding& encoding = o.made.results();
+    const lutlib::Encoding encoding = o.made.results();
     const lutlib::ResamplingMethod& method = o.made.method.get();
     std::vector<std::shared_ptr<const lutlib::Lut>> looks;
     std::string order;

@@ -1,5 +1,6 @@
 // lutconv edit: operators on top of a LUT or of nothing, baked to a LUT and kept as a recipe.
 #include "converter/command.h"
+#include "converter/config_options.h"
 #include "converter/look_files.h"
 #include "converter/recipe_options.h"
 #include "converter/report.h"
@@ -8,7 +9,10 @@
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/recipe_file.h"
+#include "lutlib/limits.h"
+#include "lutlib/named.h"
 #include "lutlib/recipe/bake_recipe.h"
+#include "lutlib/recipe/gamut_share.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -22,11 +26,28 @@ namespace {
 namespace io = lutlib::io;
 
 struct Options {
-    std::string input, output, recipe, save_recipe, title, input_encoding, output_encoding;
+    std::string input, output, recipe, save_recipe, title, input_encoding, output_encoding,
+        adaptation;
+    ConfigOptions config;
     SamplingOptions sampling;
     OperatorFlags operators;
     bool json = false;
 };
+
+// Light has no end of its own where the identity is converted: the output's codes of 0..1 say how
+// much of it matters, and their curve where nodes are needed.
+void suit_light(lutlib::Recipe& recipe) {
+    const lutlib::Encoding out = recipe.output_encoding();
+    if (recipe.input.curve->name != "linear" || out.curve == recipe.input.curve ||
+        recipe.base_lut || !recipe.operations.empty() || recipe.bake.domain ||
+        !recipe.bake.shaper.empty()) {
+        return;
+    }
+    const auto low = static_cast<float>(out.decode(0)), high = static_cast<float>(out.decode(1));
+    recipe.bake.domain = {{low, low, low}, {high, high, high}};
+    recipe.bake.shaper = out.curve->name;
+    recipe.bake.shaper_size = lutlib::limits::max_shaper_size;
+}
 
 // The recipe file, then LUT as its base, then the flags. `base`: where the base lies.
 lutlib::Recipe assemble(const Options& o, std::string& base) {
@@ -58,10 +79,14 @@ lutlib::Recipe assemble(const Options& o, std::string& base) {
         throw lutlib::UsageError("--save-recipe needs the LUT as a file, not standard input");
     }
     if (!o.input_encoding.empty()) {
-        recipe.input = &encoding_of(o.input_encoding);
+        recipe.input = encoding_of(o.input_encoding, "--input-encoding");
     }
     if (!o.output_encoding.empty()) {
-        recipe.output = &encoding_of(o.output_encoding);
+        recipe.output = encoding_of(o.output_encoding, "--output-encoding");
+    }
+    if (!o.adaptation.empty()) {
+        recipe.adaptation =
+            &lutlib::require_named(lutlib::adaptations(), "adaptation", o.adaptation);
     }
     if (!o.title.empty()) {
         recipe.title = o.title;
@@ -70,13 +95,38 @@ lutlib::Recipe assemble(const Options& o, std::string& base) {
         recipe.operations.push_back(std::move(operation));
     }
     o.sampling.apply_to(recipe.bake);
+    suit_light(recipe);
     return recipe;
 }
 
 std::string made_of(const Options& o, const lutlib::Recipe& recipe) {
     const std::string base = o.input.empty() ? o.recipe : o.input;
-    return fmt::format("{}, {} operator{}", input_text(base), recipe.operations.size(),
-                       recipe.operations.size() == 1 ? "" : "s");
+    return fmt::format("{}, {} operator{}", o.config.given() ? o.config.text() : input_text(base),
+                       recipe.operations.size(), recipe.operations.size() == 1 ? "" : "s");
+}
+
+// The config's conversion first, then the recipe, which then has no base.
+lutlib::Transform exact_of(const Options& o, const lutlib::Recipe& recipe) {
+    const lutlib::Transform edit = lutlib::Transform::of(recipe);
+    return o.config.given() ? lutlib::in_sequence({o.config.transform(), edit}) : edit;
+}
+
+lutlib::Lut baked(const Options& o, const lutlib::Recipe& recipe, const lutlib::Transform& exact) {
+    if (!o.config.given()) {
+        return bake_recipe(recipe);
+    }
+    const lutlib::BakeSettings& bake = recipe.bake;
+    lutlib::Lut lut = sample_like(
+        {}, {bake.size, bake.domain, bake.shaper, bake.shaper_size, recipe.input}, exact, exact);
+    lut.title = recipe.title;
+    return lut;
+}
+
+std::string gamut_text(const lutlib::GamutShare& share, const lutlib::Recipe& recipe) {
+    const lutlib::Encoding out = recipe.output_encoding();
+    return fmt::format(
+        "of the input's colours {:.1f} % lie outside {}, {:.1f} % above code 1 of {}",
+        100 * share.outside, out.gamut->name, 100 * share.above, out.curve->name);
 }
 
 int run(const Options& o) {
@@ -87,6 +137,10 @@ int run(const Options& o) {
         throw lutlib::UsageError("nothing to edit: give a LUT, the word identity, or --recipe");
     }
     require_one_standard_input(std::array{o.input, o.recipe});
+    if (o.config.given() && (o.input != "identity" || !o.save_recipe.empty())) {
+        throw lutlib::UsageError("--ocio-config stands in place of a LUT and is no part of a "
+                                 "recipe: edit the word identity, without --save-recipe");
+    }
     const std::string shown = standard_output_of(std::array{o.output, o.save_recipe});
     std::string base;
     const lutlib::Recipe recipe = assemble(o, base);
@@ -94,15 +148,18 @@ int run(const Options& o) {
         io::save_recipe(recipe, o.save_recipe, base);
     }
     if (!o.output.empty()) {
-        const lutlib::Lut lut = bake_recipe(recipe);
-        write_and_report({lut,
-                          o.output,
-                          shown,
-                          made_of(o, recipe),
-                          lutlib::Transform::of(recipe),
-                          recipe.output_encoding(),
-                          {}},
-                         o.json, {{"operators", recipe.operations.size()}});
+        const lutlib::Transform exact = exact_of(o, recipe);
+        const lutlib::Lut lut = baked(o, recipe, exact);
+        nlohmann::ordered_json extra{{"operators", recipe.operations.size()}};
+        std::vector<std::string> notes;
+        if (!o.config.given() && recipe.output_encoding().gamut != recipe.input.gamut) {
+            const lutlib::GamutShare share = gamut_share(recipe, lut.domain());
+            notes.push_back(gamut_text(share, recipe));
+            extra["gamut"] = {{"outside", share.outside}, {"above", share.above}};
+        }
+        write_and_report(
+            {lut, o.output, shown, made_of(o, recipe), exact, recipe.output_encoding(), notes},
+            o.json, extra);
     }
     return ok;
 }
@@ -118,9 +175,12 @@ Run declare_edit(CLI::App& app) {
     app.add_option("--save-recipe", o->save_recipe, "write the operators and their base here");
     app.add_option("--title", o->title, "title of the result");
     app.add_option("--input-encoding", o->input_encoding,
-                   "what the operators' code values are: " + encoding_names());
+                   std::string("what the operators' code values are: ") + encoding_help);
     app.add_option("--output-encoding", o->output_encoding,
                    "encoding of the result (default: as the input)");
+    app.add_option("--adaptation", o->adaptation,
+                   "between the whites of different gamuts: bradford (default) or cat02");
+    o->config.declare(app);
     o->sampling.declare(app, true);
     app.add_flag("--json", o->json, "print the figures as JSON");
     o->operators.declare(app);

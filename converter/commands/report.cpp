@@ -74,10 +74,10 @@ struct Report {
 Report report_on_look(const Options& o) {
     lutlib::Recipe recipe = recipe_of(open_look(o.input));
     if (!o.input_encoding.empty()) {
-        recipe.input = &encoding_of(o.input_encoding);
+        recipe.input = encoding_of(o.input_encoding, "--input-encoding");
     }
     if (!o.output_encoding.empty()) {
-        recipe.output = &encoding_of(o.output_encoding);
+        recipe.output = encoding_of(o.output_encoding, "--output-encoding");
     }
     ProgressBar bar;
     lutlib::SurveySettings settings;
@@ -139,7 +139,7 @@ Run declare_report(CLI::App& app) {
         ->check(above_zero())
         ->capture_default_str();
     app.add_option("--input-encoding", o->input_encoding,
-                   "what the look's input is: " + encoding_names());
+                   std::string("what the look's input is: ") + encoding_help);
     app.add_option("--output-encoding", o->output_encoding, "what its results are encoded in");
     return [o] { return run(*o); };
 }

@@ -18,7 +18,7 @@ struct Options {
 };
 
 int run(const Options& o) {
-    const lutlib::Encoding& encoding = o.made.results();
+    const lutlib::Encoding encoding = o.made.results();
     const lutlib::ResamplingMethod& method = o.made.method.get();
     const auto look = read_table(o.input);
     const lutlib::Lut lut = resample(*look, o.made.sampling.sampling(), method);

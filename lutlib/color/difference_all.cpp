@@ -9,7 +9,7 @@
 
 #include "lutlib/color/difference_constants.h"
 #include "lutlib/color/powers.h"
-#include "lutlib/color/transfer_all.h"
+#include "lutlib/color/rows/all.h"
 #include "lutlib/color/transfer_constants.h"
 
 #include <algorithm>
@@ -223,7 +223,7 @@ void delta_e_itp_nits_all(std::span<const RgbD> rec2020_nits_a,
         for (std::size_t i = 0; i < nits.size(); ++i) {
             to[i] = per_white * (rec2020_to_lms * nits[i]);
         }
-        pq_encode_all(to);
+        curve::pq.encode_all(to);
     };
     for (std::size_t first = 0; first < out.size(); first += piece) {
         const std::size_t count = std::min(piece, out.size() - first);

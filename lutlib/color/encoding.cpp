@@ -1,47 +1,199 @@
 #include "lutlib/color/encoding.h"
 
-#include "lutlib/color/transfer.h"
-#include "lutlib/color/transfer_all.h"
+#include "lutlib/color/rows/all.h"
 #include "lutlib/named.h"
 
 #include <array>
+#include <cctype>
+#include <vector>
 
 namespace lutlib {
 namespace {
 
-double unchanged(double x) {
-    return x;
+constexpr std::array curve_table{
+    &curve::srgb,
+    &curve::rec709,
+    &curve::gamma22,
+    &curve::gamma24,
+    &curve::gamma26,
+    &curve::linear,
+    &curve::pq,
+    &curve::hlg,
+    &curve::acescc,
+    &curve::acescct,
+    &curve::cineon,
+    &curve::logc3,
+    &curve::logc3_ei160,
+    &curve::logc3_ei200,
+    &curve::logc3_ei250,
+    &curve::logc3_ei320,
+    &curve::logc3_ei400,
+    &curve::logc3_ei500,
+    &curve::logc3_ei640,
+    &curve::logc3_ei1000,
+    &curve::logc3_ei1280,
+    &curve::logc3_ei1600,
+    &curve::logc4,
+    &curve::slog2,
+    &curve::slog3,
+    &curve::vlog,
+    &curve::clog,
+    &curve::clog2,
+    &curve::clog3,
+    &curve::log3g10,
+    &curve::flog,
+    &curve::flog2,
+    &curve::nlog,
+    &curve::dlog,
+    &curve::blackmagic_film5,
+    &curve::davinci_intermediate,
+    &curve::applelog,
+    &curve::protune,
+};
+
+constexpr std::array gamut_table{
+    &gamut::rec709,
+    &gamut::rec2020,
+    &gamut::p3_d65,
+    &gamut::p3_dci,
+    &gamut::display_p3,
+    &gamut::adobe_rgb,
+    &gamut::ap0,
+    &gamut::ap1,
+    &gamut::arri_wide_gamut3,
+    &gamut::arri_wide_gamut4,
+    &gamut::sgamut3,
+    &gamut::sgamut3_cine,
+    &gamut::vgamut,
+    &gamut::cinema_gamut,
+    &gamut::red_wide_gamut,
+    &gamut::dgamut,
+    &gamut::blackmagic_wide_gamut,
+    &gamut::davinci_wide_gamut,
+    &gamut::protune_native,
+};
+
+constexpr std::array adaptation_table{&bradford, &cat02};
+
+// The next letter or digit, in lower case; 0 at the end.
+char next_sign(std::string_view& text) {
+    while (!text.empty()) {
+        const auto c = static_cast<unsigned char>(text.front());
+        text.remove_prefix(1);
+        if (std::isalnum(c)) {
+            return static_cast<char>(std::tolower(c));
+        }
+    }
+    return 0;
 }
 
-void unchanged_all(std::span<RgbD>) {}
+bool spelt_alike(std::string_view a, std::string_view b) {
+    for (;;) {
+        const char x = next_sign(a), y = next_sign(b);
+        if (x != y || x == 0) {
+            return x == y;
+        }
+    }
+}
 
-constexpr std::array<Encoding, 6> table{{
-    {"srgb", "sRGB", "IEC 61966-2-1", rec709, srgb_decode, srgb_encode, srgb_decode_all,
-     srgb_encode_all},
-    {"gamma24", "Rec.709, gamma 2.4", "ITU-R BT.1886", rec709, gamma24_decode, gamma24_encode,
-     gamma24_decode_all, gamma24_encode_all},
-    {"linear", "Linear, Rec.709 primaries", "", rec709, unchanged, unchanged, unchanged_all,
-     unchanged_all},
-    {"logc3", "ARRI LogC3 EI 800, ARRI Wide Gamut 3", "ARRI, ALEXA Log C Curve, Usage in VFX",
-     arri_wide_gamut3, logc3_decode, logc3_encode, logc3_decode_all, logc3_encode_all},
-    {"acescct", "ACEScct, AP1 primaries", "S-2016-001", aces_ap1, acescct_decode, acescct_encode,
-     acescct_decode_all, acescct_encode_all},
-    {"pq", "PQ, Rec.2020 primaries", "SMPTE ST 2084, ITU-R BT.2100", rec2020, pq_decode, pq_encode,
-     pq_decode_all, pq_encode_all},
-}};
+template <class Row>
+const Row* named(std::span<const Row* const> rows, std::string_view name) {
+    const auto found = std::find_if(
+        rows.begin(), rows.end(), [name](const Row* row) { return spelt_alike(row->name, name); });
+    return found == rows.end() ? nullptr : *found;
+}
+
+void hold_all(std::span<RgbD> colours) {
+    for (RgbD& c : colours) {
+        c = {held(c.r), held(c.g), held(c.b)};
+    }
+}
 
 } // namespace
 
-std::span<const Encoding> encodings() {
-    return table;
+std::span<const TransferCurve* const> transfer_curves() {
+    return curve_table;
 }
 
-const Encoding* encoding_named(std::string_view name) {
-    return find_named(table, name);
+const TransferCurve* transfer_curve_named(std::string_view name) {
+    return named(transfer_curves(), name);
+}
+
+std::span<const Gamut* const> gamuts() {
+    return gamut_table;
+}
+
+const Gamut* gamut_named(std::string_view name) {
+    return named(gamuts(), name);
+}
+
+std::span<const Adaptation* const> adaptations() {
+    return adaptation_table;
+}
+
+const Adaptation* adaptation_named(std::string_view name) {
+    return named(adaptations(), name);
+}
+
+std::string Encoding::name() const {
+    const std::string own(curve->name);
+    return gamut == curve->gamut ? own : own + '/' + std::string(gamut->name);
+}
+
+std::string Encoding::label() const {
+    return std::string(curve->label) + ", " + std::string(gamut->label);
+}
+
+void Encoding::decode_all(std::span<RgbD> colours) const {
+    hold_all(colours);
+    curve->decode_all(colours);
+}
+
+void Encoding::encode_all(std::span<RgbD> colours) const {
+    hold_all(colours);
+    curve->encode_all(colours);
+}
+
+std::span<const Encoding> encodings() {
+    static const std::vector<Encoding> rows = [] {
+        std::vector<Encoding> out;
+        for (const TransferCurve* curve : curve_table) {
+            out.push_back({curve, curve->gamut});
+        }
+        return out;
+    }();
+    return rows;
+}
+
+std::optional<Encoding> encoding_named(std::string_view name) {
+    const std::size_t slash = name.find('/');
+    const TransferCurve* const curve = transfer_curve_named(name.substr(0, slash));
+    if (!curve) {
+        return std::nullopt;
+    }
+    const Gamut* const gamut =
+        slash == name.npos ? curve->gamut : gamut_named(name.substr(slash + 1));
+    return gamut ? std::optional(Encoding{curve, gamut}) : std::nullopt;
+}
+
+Encoding require_encoding(std::string_view name) {
+    if (const std::optional<Encoding> found = encoding_named(name)) {
+        return *found;
+    }
+    const std::size_t slash = name.find('/');
+    if (!transfer_curve_named(name.substr(0, slash))) {
+        refuse_name("curve", name.substr(0, slash), name_list(transfer_curves()));
+    }
+    refuse_name("gamut", name.substr(slash + 1), name_list(gamuts()));
 }
 
 const Encoding& srgb() {
-    return table.front();
+    static constexpr Encoding row{&curve::srgb, &gamut::rec709};
+    return row;
+}
+
+Matrix3 light_to_light(const Encoding& from, const Encoding& to, const Adaptation& how) {
+    return from.gamut == to.gamut ? Matrix3{} : rgb_to_rgb(from.primaries(), to.primaries(), how);
 }
 
 } // namespace lutlib

@@ -1,30 +1,52 @@
 // What the code values of a picture or a LUT mean: a transfer curve and a set of primaries.
 #pragma once
 
-#include "lutlib/color/primaries.h"
+#include "lutlib/color/gamut.h"
+#include "lutlib/color/transfer_curve.h"
 
+#include <algorithm>
+#include <limits>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace lutlib {
 
+/// As every conversion reads a number: NaN as 0, the rest within the range of a float.
+inline double held(double x) {
+    constexpr double limit = std::numeric_limits<float>::max();
+    return x >= -limit ? std::min(x, limit) : x < 0 ? -limit : 0;
+}
+
 struct Encoding {
-    std::string_view name;
-    std::string_view label;
-    std::string_view source;
-    Primaries primaries;
-    double (*decode)(double code);
-    double (*encode)(double linear);
-    /// The same of every channel of many colours, for the speed of one call.
-    void (*decode_all)(std::span<RgbD> colours);
-    void (*encode_all)(std::span<RgbD> colours);
+    const TransferCurve* curve = nullptr; ///< never null but in a default-constructed one
+    const Gamut* gamut = nullptr;
+
+    /// "slog3" for a curve with its own gamut, "slog3/rec709" for another.
+    std::string name() const;
+    std::string label() const;
+    const Primaries& primaries() const { return gamut->primaries; }
+
+    double decode(double code) const { return curve->decode(held(code)); }
+    double encode(double linear) const { return curve->encode(held(linear)); }
+    void decode_all(std::span<RgbD> colours) const;
+    void encode_all(std::span<RgbD> colours) const;
+
+    friend bool operator==(const Encoding&, const Encoding&) = default;
 };
 
-/// srgb, gamma24, linear, logc3, acescct, pq. Linear light of 1 is diffuse white, 100 cd/m2 in PQ.
+/// Every curve with its own gamut; sRGB first.
 std::span<const Encoding> encodings();
-const Encoding* encoding_named(std::string_view name);
 
-/// The first row.
+/// "curve" or "curve/gamut", such as "slog3/sgamut3.cine". Null for an unknown name.
+std::optional<Encoding> encoding_named(std::string_view name);
+/// The same. Throws UsageError with the names there are.
+Encoding require_encoding(std::string_view name);
+
 const Encoding& srgb();
+
+/// Light of one encoding to light of another.
+Matrix3 light_to_light(const Encoding& from, const Encoding& to, const Adaptation& how = bradford);
 
 } // namespace lutlib

@@ -3,6 +3,7 @@
 
 #include "lutlib/color/matrix.h"
 
+#include <span>
 #include <string_view>
 
 namespace lutlib {
@@ -14,17 +15,15 @@ struct Chromaticity {
 };
 
 struct Primaries {
-    std::string_view name;
     Chromaticity red, green, blue, white;
+    friend constexpr bool operator==(const Primaries&, const Primaries&) = default;
 };
 
 inline constexpr Chromaticity white_d65{0.3127, 0.3290};
-inline constexpr Primaries rec709{"Rec.709", {.64, .33}, {.30, .60}, {.15, .06}, white_d65};
-inline constexpr Primaries rec2020{"Rec.2020", {.708, .292}, {.170, .797}, {.131, .046}, white_d65};
-inline constexpr Primaries arri_wide_gamut3{
-    "ARRI Wide Gamut 3", {.6840, .3130}, {.2210, .8480}, {.0861, -.1020}, white_d65};
-inline constexpr Primaries aces_ap1{
-    "ACES AP1", {.713, .293}, {.165, .830}, {.128, .044}, {.32168, .33767}};
+/// ITU-R BT.709-6, item 1.4; IEC 61966-2-1 has the same.
+inline constexpr Primaries rec709{{.64, .33}, {.30, .60}, {.15, .06}, white_d65};
+/// ITU-R BT.2020-2, table 3.
+inline constexpr Primaries rec2020{{.708, .292}, {.170, .797}, {.131, .046}, white_d65};
 
 /// XYZ with Y = 1.
 constexpr RgbD xyz_of(Chromaticity c) {
@@ -38,17 +37,38 @@ constexpr Matrix3 rgb_to_xyz(const Primaries& p) {
     return columns * diagonal(inverse(columns) * xyz_of(p.white));
 }
 
-/// Bradford's linear adaptation (Lam 1985; ICC.1:2010 annex E) of XYZ from one white to another.
-constexpr Matrix3 bradford_adaptation(Chromaticity from, Chromaticity to) {
-    constexpr Matrix3 cone{
-        {{{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}}};
-    const RgbD a = cone * xyz_of(from), b = cone * xyz_of(to);
-    return inverse(cone) * diagonal({b.r / a.r, b.g / a.g, b.b / a.b}) * cone;
+/// One way of adapting colours to another white: a scaling of these cone responses.
+struct Adaptation {
+    std::string_view name, label, source;
+    Matrix3 cones; ///< of XYZ
+};
+
+inline constexpr Adaptation bradford{
+    .name = "bradford",
+    .label = "Bradford, linear",
+    .source = "Lam 1985; ICC.1:2010, annex E",
+    .cones = {{{{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}}}};
+inline constexpr Adaptation cat02{
+    .name = "cat02",
+    .label = "CAT02, full adaptation",
+    .source = "CIE 159:2004, CIECAM02",
+    .cones = {{{{0.7328, 0.4296, -0.1624}, {-0.7036, 1.6975, 0.0061}, {0.0030, 0.0136, 0.9834}}}}};
+
+/// bradford, which is the default everywhere, and cat02.
+std::span<const Adaptation* const> adaptations();
+/// Null for an unknown name.
+const Adaptation* adaptation_named(std::string_view name);
+
+/// XYZ under one white to the same colour's under another.
+constexpr Matrix3 adapted(Chromaticity from, Chromaticity to, const Adaptation& how = bradford) {
+    const RgbD a = how.cones * xyz_of(from), b = how.cones * xyz_of(to);
+    return inverse(how.cones) * diagonal({b.r / a.r, b.g / a.g, b.b / a.b}) * how.cones;
 }
 
 /// Linear RGB of one set to linear RGB of another; whites map to each other.
-constexpr Matrix3 rgb_to_rgb(const Primaries& from, const Primaries& to) {
-    return inverse(rgb_to_xyz(to)) * bradford_adaptation(from.white, to.white) * rgb_to_xyz(from);
+constexpr Matrix3 rgb_to_rgb(const Primaries& from, const Primaries& to,
+                             const Adaptation& how = bradford) {
+    return inverse(rgb_to_xyz(to)) * adapted(from.white, to.white, how) * rgb_to_xyz(from);
 }
 
 } // namespace lutlib

@@ -18,42 +18,6 @@ double srgb_encode(double linear) {
     return std::copysign(code, linear);
 }
 
-double gamma24_decode(double code) {
-    return std::copysign(std::pow(std::abs(code), 2.4), code);
-}
-
-double gamma24_encode(double linear) {
-    return std::copysign(std::pow(std::abs(linear), 1 / 2.4), linear);
-}
-
-double logc3_decode(double code) {
-    using namespace logc3;
-    if (code <= e * cut + f) {
-        return (code - f) / e;
-    }
-    return std::min((std::pow(10, (code - d) / c) - b) / a, largest_light);
-}
-
-double logc3_encode(double linear) {
-    using namespace logc3;
-    return linear > cut ? c * std::log10(a * std::min(linear, largest_light) + b) + d
-                        : e * linear + f;
-}
-
-double acescct_decode(double code) {
-    using namespace acescct;
-    if (code <= code_cut) {
-        return (code - offset) / slope;
-    }
-    return std::min(std::exp2(code * stops - lowest), largest_light);
-}
-
-double acescct_encode(double linear) {
-    using namespace acescct;
-    return linear <= light_cut ? slope * linear + offset
-                               : (std::log2(std::min(linear, largest_light)) + lowest) / stops;
-}
-
 double pq_from_nits(double nits) {
     const double y = std::clamp(nits / pq::peak, 0.0, 1.0);
     const double p = std::pow(y, pq::m1);

@@ -22,6 +22,14 @@ struct EvaluationOptions {
     Optimization optimization = Optimization::lossless;
 };
 
+/// What an OpenColorIO config is asked for: the way from one colour space to another, or to a
+/// display as a view shows it.
+struct ConfigConversion {
+    std::string config;   ///< a .ocio file, or a name of OpenColorIO's own, such as ocio://default
+    std::string from, to; ///< colour spaces, roles or aliases
+    std::string display, view; ///< instead of `to`; an empty view: the display's default
+};
+
 /// The loaded library. Its transforms compute in float.
 class Ocio {
   public:
@@ -36,6 +44,9 @@ class Ocio {
                             const std::string& file, const EvaluationOptions& options) const = 0;
     /// A look as OpenColorIO's own matrices, curves and cubes. Throws Error.
     virtual Transform from_lut(const Lut& lut, const EvaluationOptions& options) const = 0;
+
+    /// What the user's config does. Throws Error.
+    virtual Transform from_config(const ConfigConversion& conversion) const = 0;
 
     /// Parses a file into a look: exactly where it is an optional shaper and cube with domains,
     /// else sampled, with the measured error as a loss. Throws Error.

@@ -20,8 +20,8 @@ constexpr double diffuse_white_nits = 100;
 class EyeDifference {
   public:
     explicit EyeDifference(const Encoding& output)
-        : output_(output), to_rec709_(rgb_to_rgb(output.primaries, rec709)),
-          to_rec2020_nits_(rgb_to_rgb(output.primaries, rec2020) *
+        : output_(output), to_rec709_(rgb_to_rgb(output.primaries(), rec709)),
+          to_rec2020_nits_(rgb_to_rgb(output.primaries(), rec2020) *
                            diagonal({diffuse_white_nits, diffuse_white_nits, diffuse_white_nits})) {
     }
 
@@ -69,7 +69,7 @@ class EyeDifference {
                              itp);
     }
 
-    const Encoding& output_;
+    Encoding output_;
     Matrix3 to_rec709_, to_rec2020_nits_;
 };
 

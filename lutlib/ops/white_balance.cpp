@@ -63,10 +63,8 @@ Transform compile(const Values& values, const OpContext& context) {
         return {};
     }
     Primaries d65 = context.primaries;
-    const Matrix3 to_xyz =
-        bradford_adaptation(d65.white, white_d65) * rgb_to_xyz(context.primaries);
-    const Matrix3 m =
-        inverse(to_xyz) * bradford_adaptation(light(kelvin, tint), white_d65) * to_xyz;
+    const Matrix3 to_xyz = adapted(d65.white, white_d65) * rgb_to_xyz(context.primaries);
+    const Matrix3 m = inverse(to_xyz) * adapted(light(kelvin, tint), white_d65) * to_xyz;
     return Transform::each([m](RgbD c) { return m * c; });
 }
 

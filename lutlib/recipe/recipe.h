@@ -5,13 +5,15 @@
 //   {
 //     "schema_version": 1,
 //     "title": "Warm teal",
-//     "input": "srgb",             what the operators' code values are, a row of encodings()
+//     "input": "srgb",             what the operators' code values are: a curve or curve/gamut,
+//                                  see encoding_named()
 //     "output": "srgb",            what the result is encoded in; default: as the input
+//     "adaptation": "bradford",    between the whites of different gamuts; or cat02
 //     "base": "look.cube",         applied first; "input" is then the encoding of its output
 //     "bake": {
 //       "size": 33,                nodes a side; default: the base's, else 33
 //       "domain": [0, 1],          numbers, or [r, g, b] each; default: the base's, else 0..1
-//       "shaper": "none",          none, base, tone, or a row of encodings(); see bake_recipe.h
+//       "shaper": "none",          none, base, tone, or an encoding; see bake_recipe.h
 //       "shaper_size": 4096
 //     },
 //     "operators": [
@@ -50,14 +52,15 @@ struct BakeSettings {
 
 struct Recipe {
     std::string title;
-    const Encoding* input = &srgb();
-    const Encoding* output = nullptr; ///< null: as the input
-    std::string base;                 ///< the base's file, as written in the recipe
+    Encoding input = srgb();
+    std::optional<Encoding> output; ///< none: as the input
+    const Adaptation* adaptation = &bradford;
+    std::string base; ///< the base's file, as written in the recipe
     std::shared_ptr<const Lut> base_lut;
     BakeSettings bake;
     std::vector<Operation> operations;
 
-    const Encoding& output_encoding() const { return output ? *output : *input; }
+    Encoding output_encoding() const { return output.value_or(input); }
 };
 
 /// Throws Error with the file, the line for broken JSON, else the JSON path, for anything unknown,

@@ -93,11 +93,19 @@ struct Node {
     }
 };
 
-const Encoding* read_encoding(const Node& node) {
+Encoding read_encoding(const Node& node) {
+    try {
+        return require_encoding(node.text());
+    } catch (const Error& error) {
+        node.refuse("is wrong: " + error.message());
+    }
+}
+
+const Adaptation* read_adaptation(const Node& node) {
     const std::string name = node.text();
-    const Encoding* const found = encoding_named(name);
+    const Adaptation* const found = adaptation_named(name);
     if (!found) {
-        node.refuse_name(name, name_list(encodings()));
+        node.refuse_name(name, name_list(adaptations()));
     }
     return found;
 }
@@ -227,8 +235,8 @@ Recipe parse_recipe(std::string_view text, const std::string& file) {
         version.refuse("is " + version.value.dump() + "; this program reads version " +
                        std::to_string(schema_version));
     }
-    constexpr std::array<std::string_view, 7> keys{"schema_version", "title", "input",    "output",
-                                                   "base",           "bake",  "operators"};
+    constexpr std::array<std::string_view, 8> keys{"schema_version", "title", "input", "output",
+                                                   "adaptation",     "base",  "bake",  "operators"};
     root.only(keys);
     Recipe out;
     if (root.has("title")) {
@@ -239,6 +247,9 @@ Recipe parse_recipe(std::string_view text, const std::string& file) {
     }
     if (root.has("output")) {
         out.output = read_encoding(root.member("output"));
+    }
+    if (root.has("adaptation")) {
+        out.adaptation = read_adaptation(root.member("adaptation"));
     }
     if (root.has("base")) {
         out.base = root.member("base").text();

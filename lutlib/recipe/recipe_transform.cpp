@@ -6,17 +6,8 @@
 #include "lutlib/recipe/recipe.h"
 #include "lutlib/transform.h"
 
-#include <algorithm>
-#include <limits>
-
 namespace lutlib {
 namespace {
-
-// NaN fails the first comparison and becomes 0.
-double held(double x) {
-    constexpr double limit = std::numeric_limits<float>::max();
-    return x >= -limit ? std::min(x, limit) : x < 0 ? -limit : 0;
-}
 
 void hold(std::span<RgbD> colours) {
     for (RgbD& c : colours) {
@@ -49,38 +40,40 @@ void append_conversion(std::vector<Transform>& stages, const Encoding& input, Sp
     if (from == to) {
         return;
     }
-    const Matrix3 cones = oklab_cones(input.primaries);
+    const Matrix3 cones = oklab_cones(input.primaries());
     if (from == Space::codes) {
-        stages.push_back(Transform::batch(input.decode_all));
+        stages.push_back(Transform::batch(input.curve->decode_all));
     } else if (from == Space::oklab) {
         stages.push_back(linear_from_oklab(cones));
     }
     if (to == Space::oklab) {
         stages.push_back(oklab_from_linear(cones));
     } else if (to == Space::codes) {
-        stages.push_back(Transform::batch(input.encode_all));
+        stages.push_back(Transform::batch(input.curve->encode_all));
     }
 }
 
 // The operators and the output's encoding.
 std::vector<Transform> stages_of(const Recipe& recipe) {
-    const OpContext context{recipe.input->primaries};
+    const OpContext context{recipe.input.primaries()};
     std::vector<Transform> stages;
     Space now = Space::codes;
     for (const Operation& operation : recipe.operations) {
         if (operation.enabled && !is_identity(operation)) {
-            append_conversion(stages, *recipe.input, now, operation.op->space);
+            append_conversion(stages, recipe.input, now, operation.op->space);
             now = operation.op->space;
             stages.push_back(operation.op->compile(operation.values, context));
         }
     }
-    const Encoding& output = recipe.output_encoding();
-    if (&output == recipe.input) {
-        append_conversion(stages, *recipe.input, now, Space::codes);
+    const Encoding output = recipe.output_encoding();
+    if (output == recipe.input) {
+        append_conversion(stages, recipe.input, now, Space::codes);
     } else {
-        append_conversion(stages, *recipe.input, now, Space::linear);
-        stages.push_back(through(rgb_to_rgb(recipe.input->primaries, output.primaries)));
-        stages.push_back(Transform::batch(output.encode_all));
+        append_conversion(stages, recipe.input, now, Space::linear);
+        if (output.gamut != recipe.input.gamut) {
+            stages.push_back(through(light_to_light(recipe.input, output, *recipe.adaptation)));
+        }
+        stages.push_back(Transform::batch(output.curve->encode_all));
     }
     return stages;
 }

@@ -104,9 +104,12 @@ std::string to_json(const Recipe& recipe) {
     if (!recipe.title.empty()) {
         fields.emplace_back("title", json_text(recipe.title));
     }
-    fields.emplace_back("input", json_text(recipe.input->name));
-    if (recipe.output && recipe.output != recipe.input) {
-        fields.emplace_back("output", json_text(recipe.output->name));
+    fields.emplace_back("input", json_text(recipe.input.name()));
+    if (recipe.output_encoding() != recipe.input) {
+        fields.emplace_back("output", json_text(recipe.output->name()));
+    }
+    if (recipe.adaptation != Recipe{}.adaptation) {
+        fields.emplace_back("adaptation", json_text(recipe.adaptation->name));
     }
     if (!recipe.base.empty()) {
         fields.emplace_back("base", json_text(recipe.base));

@@ -61,7 +61,7 @@ const ResamplingMethod& usual_resampling() {
 }
 
 std::vector<std::string_view> shaper_names() {
-    std::vector<std::string_view> names = name_list(encodings());
+    std::vector<std::string_view> names = name_list(transfer_curves());
     names.insert(names.begin(), {"none", "base"});
     return names;
 }
@@ -89,7 +89,7 @@ Lut sample_like(const Lut& like, const Sampling& sampling, const Transform& whol
         out.cube =
             sample_cube(after_table, like.cube ? like.cube->domain : range_of(*like.shaper), size);
     } else {
-        out.shaper = encoding_shaper(shaper, *sampling.input, domain, sampling.shaper_size);
+        out.shaper = encoding_shaper(shaper, sampling.input, domain, sampling.shaper_size);
         out.cube = sample_cube_behind(whole, *out.shaper, size);
     }
     return out;

@@ -33,9 +33,9 @@ inline constexpr int usual_cube_size = 33;
 struct Sampling {
     std::optional<int> size;      ///< default: the cube's, 33 for a look without one
     std::optional<Domain> domain; ///< default: the look's
-    std::string shaper;           ///< none, base, or a row of encodings(); see below
+    std::string shaper;           ///< none, base, or an encoding; see below
     int shaper_size = 4096;
-    const Encoding* input = &srgb(); ///< what the look's input codes are, for an encoding's shaper
+    Encoding input = srgb(); ///< what the look's input codes are, for an encoding's shaper
 };
 
 /// What Sampling::shaper may be.

@@ -88,9 +88,9 @@ Lut3D sample_cube_behind(const Transform& transform, const Lut1D& shaper, int si
 
 Lut1D encoding_shaper(std::string_view shaper, const Encoding& input, const Domain& domain,
                       int size) {
-    const Encoding* const encoding = encoding_named(shaper);
+    const std::optional<Encoding> encoding = encoding_named(shaper);
     if (!encoding) {
-        throw Error(no_such_name("shaper", shaper, name_list(encodings())));
+        throw Error(no_such_name("shaper", shaper, name_list(transfer_curves())));
     }
     check_shaper_size(size);
     check_domain(domain);

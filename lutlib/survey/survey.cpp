@@ -93,8 +93,8 @@ double peak(const SurveyReference& reference, const Candidate& candidate,
             const std::vector<Rgb>& colours) {
     const Combination& what = candidate.what;
     const StoredLut stored(candidate.lattice->lut, *candidate.nodes, *what.storage);
-    const Encoding& output = reference.recipe.output_encoding();
-    const Matrix3 to_rec709 = rgb_to_rgb(output.primaries, rec709);
+    const Encoding output = reference.recipe.output_encoding();
+    const Matrix3 to_rec709 = rgb_to_rgb(output.primaries(), rec709);
     const auto lab = [&](RgbD c) {
         return lab_from_linear(to_rec709 *
                                RgbD{output.decode(c.r), output.decode(c.g), output.decode(c.b)});

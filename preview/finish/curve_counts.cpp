@@ -17,7 +17,7 @@ const CountedAxis* axis_for(const lutlib::Parameter& parameter) {
 
 AxisTables axis_tables(const lutlib::Encoding& encoding) {
     AxisTables tables;
-    const lutlib::Matrix3 cones = lutlib::oklab_cones(encoding.primaries);
+    const lutlib::Matrix3 cones = lutlib::oklab_cones(encoding.primaries());
     for (std::size_t row = 0; row < 3; ++row)
         for (std::size_t column = 0; column < 3; ++column)
             tables.cones[row][column] = static_cast<float>(cones.m[row][column]);

@@ -125,12 +125,12 @@ void add_menu(Ui& ui, lutlib::Recipe& recipe) {
     ImGui::EndPopup();
 }
 
-void encoding_choice(const char* label, const lutlib::Encoding*& chosen) {
-    if (!ImGui::BeginCombo(label, text_of(chosen->label).c_str()))
+void encoding_choice(const char* label, lutlib::Encoding& chosen) {
+    if (!ImGui::BeginCombo(label, chosen.label().c_str()))
         return;
     for (const lutlib::Encoding& row : lutlib::encodings())
-        if (ImGui::Selectable(text_of(row.label).c_str(), &row == chosen))
-            chosen = &row;
+        if (ImGui::Selectable(row.label().c_str(), row == chosen))
+            chosen = row;
     ImGui::EndCombo();
 }
 

@@ -29,7 +29,7 @@ class Counts {
 
 std::vector<std::uint32_t> axis_counts(std::span<const lutlib::RgbD> colors,
                                        const lutlib::Encoding& encoding) {
-    const lutlib::Matrix3 cones = lutlib::oklab_cones(encoding.primaries);
+    const lutlib::Matrix3 cones = lutlib::oklab_cones(encoding.primaries());
     Counts counts;
     for (const lutlib::RgbD& color : colors) {
         const lutlib::RgbD codes{lutlib::saturate(color.r), lutlib::saturate(color.g),

@@ -78,7 +78,7 @@ FrameSettings window_settings(const ui::Ui& ui, const Options& options, const gp
     if (ui.pointer)
         settings.probe = {std::clamp(ui.pointer->x, 0, static_cast<int>(output.width) - 1),
                           std::clamp(ui.pointer->y, 0, static_cast<int>(output.height) - 1)};
-    settings.axes = ui.shows_curves ? state.recipe.input : nullptr;
+    settings.axes = ui.shows_curves ? &state.recipe.input : nullptr;
     settings.shadow_size = options.shadow_size;
     settings.force_all = options.force_all;
     settings.raster = raster_of(options, device, picture_size(output, *settings.compare));

@@ -88,7 +88,8 @@ TEST(Edit, refuses_bad_values_and_bad_recipes_with_the_reason) {
     refused({"identity", "--saturation", "9"}, 3, "--saturation is 9; the range is 0 to 4");
     refused({"identity", "--offset", "1,2"}, 3, "--offset takes one number or three");
     refused({"identity", "--hue-vs-sat", "0=1"}, 3, "--hue-vs-sat takes knots");
-    refused({"identity", "--input-encoding", "vlog"}, 3, "there are srgb");
+    refused({"identity", "--input-encoding", "vlgo"}, 3,
+            "there is no curve 'vlgo'; did you mean vlog");
     refused({}, 3, "nothing to edit");
     const std::string bad = folder.write(
         "bad.json", R"({"schema_version": 1, "operators": [{"op": "saturation", "amount": 9}]})");

@@ -1,5 +1,6 @@
 // The shared library's one door.
 
+#include "lutlib/io/ocio/config.h"
 #include "lutlib/io/ocio/read.h"
 #include "lutlib/io/ocio/write.h"
 
@@ -54,6 +55,13 @@ class Library final : public Ocio {
             return transform_of(
                 cpu_processor(processor_of_transform(group_of_lut(lut, options.interpolation)),
                               options.optimization));
+        });
+    }
+
+    Transform from_config(const ConfigConversion& conversion) const override {
+        return guarded(conversion.config, [&] {
+            return transform_of(
+                cpu_processor(processor_of_config(conversion), Optimization::lossless));
         });
     }
 

@@ -20,7 +20,7 @@ struct Set {
 Transform edit_with(const char* name, const std::vector<Set>& settings,
                     const char* input = "srgb") {
     Recipe recipe;
-    recipe.input = encoding_named(input);
+    recipe.input = require_encoding(input);
     Operation operation = default_operation(*op_named(name));
     for (const Set& setting : settings) {
         for (std::size_t i = 0; i < operation.values.size(); ++i) {

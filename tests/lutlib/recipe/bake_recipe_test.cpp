@@ -17,7 +17,7 @@ Operation operation(const char* name, const Values& values) {
 
 Recipe warm(const char* input = "srgb") {
     Recipe recipe;
-    recipe.input = encoding_named(input);
+    recipe.input = require_encoding(input);
     recipe.operations = {
         operation("exposure", {0.3}),
         operation("saturation", {1.3}),
@@ -54,7 +54,7 @@ TEST(BakeRecipe, holds_the_exact_recipe_at_every_node) {
 TEST(BakeRecipe, of_no_operators_is_the_identity_bit_for_bit) {
     for (const Encoding& encoding : encodings()) {
         Recipe recipe;
-        recipe.input = &encoding;
+        recipe.input = encoding;
         recipe.operations = {default_operation(*op_named("exposure")),
                              operation("hue-vs-hue", {Knots{{0, 0}, {200, 0}}})};
         EXPECT_EQ(bake_recipe(recipe).cube->nodes, identity_cube(33).nodes);
@@ -131,7 +131,7 @@ TEST(BakeRecipe, with_a_shaper_holds_the_exact_recipe_at_every_node) {
                             Case{"linear", "srgb", {{0, 0, 0}, {4, 4, 4}}},
                             Case{"srgb", "tone", {}}, Case{"logc3", "tone", {}}}) {
         Recipe recipe = warm(row.input);
-        recipe.output = &srgb();
+        recipe.output = srgb();
         recipe.bake = {17, row.domain, row.shaper, 1024};
         const Lut lut = bake_recipe(recipe);
         ASSERT_TRUE(lut.shaper);
@@ -149,7 +149,7 @@ TEST(BakeRecipe, with_a_shaper_holds_the_exact_recipe_at_every_node) {
 
 TEST(BakeRecipe, is_nearer_to_a_log_look_with_a_shaper_than_without) {
     Recipe recipe = warm("linear");
-    recipe.output = &srgb();
+    recipe.output = srgb();
     const auto worst = [&](const char* shaper) {
         recipe.bake = {33, Domain{{0, 0, 0}, {16, 16, 16}}, shaper, 4096};
         const Lut lut = bake_recipe(recipe);

@@ -12,8 +12,8 @@ Recipe full_recipe() {
     std::mt19937 random(1);
     Recipe recipe;
     recipe.title = "Everything, \"quoted\" and \xc3\xa9";
-    recipe.input = encoding_named("logc3");
-    recipe.output = encoding_named("srgb");
+    recipe.input = require_encoding("logc3/ap1");
+    recipe.output = require_encoding("srgb");
     recipe.base = "some look.cube";
     recipe.bake = {48, Domain{{-.1F, 0, 0}, {4, 3.5F, 1}}, "tone", 777};
     for (const Op* op : ops()) {
@@ -69,8 +69,8 @@ const BadRecipe bad_recipes[] = {
     {"no_version", "{}", "lacks \"schema_version\": 1"},
     {"later_version", R"({"schema_version": 2})", "schema_version is 2; this program reads"},
     {"unknown_key", R"({"schema_version": 1, "opperators": []})", "unknown key 'opperators'"},
-    {"unknown_encoding", R"({"schema_version": 1, "input": "slog3"})",
-     "input is 'slog3'; did you mean logc3? There"},
+    {"unknown_encoding", R"({"schema_version": 1, "input": "slog9"})",
+     "input is wrong: there is no curve 'slog9'"},
     {"unknown_operator", R"({"schema_version": 1, "operators": [{"op": "offset"}, {"op": "x"}]})",
      "operators[1].op is 'x'; there are exposure"},
     {"operator_without_name", R"({"schema_version": 1, "operators": [{"amount": 1}]})",

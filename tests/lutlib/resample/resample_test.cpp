@@ -122,7 +122,7 @@ TEST(Resample, puts_an_encodings_curve_before_the_cube) {
     const Lut look = cube_look(sampled_smooth(33, {{0, 0, 0}, {8, 8, 8}}));
     Sampling sampling;
     sampling.shaper = "logc3";
-    sampling.input = encoding_named("linear");
+    sampling.input = require_encoding("linear");
     sampling.size = 65;
     const Lut out = resample(look, sampling, tetrahedral());
     ASSERT_TRUE(out.shaper);

@@ -166,6 +166,12 @@ TEST_P(EveryEncodingCounted, neutrals_have_no_hue_and_no_saturation) {
     EXPECT_EQ(std::accumulate(got.begin() + hue, got.begin() + hue + axis_bins, 0U), 0U);
 }
 
+std::string test_name(const lutlib::Encoding& encoding) {
+    std::string out = encoding.name();
+    std::replace(out.begin(), out.end(), '-', '_');
+    return out;
+}
+
 std::vector<const lutlib::Encoding*> encoding_rows() {
     std::vector<const lutlib::Encoding*> rows;
     for (const lutlib::Encoding& row : lutlib::encodings())
@@ -174,7 +180,7 @@ std::vector<const lutlib::Encoding*> encoding_rows() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryEncodingCounted, testing::ValuesIn(encoding_rows()),
-                         [](const auto& row) { return std::string(row.param->name); });
+                         [](const auto& row) { return test_name(*row.param); });
 
 TEST(AxisForTest, every_curve_of_every_operator_has_an_axis_that_is_counted) {
     for (const lutlib::Op* op : lutlib::ops())

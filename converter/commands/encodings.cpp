@@ -1,0 +1,77 @@
+// lutconv encodings: the rows that every encoding's option takes, with their sources.
+#include "converter/command.h"
+#include "converter/report.h"
+#include "lutlib/color/encoding.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <string>
+
+namespace converter {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string line(std::string_view name, std::string_view label, std::string_view source) {
+    return fmt::format("  {:22}{:46}{}\n", name, label, source);
+}
+
+std::string as_text() {
+    std::string out = "curves; a curve alone stands for the gamut behind it\n";
+    for (const lutlib::TransferCurve* row : lutlib::transfer_curves()) {
+        out += line(row->name, fmt::format("{}, {}", row->label, row->gamut->name), row->source);
+    }
+    out += "gamuts, as curve/gamut\n";
+    for (const lutlib::Gamut* row : lutlib::gamuts()) {
+        out += line(row->name, row->label, row->source);
+    }
+    out += "adaptations between whites\n";
+    for (const lutlib::Adaptation* row : lutlib::adaptations()) {
+        out += line(row->name, row->label, row->source);
+    }
+    return out;
+}
+
+ordered_json as_json() {
+    ordered_json curves = ordered_json::array(), gamuts = curves, adaptations = curves;
+    for (const lutlib::TransferCurve* row : lutlib::transfer_curves()) {
+        curves.push_back({{"name", row->name},
+                          {"label", row->label},
+                          {"gamut", row->gamut->name},
+                          {"source", row->source}});
+    }
+    const auto xy = [](lutlib::Chromaticity c) { return ordered_json{c.x, c.y}; };
+    for (const lutlib::Gamut* row : lutlib::gamuts()) {
+        const lutlib::Primaries& p = row->primaries;
+        gamuts.push_back({{"name", row->name},
+                          {"label", row->label},
+                          {"red", xy(p.red)},
+                          {"green", xy(p.green)},
+                          {"blue", xy(p.blue)},
+                          {"white", xy(p.white)},
+                          {"source", row->source}});
+    }
+    for (const lutlib::Adaptation* row : lutlib::adaptations()) {
+        adaptations.push_back({{"name", row->name}, {"label", row->label}});
+    }
+    return {{"curves", curves}, {"gamuts", gamuts}, {"adaptations", adaptations}};
+}
+
+} // namespace
+
+Run declare_encodings(CLI::App& app) {
+    const auto json = std::make_shared<bool>(false);
+    app.add_flag("--json", *json, "print the rows as JSON, with chromaticities");
+    return [json] {
+        if (*json) {
+            print(as_json(), "");
+        } else {
+            print(as_text(), "");
+        }
+        return static_cast<int>(ok);
+    };
+}
+
+} // namespace converter

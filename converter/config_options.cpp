@@ -1,0 +1,40 @@
+#include "converter/config_options.h"
+
+#include "converter/report.h"
+#include "lutlib/error.h"
+#include "lutlib/io/ocio.h"
+
+#include <fmt/core.h>
+
+namespace converter {
+
+void ConfigOptions::declare(CLI::App& app) {
+    constexpr const char* group = "OpenColorIO config";
+    app.add_option("--ocio-config", config_,
+                   "let this .ocio file (or ocio:// name) convert first, evaluated by OpenColorIO")
+        ->group(group);
+    app.add_option("--from", from_, "the config's colour space of the input")->group(group);
+    app.add_option("--to", to_, "the config's colour space of the result")->group(group);
+    app.add_option("--display", display_, "instead of --to, one of the config's displays")
+        ->group(group);
+    app.add_option("--view", view_, "how --display shows it (default: the display's own)")
+        ->group(group);
+}
+
+lutlib::Transform ConfigOptions::transform() const {
+    if (!given() || from_.empty() || to_.empty() == display_.empty() ||
+        (display_.empty() && !view_.empty())) {
+        throw lutlib::UsageError("an OpenColorIO config needs --ocio-config FILE --from SPACE and "
+                                 "either --to SPACE or --display DISPLAY [--view VIEW]");
+    }
+    return lutlib::io::ocio().from_config({config_, from_, to_, display_, view_});
+}
+
+std::string ConfigOptions::text() const {
+    return fmt::format("{}, from {} to {}", one_line(config_), one_line(from_),
+                       one_line(display_.empty() ? to_
+                                : view_.empty()  ? display_
+                                                 : display_ + ", " + view_));
+}
+
+} // namespace converter

@@ -106,6 +106,10 @@ LoadedLook look_for(std::shared_ptr<const Lut> table, const GpuLookup& lookup) {
     return look_for(std::move(table), exact, lookup);
 }
 
+LoadedLook look_for(Lut table, const Lookup& lookup) {
+    return look_for(std::make_shared<const Lut>(std::move(table)), lookup);
+}
+
 const GpuLookup& table_lookup(const Lut& look) {
     return *gpu_lookup_named(lutlib::name_of(lutlib::usual_interpolation(look)));
 }

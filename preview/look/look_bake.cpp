@@ -106,7 +106,7 @@ LoadedLook look_for(std::shared_ptr<const Lut> table, const GpuLookup& lookup) {
     return look_for(std::move(table), exact, lookup);
 }
 
-LoadedLook look_for(Lut table, const Lookup& lookup) {
+LoadedLook look_for(Lut table, const GpuLookup& lookup) {
     return look_for(std::make_shared<const Lut>(std::move(table)), lookup);
 }
 

@@ -28,6 +28,7 @@ LoadedLook look_for(std::shared_ptr<const lutlib::Lut> table, const lutlib::Tran
                     const GpuLookup& lookup);
 /// The same of a look that is a table.
 LoadedLook look_for(std::shared_ptr<const lutlib::Lut> table, const GpuLookup& lookup);
+LoadedLook look_for(lutlib::Lut table, const GpuLookup& lookup);
 
 /// The lookup of float tables that interpolates as the look asks for.
 const GpuLookup& table_lookup(const lutlib::Lut& look);

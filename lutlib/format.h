@@ -43,6 +43,10 @@ struct ReadOptions {
     /// Nodes per side of the cube onto which a transform is sampled that is no shaper and cube.
     /// 0: 65, or for a transform with a cube in it, the next multiple of its cells from there.
     int size = 0;
+    /// The layout in which to read a picture, whatever its content shows; null: the content's.
+    const Layout* layout = nullptr;
+    /// The engine that a picture was made for: decides where the content does not tell.
+    const Engine* engine = nullptr;
     /// Which of a picture's stacked lattices, from the top.
     int row = 0;
 };
@@ -60,6 +64,8 @@ struct Reading {
     std::vector<Loss> table_losses{}; ///< what of the rest no table holds; none: the table is exact
     const Layout* layout = nullptr;   ///< of a picture
     const Engine* engine = nullptr;   ///< that a picture's text names
+    /// Guesses and contradictions, a sentence each.
+    std::vector<std::string> remarks{};
 
     std::vector<Loss> all_losses() const {
         std::vector<Loss> out = losses;
@@ -84,7 +90,7 @@ class Extensions {
     std::string first() const { return std::string(all_.front()); }
 
   private:
-    std::array<std::string_view, 4> all_{};
+    std::array<std::string_view, 9> all_{};
     std::size_t count_ = 0;
 };
 

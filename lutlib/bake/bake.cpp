@@ -9,7 +9,12 @@
 namespace lutlib {
 namespace {
 
+// "8 or 16", "16 to 65".
 std::string listed(std::span<const int> values) {
+    const auto count = static_cast<std::ptrdiff_t>(values.size());
+    if (count > 3 && values.back() - values.front() == count - 1) {
+        return std::to_string(values.front()) + " to " + std::to_string(values.back());
+    }
     std::string out;
     for (const int value : values) {
         out += (out.empty() ? "" : " or ") + std::to_string(value);
@@ -34,10 +39,10 @@ void check_contract(const Engine& engine, int size, int bits) {
         throw UsageError(name + " takes " + listed(engine.bits) + " bits a sample, not " +
                          std::to_string(bits));
     }
-    if (!layout_named(engine.layout)->picture(size)) {
-        throw UsageError(name +
-                         " lays a lattice out in sqrt(N) x sqrt(N) slices: the size must be "
-                         "a square number (16, 25, 36, 49, 64, ...), not " +
+    const Layout& layout = *layout_named(engine.layout);
+    if (!layout.picture(size)) {
+        throw UsageError(name + " lays a lattice out as " + std::string(layout.name) +
+                         ", which has pictures for " + std::string(layout.sizes) + ", not for " +
                          std::to_string(size));
     }
 }
@@ -58,7 +63,7 @@ Bake lay_out(const std::vector<RgbD>& nodes, const Engine& engine, int size, int
     for (int b = 0; b < size; ++b) {
         for (int g = 0; g < size; ++g) {
             for (int r = 0; r < size; ++r, ++node) {
-                const Pixel p = layout.pixel(size, r, g, b);
+                const Pixel p = layout.pixel(size, extent.width, r, g, b);
                 for (std::size_t c = 0; c < 3; ++c) {
                     const double value = (*node)[c];
                     const double held = saturate(value);

@@ -54,7 +54,12 @@ bool smaller(Combination a, Combination b) {
 std::vector<Combination> combinations(const Engine& engine, const Budget& budget,
                                       std::span<const int> sizes) {
     std::vector<Combination> out;
+    const auto usual = engine.usual_sizes;
     for (const int size : sizes) {
+        if (!budget.size && !usual.empty() &&
+            std::find(usual.begin(), usual.end(), size) == usual.end()) {
+            continue;
+        }
         for (const int bits : engine.bits) {
             if (budget.bits.value_or(bits) == bits && accepts(engine, size, bits)) {
                 out.push_back({size, bits});

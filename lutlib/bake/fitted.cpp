@@ -99,7 +99,7 @@ Measured measured(const CodeImage& picture, const CodeImage& refit, const Engine
     out.same = picture.depth.bits == 8 ? same_code_in_8_bits : same_code_in_16_bits;
     bool any_moved = false;
     for_each_node(size, [&](int r, int g, int b) {
-        const Pixel p = layout.pixel(size, r, g, b);
+        const Pixel p = layout.pixel(size, picture.width, r, g, b);
         int furthest = 0;
         for (std::size_t c = 0; c < 3; ++c) {
             furthest = std::max(furthest, std::abs(picture.at(p, c) - int{refit.at(p, c)}));

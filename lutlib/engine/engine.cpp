@@ -36,11 +36,11 @@ Rgb bilinear(const Picture& picture, float u, float v) {
 // texels.
 struct Lattice {
     const Picture& picture;
-    Pixel (*pixel)(int n, int r, int g, int b);
+    const Layout& layout;
     int n;
 
     const Rgb& at(int r, int g, int b) const {
-        const Pixel p = pixel(n, r, g, b);
+        const Pixel p = layout.pixel(n, picture.width, r, g, b);
         return picture.at(p.x, p.y);
     }
 };
@@ -83,7 +83,7 @@ Rgb tetrahedral(const Lattice& l, Rgb x) {
 }
 
 Lattice lattice_of(const Picture& picture, std::string_view layout, int n) {
-    return {picture, layout_named(layout)->pixel, n};
+    return {picture, *layout_named(layout), n};
 }
 
 double at_lattice(int i, int n) {
@@ -144,6 +144,12 @@ Rgb obs(const Picture& picture, int n, Rgb in) {
     return trilinear(lattice_of(picture, "tiles", n), saturate(in) * static_cast<float>(n - 1));
 }
 
+Rgb threejs(const Picture& picture, int n, Rgb in) {
+    const float size = static_cast<float>(n);
+    const Rgb uvw = Rgb{0.5F, 0.5F, 0.5F} * (1 / size) + saturate(in) * (1 - 1 / size);
+    return trilinear(lattice_of(picture, "strip", n), uvw * size - Rgb{0.5F, 0.5F, 0.5F});
+}
+
 Rgb godot(const Picture& picture, int n, Rgb in) {
     const Rgb x = saturate(in) * static_cast<float>(n) - Rgb{0.5F, 0.5F, 0.5F};
     return trilinear(lattice_of(picture, "tiles", n), x);
@@ -157,9 +163,18 @@ Rgb ocio(const Picture& picture, int n, Rgb in) {
     return tetrahedral(lattice_of(picture, "ocio", n), saturate(in) * static_cast<float>(n - 1));
 }
 
-constexpr std::array<int, 1> only_16{16}, only_64{64};
+constexpr std::array<int, 1> only_16{16}, only_32{32}, only_64{64};
 constexpr std::array<int, 1> only_8_bits{8};
 constexpr std::array<int, 2> any_bits{8, 16};
+
+// What the slider of the URP asset reaches.
+constexpr auto urp_sizes = [] {
+    std::array<int, 50> out{};
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        out[i] = 16 + static_cast<int>(i);
+    }
+    return out;
+}();
 
 constexpr std::string_view display_encoded = "display-encoded (sRGB curve), after tone mapping";
 
@@ -170,13 +185,15 @@ constexpr auto table = std::to_array<Engine>({
         .layout = "strip",
         .default_size = 16,
         .sizes = {},
+        .usual_sizes = {},
         .default_bits = 8,
         .bits = only_8_bits,
         .srgb_tag = SrgbTag::absent,
+        .colour_chunks = ColourChunks::ignored,
         .input = "display-encoded (gamma 2.2), after the Uncharted 2 tone map",
-        .import = "loaded as UNORM; no colour chunk, or the codes are decoded twice",
+        .import = "loaded as UNORM; no sRGB chunk, or the codes are decoded twice",
         .lookup_help = "eight texel fetches, trilinear",
-        .source = "Piccolo, color_grading.frag and its six LUT pictures",
+        .source = "Piccolo, color_grading.frag and its six LUT pictures; stb_image",
         .node_input = at_lattice,
         .place = place_at_lattice,
         .interpolation = Interpolation::trilinear,
@@ -188,9 +205,11 @@ constexpr auto table = std::to_array<Engine>({
         .layout = "strip",
         .default_size = 16,
         .sizes = only_16,
+        .usual_sizes = {},
         .default_bits = 8,
         .bits = only_8_bits,
         .srgb_tag = SrgbTag::absent,
+        .colour_chunks = ColourChunks::unknown,
         .input = display_encoded,
         .import = "group ColorLookupTable, sRGB off, no mipmaps",
         .lookup_help = "two bilinear fetches blended on blue, x*15/16 + 0.5/16",
@@ -206,14 +225,20 @@ constexpr auto table = std::to_array<Engine>({
         .label = "Unity",
         .layout = "strip-up",
         .default_size = 32,
-        .sizes = {},
+        .sizes = urp_sizes,
+        .usual_sizes = only_32,
         .default_bits = 8,
         .bits = only_8_bits,
         .srgb_tag = SrgbTag::absent,
+        .colour_chunks = ColourChunks::converted,
         .input = display_encoded,
-        .import = "sRGB off, no compression, clamp, no mipmaps",
+        .import = "sRGB off, Ignore PNG Gamma on, no compression, clamp, no mipmaps; URP ignores a "
+                  "strip whose height is not the LUT Size of the URP asset (32 unless it was "
+                  "changed), HDRP takes a 3D texture of the LUT Size of its asset instead (lutconv "
+                  "convert -o look.cube)",
         .lookup_help = "two bilinear fetches blended on blue",
-        .source = "Unity, Color.hlsl ApplyLut2D",
+        .source = "Unity, Color.hlsl ApplyLut2D; URP, ColorLookup.ValidateLUT; "
+                  "TextureImporter.ignorePngGamma",
         .node_input = at_lattice,
         .place = place_at_lattice,
         .interpolation = Interpolation::trilinear,
@@ -226,14 +251,18 @@ constexpr auto table = std::to_array<Engine>({
         .layout = "tiles",
         .default_size = 64,
         .sizes = {},
+        .usual_sizes = {},
         .default_bits = 8,
         .bits = only_8_bits,
         .srgb_tag = SrgbTag::absent,
+        .colour_chunks = ColourChunks::converted,
         .input = display_encoded,
-        .import = "as Texture3D with sqrt(N) slices each way; lossless, no mipmaps (the default is "
-                  "lossy)",
+        .import = "as Texture3D, Slices Horizontal and Vertical the tiles of the picture each way "
+                  "(8 and 8 of 64 nodes); Compress Mode Lossless, Mipmaps off (the defaults are "
+                  "lossy, with mipmaps)",
         .lookup_help = "one trilinear fetch at the raw colour, without half-texel remap",
-        .source = "Godot, tonemap.glsl apply_color_correction",
+        .source = "Godot, tonemap.glsl apply_color_correction; ResourceImporterLayeredTexture; its "
+                  "PNG driver is libpng's simplified API, which converts by gAMA",
         .node_input = at_texel_centre,
         .place = place_at_texel_centre,
         .interpolation = Interpolation::trilinear,
@@ -245,13 +274,15 @@ constexpr auto table = std::to_array<Engine>({
         .layout = "strip",
         .default_size = 32,
         .sizes = {},
+        .usual_sizes = {},
         .default_bits = 8,
         .bits = only_8_bits,
         .srgb_tag = SrgbTag::absent,
+        .colour_chunks = ColourChunks::ignored,
         .input = display_encoded,
         .import = "any PNG; the shader's tile size and amount must match",
         .lookup_help = "two bilinear fetches blended on blue",
-        .source = "ReShade, LUT.fx",
+        .source = "ReShade, LUT.fx; stb_image",
         .node_input = at_lattice,
         .place = place_at_lattice,
         .interpolation = Interpolation::trilinear,
@@ -264,17 +295,40 @@ constexpr auto table = std::to_array<Engine>({
         .layout = "tiles",
         .default_size = 64,
         .sizes = only_64,
+        .usual_sizes = {},
         .default_bits = 8,
         .bits = only_8_bits,
         .srgb_tag = SrgbTag::absent,
+        .colour_chunks = ColourChunks::ignored,
         .input = display_encoded,
         .import = "512x512 PNG of the Apply LUT filter",
         .lookup_help = "one trilinear fetch of a 3D texture",
-        .source = "OBS Studio, color-grade-filter.c",
+        .source = "OBS Studio, color-grade-filter.c; FFmpeg's PNG decoder",
         .node_input = at_lattice,
         .place = place_at_lattice,
         .interpolation = Interpolation::trilinear,
         .lookup = obs,
+    },
+    {
+        .name = "threejs",
+        .label = "three.js LUTImageLoader",
+        .layout = "strip",
+        .default_size = 32,
+        .sizes = {},
+        .usual_sizes = {},
+        .default_bits = 8,
+        .bits = only_8_bits,
+        .srgb_tag = SrgbTag::absent,
+        .colour_chunks = ColourChunks::converted,
+        .input = display_encoded,
+        .import = "LUTImageLoader with flip left false; LUTPass behind OutputPass; a browser "
+                  "converts by gAMA, cHRM and iCCP",
+        .lookup_help = "one trilinear fetch of a 3D texture at c*(N-1)/N + 0.5/N",
+        .source = "three.js, LUTImageLoader.js, LUTPass.js",
+        .node_input = at_lattice,
+        .place = place_at_lattice,
+        .interpolation = Interpolation::trilinear,
+        .lookup = threejs,
     },
     {
         .name = "hald",
@@ -282,9 +336,11 @@ constexpr auto table = std::to_array<Engine>({
         .layout = "hald",
         .default_size = 64,
         .sizes = {},
+        .usual_sizes = {},
         .default_bits = 8,
         .bits = any_bits,
         .srgb_tag = SrgbTag::absent,
+        .colour_chunks = ColourChunks::unknown,
         .input = display_encoded,
         .import = "level sqrt(N); 16 bits where the program reads them",
         .lookup_help = "four nodes, tetrahedral",
@@ -300,13 +356,15 @@ constexpr auto table = std::to_array<Engine>({
         .layout = "ocio",
         .default_size = 32,
         .sizes = {},
+        .usual_sizes = {},
         .default_bits = 16,
         .bits = any_bits,
         .srgb_tag = SrgbTag::absent,
+        .colour_chunks = ColourChunks::ignored,
         .input = "the LUT's own",
         .import = "ociolutimage --extract reads it back",
         .lookup_help = "four nodes, tetrahedral",
-        .source = "OpenColorIO, ociolutimage and Lut3DOpCPU",
+        .source = "OpenColorIO, ociolutimage and Lut3DOpCPU; OpenImageIO",
         .node_input = at_lattice,
         .place = place_at_lattice,
         .interpolation = Interpolation::tetrahedral,

@@ -14,6 +14,10 @@ namespace lutlib {
 /// (and undoes the decoding itself).
 enum class SrgbTag { absent, present };
 
+/// What the engine's loader does with what a PNG says of its own colours in the chunks gAMA, cHRM
+/// and iCCP: nothing, convert the codes by it, or what is not documented.
+enum class ColourChunks { ignored, converted, unknown };
+
 /// One engine. Every lookup takes a display-encoded colour; NaN and -Inf read as 0, +Inf as 1.
 struct Engine {
     std::string_view name;
@@ -21,9 +25,13 @@ struct Engine {
     std::string_view layout; ///< name of a row of layouts()
     int default_size;
     std::span<const int> sizes; ///< lattice sizes the engine accepts; empty: any of its layout
+    /// Of those, the ones that work without a setting in the project; empty: all. Nothing else is
+    /// chosen unless it was asked for.
+    std::span<const int> usual_sizes;
     int default_bits;
     std::span<const int> bits; ///< sample depths the engine accepts
     SrgbTag srgb_tag;
+    ColourChunks colour_chunks;
     std::string_view input;  ///< how the colour must be encoded before the lookup
     std::string_view import; ///< settings that the engine's importer needs
     std::string_view lookup_help;

@@ -31,6 +31,7 @@ std::vector<const FileFormat*> make_table() {
     };
     append(formats::opencolorios());
     out.push_back(&formats::png);
+    out.push_back(&formats::picture);
     append(formats::pictures());
     return out;
 }

@@ -7,7 +7,6 @@
 #include "lutlib/io/formats/opencolorio.h"
 #include "lutlib/io/lut_picture.h"
 #include "lutlib/io/ocio.h"
-#include "lutlib/io/png.h"
 #include "lutlib/io/recipe_file.h"
 #include "lutlib/metrics/compare.h"
 #include "lutlib/recipe/bake_recipe.h"
@@ -78,22 +77,26 @@ std::optional<Look> Look::open_if_look(const std::string& path) {
 
 void Look::read_recipe() {
     kind_.format = "recipe";
-    files_ = {{name_, {}, {}}};
+    files_ = {{name_, {}, {}, {}}};
     recipe_ = parse_recipe(bytes_, name_);
     if (recipe_->base.empty()) {
         return;
     }
-    Reading base = read_lut(base_path(*recipe_, path_));
-    files_.push_back({base.lut.provenance, base.all_losses(), base.lut.keywords});
+    Reading base = read_lut(base_path(*recipe_, path_),
+                            {.layout = options_.layout, .engine = options_.engine});
+    files_.push_back({base.lut.provenance, base.all_losses(), base.lut.keywords, base.remarks});
     recipe_->base_lut = std::make_shared<const Lut>(std::move(base.lut));
 }
 
 void Look::read_table(const LookOptions& options) {
     const FileFormat& format = options.format.empty() ? recognise_format(bytes_, name_)
                                                       : require_file_format(options.format);
-    Reading reading = decode_lut(bytes_, name_, {.size = 0, .row = options.row}, format.name);
+    Reading reading = decode_lut(
+        bytes_, name_,
+        {.size = 0, .layout = options.layout, .engine = options.engine, .row = options.row},
+        format.name);
     kind_ = {std::string(format.name), reading.layout, reading.engine};
-    files_ = {{name_, std::move(reading.losses), reading.lut.keywords}};
+    files_ = {{name_, std::move(reading.losses), reading.lut.keywords, std::move(reading.remarks)}};
     table_losses_ = std::move(reading.table_losses);
     lut_ = std::make_shared<const Lut>(std::move(reading.lut));
 }
@@ -147,7 +150,10 @@ LookTable Look::table(int size) const {
     if (size == 0 || is_table()) {
         return {lut_, table_losses_};
     }
-    Reading reading = decode_lut(bytes_, name_, {.size = size, .row = options_.row}, kind_.format);
+    Reading reading = decode_lut(
+        bytes_, name_,
+        {.size = size, .layout = options_.layout, .engine = options_.engine, .row = options_.row},
+        kind_.format);
     return {std::make_shared<const Lut>(std::move(reading.lut)), std::move(reading.table_losses)};
 }
 
@@ -155,10 +161,9 @@ std::optional<LookPicture> Look::picture() const {
     if (!kind_.layout) {
         return std::nullopt;
     }
-    LookPicture out{code_picture(read_png(bytes_, name_)), kind_.layout, kind_.engine,
+    LookPicture out{code_picture(read_lut_picture(bytes_, name_)), kind_.layout, kind_.engine,
                     lut_->cube->size};
-    const bool is_whole =
-        kind_.layout->picture(out.size) == PictureSize{out.codes.width, out.codes.height};
+    const bool is_whole = kind_.layout->lattice({out.codes.width, out.codes.height}) == out.size;
     return is_whole ? std::optional(std::move(out)) : std::nullopt;
 }
 

@@ -14,8 +14,11 @@
 namespace lutlib::io {
 
 struct LookOptions {
-    std::string format = {}; ///< a row of file_formats(); empty: recognised
-    int row = 0;             ///< of lattices stacked in a picture, from the top
+    std::string format = {};        ///< a row of file_formats(); empty: recognised
+    int row = 0;                    ///< of lattices stacked in a picture, from the top
+    const Layout* layout = nullptr; ///< of pictures, whatever their content shows
+    /// The engine that a picture was made for, where its content does not tell.
+    const Engine* engine = nullptr;
     std::optional<Interpolation> interpolation = {}; ///< in place of what the look asks for
 };
 
@@ -28,9 +31,10 @@ struct LookKind {
 
 /// A file that a look was read from: its own, or the base of a recipe.
 struct LookFile {
-    std::string name;                  ///< for messages
-    std::vector<Loss> losses;          ///< what of it was not read
-    std::vector<std::string> keywords; ///< lines of it that are kept but not acted on
+    std::string name;                      ///< for messages
+    std::vector<Loss> losses;              ///< what of it was not read
+    std::vector<std::string> keywords;     ///< lines of it that are kept but not acted on
+    std::vector<std::string> remarks = {}; ///< guesses and contradictions, a sentence each
 };
 
 /// A look as a table, with the measured error of what the table does not hold.

@@ -1,6 +1,10 @@
 #include "lutlib/io/lut_picture.h"
 
+#include "lutlib/io/file.h"
+#include "lutlib/io/image.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace lutlib::io {
 
@@ -38,6 +42,50 @@ std::optional<std::string> text_entry(const PngImage& image, std::string_view ke
         }
     }
     return std::nullopt;
+}
+
+LutPicture read_lut_picture(std::string_view bytes, const std::string& file) {
+    if (is_png(bytes)) {
+        const PngImage image = read_png(bytes, file);
+        return {.picture = decoded(code_picture(image)),
+                .bits = image.depth.bits,
+                .alpha = image.channels == 4,
+                .title = text_entry(image, "Title").value_or(""),
+                .engine = engine_named(text_entry(image, "Engine").value_or(""))};
+    }
+    const FloatImage image = decode_image(bytes, extension_of(file), file);
+    LutPicture out;
+    out.bits = image.depth == Depth::uint8 ? 8 : image.depth == Depth::uint16 ? 16 : 0;
+    out.alpha = image.alpha;
+    out.picture = {image.width, image.height, std::vector<Rgb>(image.rgba.size() / 4)};
+    for (std::size_t i = 0; i < out.picture.pixels.size(); ++i) {
+        out.picture.pixels[i] = {image.rgba[4 * i], image.rgba[4 * i + 1], image.rgba[4 * i + 2]};
+    }
+    return out;
+}
+
+CodeImage code_picture(const LutPicture& picture) {
+    CodeImage out;
+    out.width = picture.picture.width;
+    out.height = picture.picture.height;
+    out.depth.bits = picture.bits == 8 ? 8 : 16;
+    out.samples.reserve(picture.picture.pixels.size() * 3);
+    for (const Rgb& pixel : picture.picture.pixels) {
+        for (const float value : {pixel.r, pixel.g, pixel.b}) {
+            out.samples.push_back(out.depth.code(value));
+        }
+    }
+    return out;
+}
+
+Recognised layout_of(const LutPicture& picture, const std::string& file, const Engine* named) {
+    LayoutHint hint;
+    if (const Engine* const engine = named ? named : picture.engine) {
+        hint = {layout_named(engine->layout),
+                std::string(named ? "it was said to be for" : "its text names") + " the engine " +
+                    std::string(engine->name)};
+    }
+    return recognise_one(picture.picture, file, hint);
 }
 
 } // namespace lutlib::io

@@ -1,7 +1,9 @@
-// LUT pictures as PNG files: an engine's baked lattice out, any recognised layout in.
+// LUT pictures: an engine's baked lattice out as a PNG file, any recognised layout of any file type
+// in.
 #pragma once
 
 #include "lutlib/bake/bake.h"
+#include "lutlib/engine/recognise.h"
 #include "lutlib/io/png.h"
 
 #include <optional>
@@ -27,5 +29,25 @@ CodeImage code_picture(const PngImage& image);
 
 /// A text entry of a PNG, if it has one.
 std::optional<std::string> text_entry(const PngImage& image, std::string_view key);
+
+/// A picture that may hold a lattice.
+struct LutPicture {
+    Picture picture;    ///< of codes / largest code; floats as they are
+    int bits = 8;       ///< of a code: 8 or 16; 0 where the file stores floats
+    bool alpha = false; ///< the file has one, which is left out
+    std::string title;
+    const Engine* engine = nullptr; ///< the one that its text names
+};
+
+/// PNG by itself, every other type through OpenImageIO. Throws Error.
+LutPicture read_lut_picture(std::string_view bytes, const std::string& file);
+
+/// As integer codes, for lookups that read them: of its own bits, floats held to 0..1 in 16.
+CodeImage code_picture(const LutPicture& picture);
+
+/// By its content; where that does not tell, by the engine that was `named` or that its text names.
+/// Throws Error where nothing tells.
+Recognised layout_of(const LutPicture& picture, const std::string& file,
+                     const Engine* named = nullptr);
 
 } // namespace lutlib::io

@@ -1,7 +1,6 @@
 #include "lutlib/verify/diagnose.h"
 
 #include "lutlib/color/transfer.h"
-#include "lutlib/limits.h"
 #include "lutlib/verify/lossy.h"
 
 #include <algorithm>
@@ -35,23 +34,23 @@ bool is_shifted_byte(int code, double value, int maximum, double tolerance) {
     return maximum == 65535 && code % 256 == 0 && is_rounded(code / 256, value, 255, tolerance);
 }
 
-Pixel as_is(const Layout& layout, int n, int r, int g, int b) {
-    return layout.pixel(n, r, g, b);
+Pixel as_is(const Layout& layout, int n, int width, int r, int g, int b) {
+    return layout.pixel(n, width, r, g, b);
 }
-Pixel swap_green_blue(const Layout& layout, int n, int r, int g, int b) {
-    return layout.pixel(n, r, b, g);
+Pixel swap_green_blue(const Layout& layout, int n, int width, int r, int g, int b) {
+    return layout.pixel(n, width, r, b, g);
 }
-Pixel swap_red_blue(const Layout& layout, int n, int r, int g, int b) {
-    return layout.pixel(n, b, g, r);
+Pixel swap_red_blue(const Layout& layout, int n, int width, int r, int g, int b) {
+    return layout.pixel(n, width, b, g, r);
 }
-Pixel flip_red(const Layout& layout, int n, int r, int g, int b) {
-    return layout.pixel(n, n - 1 - r, g, b);
+Pixel flip_red(const Layout& layout, int n, int width, int r, int g, int b) {
+    return layout.pixel(n, width, n - 1 - r, g, b);
 }
-Pixel flip_green(const Layout& layout, int n, int r, int g, int b) {
-    return layout.pixel(n, r, n - 1 - g, b);
+Pixel flip_green(const Layout& layout, int n, int width, int r, int g, int b) {
+    return layout.pixel(n, width, r, n - 1 - g, b);
 }
-Pixel flip_blue(const Layout& layout, int n, int r, int g, int b) {
-    return layout.pixel(n, r, g, n - 1 - b);
+Pixel flip_blue(const Layout& layout, int n, int width, int r, int g, int b) {
+    return layout.pixel(n, width, r, g, n - 1 - b);
 }
 
 double engine_input(const Engine& engine, int i, int n) {
@@ -99,7 +98,7 @@ RgbD encoded_again(RgbD, RgbD out) {
 // sampled, what is done with the value, and how it becomes a code.
 struct Mistake {
     std::string_view words;
-    Pixel (*pixel)(const Layout&, int, int, int, int) = as_is;
+    Pixel (*pixel)(const Layout&, int n, int width, int r, int g, int b) = as_is;
     double (*input)(const Engine&, int, int) = engine_input;
     RgbD (*value)(RgbD in, RgbD out) = value_of;
     bool (*agrees)(int code, double value, int maximum, double tolerance) = is_rounded;
@@ -252,7 +251,7 @@ Agreement agreement(const CodeImage& picture, const Engine& engine, int n, const
     for (int b = 0; b < n; ++b) {
         for (int g = 0; g < n; ++g) {
             for (int r = 0; r < n; ++r, ++i) {
-                const Pixel p = mistake.pixel(layout, n, r, g, b);
+                const Pixel p = mistake.pixel(layout, n, picture.width, r, g, b);
                 const RgbD value = mistake.value({input(r), input(g), input(b)}, looked_up[i]);
                 bool all = true;
                 for (std::size_t c = 0; c < 3; ++c) {
@@ -269,26 +268,21 @@ Agreement agreement(const CodeImage& picture, const Engine& engine, int n, const
     return out;
 }
 
-// The lattice size whose picture in the engine's layout has these dimensions; 0: none.
+// The lattice size of a picture of these dimensions in the engine's layout; 0: none.
 int size_for(const Engine& engine, const CodeImage& picture) {
-    const Layout& layout = *layout_named(engine.layout);
-    for (int n = limits::min_cube_size; n <= limits::max_cube_size; ++n) {
-        if (layout.picture(n) == PictureSize{picture.width, picture.height}) {
-            return n;
-        }
-    }
-    return 0;
+    return layout_named(engine.layout)->lattice({picture.width, picture.height}).value_or(0);
 }
 
 } // namespace
 
-RightTexels right_texels(const Engine& engine, int size, const Transform& look) {
+RightTexels right_texels(const CodeImage& picture, const Engine& engine, int size,
+                         const Transform& look) {
     const Layout& layout = *layout_named(engine.layout);
     RightTexels out;
     for (int b = 0; b < size; ++b) {
         for (int g = 0; g < size; ++g) {
             for (int r = 0; r < size; ++r) {
-                out.pixels.push_back(layout.pixel(size, r, g, b));
+                out.pixels.push_back(layout.pixel(size, picture.width, r, g, b));
                 out.values.push_back({engine.node_input(r, size), engine.node_input(g, size),
                                       engine.node_input(b, size)});
             }

@@ -45,7 +45,8 @@ struct RightTexels {
     std::vector<Pixel> pixels;
     std::vector<RgbD> values;
 };
-RightTexels right_texels(const Engine& engine, int size, const Transform& look);
+RightTexels right_texels(const CodeImage& picture, const Engine& engine, int size,
+                         const Transform& look);
 
 /// How far a look's answer may lie from what a right picture was made of, both in 0..1.
 double tolerance_of(Precision precision);

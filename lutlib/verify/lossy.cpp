@@ -24,7 +24,7 @@ RgbD luma_and_chroma(RgbD e) {
 
 std::optional<std::string> lossy_noise(const CodeImage& picture, const Engine& engine, int size,
                                        const Transform& look) {
-    const auto [pixels, values] = right_texels(engine, size, look);
+    const auto [pixels, values] = right_texels(picture, engine, size, look);
 
     struct Block {
         RgbD sum;

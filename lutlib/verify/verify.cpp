@@ -8,7 +8,7 @@ namespace {
 
 TexelCheck check_texels(const CodeImage& picture, const Engine& engine, int size,
                         const Transform& look) {
-    const auto [pixels, values] = right_texels(engine, size, look);
+    const auto [pixels, values] = right_texels(picture, engine, size, look);
     TexelCheck out;
     out.texels = values.size();
     const int maximum = picture.depth.maximum();

@@ -51,7 +51,15 @@ LoadedLook load_look(const std::string& path, const GpuLookup* lookup) {
     if (path.empty() || path == "none") {
         return {no_look(), "there is none", {}, nullptr};
     }
-    return look_for(lutlib::io::Look::open(path), lookup);
+    const auto look =
+        lutlib::io::Look::open(path, {.engine = lookup != nullptr ? lookup->engine : nullptr});
+    LoadedLook out = look_for(look, lookup);
+    for (const lutlib::io::LookFile& file : look.files()) {
+        for (const std::string& remark : file.remarks) {
+            out.note += (out.note.empty() ? "" : "; ") + remark;
+        }
+    }
+    return out;
 }
 
 } // namespace preview

@@ -47,22 +47,22 @@ Axis axis_within(float x, int n) {
     return Axis(i, i + 1, x - float(i));
 }
 
-ivec2 texel_of(int arrangement, int n, ivec3 node) {
+ivec2 texel_of(int arrangement, int n, int width, ivec3 node) {
     if (arrangement == layout_strip)
         return ivec2(node.b * n + node.r, node.g);
     if (arrangement == layout_ocio) {
-        int width = min(n * n, 2048);
         int i = node.r + n * (node.g + n * node.b);
         return ivec2(i % width, i / width);
     }
-    int per_row = int(sqrt(float(n)) + 0.5);
+    int per_row = width / n;
     if (arrangement == layout_tiles)
         return ivec2(node.b % per_row * n + node.r, node.b / per_row * n + node.g);
     return ivec2(node.g % per_row * n + node.r, node.b * per_row + node.g / per_row);
 }
 
 vec3 node_at(sampler2D picture, int arrangement, int n, int r, int g, int b) {
-    return texelFetch(picture, texel_of(arrangement, n, ivec3(r, g, b)), 0).rgb;
+    return texelFetch(picture, texel_of(arrangement, n, textureSize(picture, 0).x, ivec3(r, g, b)), 0)
+        .rgb;
 }
 
 vec3 trilinear_picture(sampler2D picture, int arrangement, int n, vec3 x) {

@@ -12,13 +12,15 @@ namespace lutlib::formats {
 extern const FileFormat csp;
 extern const FileFormat spi1d;
 extern const FileFormat spi3d;
-/// PNG pictures of the layout of the engine that their text names, else of the layout that their
-/// content shows; read-only.
+/// PNG pictures of the layout that their content shows; where it does not tell, of the engine that
+/// their text names. Read-only.
 extern const FileFormat png;
+/// The same of other types of picture, through OpenImageIO.
+extern const FileFormat picture;
 
 /// What OpenColorIO reads and we do not know any better.
 std::span<const FileFormat> opencolorios();
-/// PNG pictures in one layout: a row for each of layouts().
+/// Pictures in one layout, written as PNG, read of any type: a row for each of layouts().
 std::span<const FileFormat> pictures();
 
 } // namespace lutlib::formats

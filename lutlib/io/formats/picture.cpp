@@ -1,6 +1,5 @@
 #include "lutlib/io/formats/picture.h"
 
-#include "lutlib/engine/recognise.h"
 #include "lutlib/error.h"
 #include "lutlib/io/formats/all.h"
 #include "lutlib/io/lut_picture.h"
@@ -8,6 +7,7 @@
 #include "lutlib/limits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace lutlib::formats {
@@ -18,27 +18,14 @@ using io::PngImage;
 constexpr int recognised_score = 60;
 constexpr int made_size = 65;
 
-struct LutPicture {
-    Picture picture;
-    std::string title;
-    const Engine* engine = nullptr; ///< the one it was baked for, where its text says so
-};
-
-LutPicture picture_of(std::string_view bytes, const std::string& file) {
-    const PngImage image = io::read_png(bytes, file);
-    return {decoded(io::code_picture(image)), io::text_entry(image, "Title").value_or(""),
-            engine_named(io::text_entry(image, "Engine").value_or(""))};
-}
-
-// The one lattice size whose picture in this layout has these dimensions, if there is one.
-std::optional<int> size_in_layout(const Picture& picture, const Layout& layout) {
-    for (int n = limits::min_cube_size; n <= limits::max_cube_size; ++n) {
-        if (layout.picture(n) == PictureSize{picture.width, picture.height}) {
-            return n;
-        }
-    }
-    return std::nullopt;
-}
+// How TIFF (of either byte order), JPEG, OpenEXR and DPX (of either) files begin. "BM" of BMP is
+// too short to tell it from text, and TGA begins with nothing of its own.
+constexpr std::array<std::string_view, 6> magics{std::string_view("II*\0", 4),
+                                                 std::string_view("MM\0*", 4),
+                                                 "\xff\xd8\xff",
+                                                 std::string_view("v/1\x01", 4),
+                                                 "SDPX",
+                                                 "XPDS"};
 
 [[noreturn]] void refuse_size(const Picture& picture, const Layout& layout,
                               const std::string& file) {
@@ -62,14 +49,39 @@ std::optional<Lut1D> shaper_of(const Engine& engine, int size) {
     return straight ? std::nullopt : std::optional(std::move(out));
 }
 
-Reading reading_of(const LutPicture& source, const Layout& layout, int size, int row = 0) {
+Reading reading_of(const io::LutPicture& source, const Layout& layout, int size,
+                   const ReadOptions& options) {
+    const Engine* const engine = options.engine ? options.engine : source.engine;
     Reading out;
     out.lut.title = source.title;
-    out.lut.cube = from_picture(source.picture, layout, size, row);
+    out.lut.cube = from_picture(source.picture, layout, size, options.row);
     out.layout = &layout;
     out.engine = source.engine;
-    if (source.engine && source.engine->layout == layout.name) {
-        out.lut.shaper = shaper_of(*source.engine, size);
+    if (engine && engine->layout == layout.name) {
+        out.lut.shaper = shaper_of(*engine, size);
+    }
+    return out;
+}
+
+[[noreturn]] void refuse_row(int row, int rows) {
+    throw UsageError("--row " + std::to_string(row) + ": the picture has " + std::to_string(rows) +
+                     " lattice" + (rows == 1 ? "" : "s, 0 to " + std::to_string(rows - 1)));
+}
+
+Reading read_in(const io::LutPicture& source, const Layout& layout, const std::string& file,
+                const ReadOptions& options) {
+    const std::optional<Arrangement> held = arrangement_in(layout, source.picture.size());
+    if (!held) {
+        refuse_size(source.picture, layout, file);
+    }
+    if (options.row < 0 || options.row >= held->rows) {
+        refuse_row(options.row, held->rows);
+    }
+    Reading out = reading_of(source, layout, held->size, options);
+    if (held->rows > 1) {
+        out.losses.push_back({"only one of the picture's stacked lattices is read (row " +
+                                  std::to_string(options.row) + "), of",
+                              static_cast<double>(held->rows), "lattices"});
     }
     return out;
 }
@@ -92,37 +104,29 @@ std::string write(const FileFormat& format, const Lut& lut, const WriteOptions& 
 }
 
 Reading read(const FileFormat& format, std::string_view bytes, const std::string& file,
-             const ReadOptions& /*options*/) {
-    const LutPicture source = picture_of(bytes, file);
-    const std::optional<int> size = size_in_layout(source.picture, *format.layout);
-    if (!size) {
-        refuse_size(source.picture, *format.layout, file);
-    }
-    return reading_of(source, *format.layout, *size);
+             const ReadOptions& options) {
+    return read_in(io::read_lut_picture(bytes, file), *format.layout, file, options);
 }
 
 Reading read_recognised(const FileFormat& /*format*/, std::string_view bytes,
                         const std::string& file, const ReadOptions& options) {
-    const LutPicture source = picture_of(bytes, file);
-    if (source.engine && options.row == 0) {
-        const Layout& layout = *layout_named(source.engine->layout);
-        if (const std::optional<int> size = size_in_layout(source.picture, layout)) {
-            return reading_of(source, layout, *size);
-        }
+    const io::LutPicture source = io::read_lut_picture(bytes, file);
+    if (options.layout) {
+        return read_in(source, *options.layout, file, options);
     }
-    const Recognition found = recognise_one(source.picture, file);
-    if (options.row < 0 || options.row >= found.rows) {
-        throw UsageError("--row " + std::to_string(options.row) + ": the picture has " +
-                         std::to_string(found.rows) + " lattice" +
-                         (found.rows == 1 ? "" : "s, 0 to " + std::to_string(found.rows - 1)));
+    const auto [found, contradiction] = layout_of(source, file, options.engine);
+    Reading out = read_in(source, *found.layout, file, options);
+    if (!contradiction.empty()) {
+        out.remarks.push_back(contradiction);
     }
-    Reading reading = reading_of(source, *found.layout, found.size, options.row);
-    if (found.rows > 1) {
-        reading.losses.push_back({"only one of the picture's stacked lattices is read (row " +
-                                      std::to_string(options.row) + "), of",
-                                  static_cast<double>(found.rows), "lattices"});
-    }
-    return reading;
+    return out;
+}
+
+int is_other_picture(std::string_view bytes) {
+    const bool begins = std::any_of(magics.begin(), magics.end(), [&](std::string_view magic) {
+        return bytes.starts_with(magic);
+    });
+    return begins ? recognised_score : 0;
 }
 
 } // namespace
@@ -183,6 +187,16 @@ constinit const FileFormat png{
     .extensions = {"png"},
     .holds = {},
     .recognise = [](std::string_view bytes) { return io::is_png(bytes) ? recognised_score : 0; },
+    .read = read_recognised,
+    .picture = true,
+};
+
+constinit const FileFormat picture{
+    .name = "picture",
+    .label = "TGA, TIFF, BMP, JPEG, EXR, DPX or WebP picture, its layout recognised",
+    .extensions = {"tga", "tif", "tiff", "bmp", "jpg", "jpeg", "exr", "dpx", "webp"},
+    .holds = {},
+    .recognise = is_other_picture,
     .read = read_recognised,
     .picture = true,
 };

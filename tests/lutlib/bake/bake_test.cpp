@@ -26,7 +26,7 @@ TEST_P(BakeFor, rounds_every_node_to_nearest_in_every_depth_it_takes) {
         const Layout& layout = *layout_named(engine.layout);
         const int n = engine.default_size;
         for (int i = 0; i < n; ++i) {
-            const Pixel p = layout.pixel(n, i, n - 1 - i, (3 * i) % n);
+            const Pixel p = layout.pixel(n, baked.picture.width, i, n - 1 - i, (3 * i) % n);
             const RgbD value = look.f({engine.node_input(i, n), engine.node_input(n - 1 - i, n),
                                        engine.node_input((3 * i) % n, n)});
             for (std::size_t c = 0; c < 3; ++c) {

@@ -38,6 +38,14 @@ const std::map<std::string, Independent>& independent() {
               return PictureSize{n * n, n};
           },
           {2, 16, 32}}},
+        {"strip-vertical",
+         {[](int n, int r, int g, int b) {
+              return Pixel{r, n * b + g};
+          },
+          [](int n) {
+              return PictureSize{n, n * n};
+          },
+          {2, 16, 33}}},
         {"ocio",
          {[](int n, int r, int g, int b) {
               const int width = n * n <= 2048 ? n * n : 2048;
@@ -68,20 +76,17 @@ const std::map<std::string, Independent>& independent() {
           {4, 16, 25, 64}}},
         {"tiles",
          {[](int n, int r, int g, int b) {
-              int across = 0;
-              while (across * across < n) {
-                  ++across;
-              }
+              const int across = n == 32 ? 8 : n == 33 ? 11 : n == 16 ? 4 : n == 4 ? 2 : 5;
               return Pixel{(b % across) * n + r, (b / across) * n + g};
           },
           [](int n) {
-              int across = 0;
-              while (across * across < n) {
-                  ++across;
-              }
-              return PictureSize{across * n, across * n};
+              return n == 32   ? PictureSize{256, 128}
+                     : n == 33 ? PictureSize{363, 99}
+                     : n == 16 ? PictureSize{64, 64}
+                     : n == 4  ? PictureSize{8, 8}
+                               : PictureSize{125, 125};
           },
-          {4, 16, 25, 64}}},
+          {4, 16, 25, 32, 33}}},
     };
     return table;
 }
@@ -95,11 +100,14 @@ TEST_P(EveryLayout, puts_nodes_where_an_independent_description_says) {
     const auto row = independent().find(std::string(GetParam().name));
     ASSERT_NE(row, independent().end()) << "a new layout needs its own description here";
     for (const int n : row->second.sizes) {
-        EXPECT_EQ(GetParam().picture(n), row->second.size(n));
+        const PictureSize extent = row->second.size(n);
+        EXPECT_EQ(GetParam().picture(n), extent);
+        EXPECT_EQ(GetParam().lattice(extent), n);
         for (int b = 0; b < n; ++b) {
             for (int g = 0; g < n; ++g) {
                 for (int r = 0; r < n; ++r) {
-                    ASSERT_EQ(GetParam().pixel(n, r, g, b), row->second.pixel(n, r, g, b));
+                    ASSERT_EQ(GetParam().pixel(n, extent.width, r, g, b),
+                              row->second.pixel(n, r, g, b));
                 }
             }
         }
@@ -116,7 +124,7 @@ TEST_P(EveryLayout, gives_every_node_a_pixel_of_its_own_inside_the_picture) {
         for (int b = 0; b < n; ++b) {
             for (int g = 0; g < n; ++g) {
                 for (int r = 0; r < n; ++r) {
-                    const Pixel p = GetParam().pixel(n, r, g, b);
+                    const Pixel p = GetParam().pixel(n, size->width, r, g, b);
                     EXPECT_TRUE(p.x >= 0 && p.x < size->width && p.y >= 0 && p.y < size->height);
                     seen.emplace(p.x, p.y);
                 }
@@ -134,6 +142,27 @@ TEST_P(EveryLayout, round_trips_a_cube) {
 
 TEST_P(EveryLayout, refuses_a_picture_of_another_size) {
     EXPECT_THROW(from_picture(to_picture(identity_cube(16), GetParam()), GetParam(), 25), Error);
+}
+
+TEST(Tiles, are_read_from_a_grid_of_any_shape) {
+    const Layout& tiles = *layout_named("tiles");
+    // 24 slices of 24 x 24, six side by side and four down, then three and eight.
+    for (const int across : {6, 3}) {
+        Picture picture{across * 24, 24 / across * 24, {}};
+        EXPECT_EQ(tiles.lattice(picture.size()), 24);
+        for (int y = 0; y < picture.height; ++y) {
+            for (int x = 0; x < picture.width; ++x) {
+                const int b = y / 24 * across + x / 24;
+                picture.pixels.push_back({static_cast<float>(x % 24) / 23,
+                                          static_cast<float>(y % 24) / 23,
+                                          static_cast<float>(b) / 23});
+            }
+        }
+        EXPECT_EQ(from_picture(picture, tiles, 24), identity_cube(24));
+    }
+    EXPECT_FALSE(tiles.lattice({576, 24})) << "one row of tiles is a strip";
+    EXPECT_FALSE(tiles.lattice({24, 576}));
+    EXPECT_FALSE(tiles.picture(17)) << "a prime number of slices has no grid";
 }
 
 TEST(StackedStrips, are_read_row_by_row) {

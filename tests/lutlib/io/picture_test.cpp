@@ -1,10 +1,15 @@
 #include "lutlib/bake/bake.h"
 #include "lutlib/error.h"
+#include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/formats/all.h"
+#include "lutlib/io/image.h"
 #include "lutlib/io/lut_picture.h"
+#include "lutlib/io/png.h"
 #include "lutlib/metrics/samples.h"
+#include "tests/lutlib/engine/rude_looks.h"
 #include "tests/lutlib/io/looks.h"
+#include "tests/lutlib/io/scratch.h"
 
 #include <gtest/gtest.h>
 
@@ -54,6 +59,92 @@ TEST_P(EveryEngine, reads_its_baked_picture_as_the_engine_does) {
             worst = std::max(worst, largest_magnitude(to_double(ours) - to_double(theirs)));
         }
         EXPECT_LT(worst, 2e-5) << "a rounding of the texture coordinate times the steepest cell";
+    }
+}
+
+// Looks whose content speaks for another layout, or for none.
+TEST_P(EveryEngine, reads_back_every_look_that_is_baked_for_it) {
+    const Engine& engine = GetParam();
+    for (const RudeLook& look : rude_looks()) {
+        const int size = engine.sizes.empty() ? 16 : engine.sizes.front();
+        const Bake bake = lutlib::bake(Transform::each(look.f), engine, size, engine.default_bits);
+        const std::string bytes = picture_bytes(bake, {"source", "Title", "tetrahedral"});
+        const Reading read = decode_lut(bytes, "x.png", {}, formats::png.name);
+        EXPECT_TRUE(read.remarks.empty()) << look.name << ": " << read.remarks.front();
+        EXPECT_EQ(*read.lut.cube,
+                  from_picture(decoded(bake.picture), *layout_named(engine.layout), size))
+            << look.name;
+    }
+}
+
+TEST(PictureFormat, goes_by_content_where_a_picture_was_flipped_and_kept_its_text) {
+    Bake bake = baked(*engine_named("unity"), graded());
+    const CodeImage upright = bake.picture;
+    for (int y = 0; y < upright.height; ++y) {
+        for (int x = 0; x < upright.width; ++x) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                bake.picture.at({x, y}, c) = upright.at({x, upright.height - 1 - y}, c);
+            }
+        }
+    }
+    const std::string bytes = picture_bytes(bake, {"source", "Title", "tetrahedral"});
+    const Reading read = decode_lut(bytes, "x.png", {}, formats::png.name);
+    EXPECT_EQ(*read.lut.cube, from_picture(decoded(upright), *layout_named("strip-up"), bake.size));
+    ASSERT_EQ(read.remarks.size(), 1U);
+    EXPECT_NE(read.remarks[0].find("its text names the engine unity"), std::string::npos);
+    // A layout that is asked for is taken.
+    const Reading asked = decode_lut(bytes, "x.png", {.layout = layout_named("strip-up")});
+    EXPECT_NE(*asked.lut.cube, *read.lut.cube);
+}
+
+TEST(PictureFormat, takes_the_engine_that_is_named_where_the_content_does_not_tell) {
+    Bake bake = baked(*engine_named("unity"), monochrome());
+    PngImage plain = read_png(picture_bytes(bake, {}), "x.png");
+    plain.text.clear();
+    const std::string bytes = write_png(plain);
+    EXPECT_THROW(decode_lut(bytes, "x.png"), Error);
+    const Reading read = decode_lut(bytes, "x.png", {.engine = engine_named("unity")});
+    EXPECT_EQ(*read.lut.cube,
+              from_picture(decoded(bake.picture), *layout_named("strip-up"), bake.size));
+}
+
+TEST(PictureFormat, reads_pictures_of_other_types_and_depths_and_with_alpha) {
+    const ScratchFolder folder;
+    const Bake bake = baked(*engine_named("piccolo"), graded());
+    const Picture picture = decoded(bake.picture);
+    FloatImage image;
+    image.width = picture.width;
+    image.height = picture.height;
+    for (const Rgb& pixel : picture.pixels) {
+        image.rgba.insert(image.rgba.end(), {pixel.r, pixel.g, pixel.b, 1});
+    }
+    struct Kind {
+        const char* extension;
+        Depth depth;
+        bool alpha;
+        float tolerance;
+    };
+    for (const Kind& kind : {Kind{"tga", Depth::uint8, false, 0},
+                             {"tga", Depth::uint8, true, 0},
+                             {"tif", Depth::uint8, false, 0},
+                             {"tif", Depth::uint16, true, 0},
+                             {"bmp", Depth::uint8, false, 0},
+                             {"exr", Depth::half, false, 3e-4F},
+                             {"exr", Depth::float32, true, 0},
+                             {"png", Depth::uint16, true, 0},
+                             {"jpg", Depth::uint8, false, 0.15F}}) {
+        const std::string path = folder.file(std::string("strip.") + kind.extension);
+        write_image(path, image, {.depth = kind.depth, .alpha = kind.alpha, .text = {}});
+        const Lut read = read_lut(path).lut;
+        ASSERT_EQ(read.cube->size, 16) << path;
+        float worst = 0;
+        const Lut3D right = from_picture(picture, *layout_named("strip"), 16);
+        for (std::size_t i = 0; i < right.nodes.size(); ++i) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                worst = std::max(worst, std::abs(read.cube->nodes[i][c] - right.nodes[i][c]));
+            }
+        }
+        EXPECT_LE(worst, kind.tolerance + 1e-6F) << path;
     }
 }
 

@@ -21,6 +21,7 @@ struct Command {
     std::string_view help;
     /// Declares the verb's options on its own sub-command; the returned function runs it.
     Run (*declare)(CLI::App& app);
+    bool reads_looks = true; ///< and so takes --layout
 };
 
 /// Every verb, in the order of the help.
@@ -35,6 +36,7 @@ Run declare_check(CLI::App& app);
 Run declare_convert(CLI::App& app);
 Run declare_edit(CLI::App& app);
 Run declare_encodings(CLI::App& app);
+Run declare_engines(CLI::App& app);
 Run declare_eval(CLI::App& app);
 Run declare_identity(CLI::App& app);
 Run declare_info(CLI::App& app);

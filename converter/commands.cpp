@@ -19,10 +19,12 @@ constexpr auto table = std::to_array<Command>({
     {"compare", "How far apart two looks are, and where most", declare_compare},
     {"apply", "A picture through a LUT", declare_apply},
     {"report", "Error against run time and bytes of every way to keep a look", declare_report},
+    {"engines", "The engines: size, bits, layout, encoding and import step of each",
+     declare_engines, false},
     {"info", "What is in a LUT", declare_info},
     {"encodings", "The transfer curves and gamuts that options take", declare_encodings},
     {"eval", "Colours through a LUT", declare_eval},
-    {"identity", "A LUT that changes nothing", declare_identity},
+    {"identity", "A LUT that changes nothing", declare_identity, false},
 });
 
 } // namespace

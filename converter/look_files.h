@@ -3,15 +3,26 @@
 
 #include "lutlib/io/look.h"
 
+#include <CLI/App.hpp>
+
 #include <memory>
 #include <string>
 
 namespace converter {
 
+/// --layout NAME: the layout of the pictures that this run reads as looks.
+void declare_layout(CLI::App& verb);
+/// The one that was named, or null.
+const lutlib::Layout* layout_option();
+
 /// A look of any kind. Throws Error, UsageError.
 lutlib::io::Look open_look(const std::string& path, const lutlib::io::LookOptions& options = {});
 /// The same of bytes that have been read from `path`.
 lutlib::io::Look open_look(std::string bytes, const std::string& path);
+
+/// What was guessed of its files or contradicts itself in them, on standard error; open_look() does
+/// so by itself.
+void tell_remarks(const lutlib::io::Look& look);
 
 /// The look as a table, for verbs that work on one.
 std::shared_ptr<const lutlib::Lut> table_of(const lutlib::io::Look& look);

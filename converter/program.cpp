@@ -1,6 +1,7 @@
 #include "converter/program.h"
 
 #include "converter/command.h"
+#include "converter/look_files.h"
 #include "converter/report.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
@@ -59,6 +60,9 @@ int run_program(int argc, const char* const* argv) {
         CLI::App* const verb =
             app.add_subcommand(std::string(command.name), std::string(command.help));
         verb->final_callback([&run, chosen = command.declare(*verb)] { run = chosen; });
+        if (command.reads_looks) {
+            declare_layout(*verb);
+        }
     }
     try {
         return parse_and_run(app, run, argc, argv);

@@ -4,11 +4,11 @@
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/lut_picture.h"
-#include "lutlib/limits.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace converter {
 namespace {
@@ -28,19 +28,19 @@ void choose_engine(Subject& s, const std::string& name) {
     s.engine = lutlib::engine_named(io::text_entry(s.image, "Engine").value_or(""));
     if (!s.engine) {
         s.named_by = NamedBy::content;
-        s.engine = engine_with_layout(recognise_one(decoded(s.codes), name).layout->name);
+        const std::string_view layout = recognise_one(decoded(s.codes), name).reading.layout->name;
+        s.engine = engine_with_layout(layout);
+        if (!s.engine) {
+            throw lutlib::Error(fmt::format("this is a {} picture, which no engine that we know "
+                                            "reads as it is; name the engine with --engine",
+                                            layout),
+                                {name, 0, {}});
+        }
     }
 }
 
 int size_in_layout(const Engine& engine, const lutlib::CodeImage& codes) {
-    const lutlib::Layout& layout = *lutlib::layout_named(engine.layout);
-    const lutlib::PictureSize wanted{codes.width, codes.height};
-    for (int n = lutlib::limits::min_cube_size; n <= lutlib::limits::max_cube_size; ++n) {
-        if (layout.picture(n) == wanted) {
-            return n;
-        }
-    }
-    return 0;
+    return lutlib::layout_named(engine.layout)->lattice({codes.width, codes.height}).value_or(0);
 }
 
 std::string wrong_size(const Subject& s) {
@@ -52,47 +52,120 @@ std::string wrong_size(const Subject& s) {
     return words;
 }
 
-void check_shape(Subject& s) {
-    if (s.size == 0) {
-        s.contract.push_back(wrong_size(s));
-        return;
-    }
+void check_shape(const io::PngImage& image, const Engine& engine, int size,
+                 std::vector<std::string>& points) {
     try {
-        check_contract(*s.engine, s.size, s.codes.depth.bits);
+        check_contract(engine, size, image.depth.bits);
     } catch (const lutlib::UsageError& error) {
-        s.contract.push_back(error.message());
+        points.push_back(error.message());
     }
 }
 
 // Every engine of the table loads RGB; what a loader does with other alphas is its own affair.
-void check_alpha(Subject& s) {
-    const auto step = static_cast<std::size_t>(s.image.channels);
+void check_alpha(const io::PngImage& image, std::vector<std::string>& points) {
+    const auto step = static_cast<std::size_t>(image.channels);
     std::size_t clear = 0;
-    for (std::size_t i = 3; step == 4 && i < s.image.samples.size(); i += step) {
-        clear += s.image.samples[i] < s.image.depth.maximum();
+    for (std::size_t i = 3; step == 4 && i < image.samples.size(); i += step) {
+        clear += image.samples[i] < image.depth.maximum();
     }
     if (clear > 0) {
-        s.contract.push_back(
-            fmt::format("{} texels are not opaque; the engine wants RGB, and a loader may "
-                        "multiply the codes by alpha",
-                        clear));
+        points.push_back(fmt::format("{} texels are not opaque; the engine wants RGB, and a loader "
+                                     "may multiply the codes by alpha",
+                                     clear));
     }
 }
 
-void check_tags(Subject& s) {
-    const bool wants_tag = s.engine->srgb_tag == lutlib::SrgbTag::present;
-    if (wants_tag != s.image.srgb_tag) {
-        s.contract.emplace_back(wants_tag ? "the sRGB tag is missing; the engine needs it"
-                                          : "it is tagged sRGB; the engine would decode the codes");
+std::string joined(const std::vector<std::string_view>& words) {
+    std::string out;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        out += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + std::string(words[i]);
     }
-    if (s.image.profile_tag || s.image.gamma_tag || s.image.primaries_tag) {
-        s.contract.emplace_back(
-            "it carries a colour profile, gamma or primaries (iCCP, gAMA, cHRM); "
-            "a loader may convert the codes");
+    return out;
+}
+
+std::string engines_that(lutlib::ColourChunks use) {
+    std::vector<std::string_view> names;
+    for (const Engine& engine : lutlib::engines()) {
+        if (engine.colour_chunks == use) {
+            names.push_back(engine.name);
+        }
     }
+    return joined(names);
+}
+
+// gAMA, cHRM and iCCP.
+std::vector<std::string_view> converting_chunks(const io::PngImage& image) {
+    std::vector<std::string_view> out = colour_chunks(image);
+    std::erase(out, "sRGB");
+    return out;
+}
+
+constexpr std::string_view strip_advice =
+    "'lutconv convert IN.png -o OUT.png --strip-tags' takes them out and leaves the texels";
+
+// What of the chunks is wrong for the engine, in words; empty: nothing.
+std::string harmful_tags(const io::PngImage& image, const Engine& engine) {
+    const bool wants_tag = engine.srgb_tag == lutlib::SrgbTag::present;
+    if (wants_tag != image.srgb_tag) {
+        return wants_tag ? fmt::format("the sRGB chunk is missing; {} needs it", engine.label)
+                         : fmt::format("the PNG carries the chunk sRGB, by which {} would decode "
+                                       "the codes; {}",
+                                       engine.label, strip_advice);
+    }
+    const std::vector<std::string_view> found = converting_chunks(image);
+    if (found.empty() || engine.colour_chunks == lutlib::ColourChunks::ignored) {
+        return {};
+    }
+    const bool surely = engine.colour_chunks == lutlib::ColourChunks::converted;
+    return fmt::format("the PNG carries {}, by which {} {} convert the codes ({} ignore that); {}",
+                       joined(found), engine.label, surely ? "would" : "may",
+                       engines_that(lutlib::ColourChunks::ignored), strip_advice);
+}
+
+std::string harmless_tags(const io::PngImage& image, const Engine& engine) {
+    const std::vector<std::string_view> found = converting_chunks(image);
+    return found.empty() || engine.colour_chunks != lutlib::ColourChunks::ignored
+               ? std::string()
+               : fmt::format(
+                     "the PNG carries {}, which {} ignores ({} would convert the codes); {}",
+                     joined(found), engine.label, engines_that(lutlib::ColourChunks::converted),
+                     strip_advice);
+}
+
+// What is no PNG says nothing of its colours that we know of.
+io::PngImage image_of(lutlib::CodeImage codes) {
+    io::PngImage out;
+    static_cast<lutlib::CodeImage&>(out) = std::move(codes);
+    return out;
 }
 
 } // namespace
+
+std::vector<std::string_view> colour_chunks(const io::PngImage& image) {
+    std::vector<std::string_view> out;
+    for (const auto& [there, name] : {std::pair{image.srgb_tag, "sRGB"},
+                                      {image.gamma_tag, "gAMA"},
+                                      {image.primaries_tag, "cHRM"},
+                                      {image.profile_tag, "iCCP"}}) {
+        if (there) {
+            out.emplace_back(name);
+        }
+    }
+    return out;
+}
+
+std::vector<std::string> contract_points(const io::PngImage& image, const Engine& engine,
+                                         int size) {
+    std::vector<std::string> out;
+    if (size > 0) {
+        check_shape(image, engine, size, out);
+    }
+    check_alpha(image, out);
+    if (std::string tags = harmful_tags(image, engine); !tags.empty()) {
+        out.push_back(std::move(tags));
+    }
+    return out;
+}
 
 bool Subject::fitted() const {
     return io::text_entry(image, "Lattice") == "fitted";
@@ -101,16 +174,23 @@ bool Subject::fitted() const {
 Subject open_subject(const std::string& path, const Engine* engine) {
     Subject s;
     const std::string name = io::input_name(path);
-    s.image = io::read_png(io::read_file(path), name);
+    const std::string bytes = io::read_file(path);
+    s.image = io::is_png(bytes) ? io::read_png(bytes, name)
+                                : image_of(io::code_picture(io::read_lut_picture(bytes, name)));
     s.codes = io::code_picture(s.image);
     s.engine = engine;
     if (!engine) {
         choose_engine(s, name);
     }
     s.size = size_in_layout(*s.engine, s.codes);
-    check_shape(s);
-    check_alpha(s);
-    check_tags(s);
+    s.tags = harmful_tags(s.image, *s.engine);
+    s.contract = contract_points(s.image, *s.engine, s.size);
+    if (s.size == 0) {
+        s.contract.insert(s.contract.begin(), wrong_size(s));
+    }
+    if (std::string words = harmless_tags(s.image, *s.engine); !words.empty()) {
+        s.notes.push_back(std::move(words));
+    }
     return s;
 }
 

@@ -24,13 +24,24 @@ struct Subject {
     NamedBy named_by = NamedBy::option;
     int size = 0;                      ///< 0 when the engine's layout has no such picture
     std::vector<std::string> contract; ///< each point in which it is not what the engine wants
+    /// Of those, what the PNG's chunks say of its colours, in words; empty when they do no harm.
+    std::string tags;
+    std::vector<std::string> notes; ///< what the engine ignores
 
     /// Whether its nodes are chosen for what lies between them, as its text says.
     bool fitted() const;
 };
 
-/// Reads a PNG. Without `engine` the picture's own word decides, else its content. Throws Error
-/// when the layout cannot be told.
+/// The chunks of a PNG that say what its codes mean: of sRGB, gAMA, cHRM, iCCP those it has.
+std::vector<std::string_view> colour_chunks(const lutlib::io::PngImage& image);
+
+/// In what a picture of `size` nodes in the engine's layout is not what the engine wants; empty: it
+/// takes the picture as it is.
+std::vector<std::string> contract_points(const lutlib::io::PngImage& image,
+                                         const lutlib::Engine& engine, int size);
+
+/// Reads a picture of any type. Without `engine` the picture's own word decides, else its content.
+/// Throws Error when the layout cannot be told.
 Subject open_subject(const std::string& path, const lutlib::Engine* engine);
 
 } // namespace converter

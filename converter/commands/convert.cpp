@@ -1,7 +1,9 @@
 // lutconv convert: a LUT from any format to any other, saying what the target cannot hold.
 #include "converter/command.h"
 #include "converter/explain.h"
+#include "converter/look_files.h"
 #include "converter/report.h"
+#include "converter/subject.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/io/bake_report.h"
@@ -27,7 +29,7 @@ struct Options {
     std::string input, output, from, format;
     lutlib::WriteOptions save;
     int row = 0;
-    bool strict = false, explain = false, json = false;
+    bool strict = false, explain = false, json = false, strip_tags = false;
 };
 
 std::string format_list() {
@@ -86,8 +88,41 @@ std::string as_text(const Options& o, const lutlib::FileFormat& format, const io
     return out + (file.losses.empty() ? "  nothing was lost\n" : "");
 }
 
+// The picture without the chunks that say how its codes are meant; everything else as it is.
+int strip_tags(const Options& o) {
+    const std::string name = io::input_name(o.input);
+    const std::string bytes = io::read_file(o.input);
+    if (!io::is_png(bytes)) {
+        throw lutlib::UsageError("--strip-tags rewrites PNG files, and " + name + " is none");
+    }
+    require_png_name(o.output, "convert --strip-tags");
+    io::PngImage image = io::read_png(bytes, name);
+    const std::vector<std::string_view> chunks = colour_chunks(image);
+    image.srgb_tag = false; // the others are never written
+    io::write_file(o.output, io::write_png(image));
+    std::string listed;
+    for (const std::string_view chunk : chunks) {
+        listed += (listed.empty() ? "" : ", ") + std::string(chunk);
+    }
+    if (o.json) {
+        print({{"input", name}, {"output", io::output_name(o.output)}, {"removed", chunks}},
+              o.output);
+    } else {
+        print(fmt::format("{} -> {}\n  removed: {}; texels and text are as they were\n",
+                          input_text(o.input), output_text(o.output),
+                          listed.empty() ? "nothing" : listed),
+              o.output);
+    }
+    return ok;
+}
+
 int run(const Options& o) {
-    const io::Look look = io::Look::open(o.input, {.format = o.from, .row = o.row});
+    if (o.strip_tags) {
+        return strip_tags(o);
+    }
+    const io::Look look =
+        io::Look::open(o.input, {.format = o.from, .row = o.row, .layout = layout_option()});
+    tell_remarks(look);
     const io::LookTable table = look.table(o.save.size);
     lutlib::Lut lut = *table.lut;
     const std::optional<Explanation> explanation = leave_out(lut, o);
@@ -145,6 +180,10 @@ Run declare_convert(CLI::App& app) {
     app.add_flag("--strict", o->strict, "write nothing when anything would be lost");
     app.add_flag("--explain", o->explain,
                  "leave out what the look does not need, and say what and within which bound");
+    app.add_flag("--strip-tags", o->strip_tags,
+                 "only rewrite a PNG without its chunks sRGB, gAMA, cHRM and iCCP, by which some "
+                 "engines convert the codes; every texel stays as it is")
+        ->excludes("--from", "--row", "--format", "--size", "--title", "--explain");
     app.add_flag("--json", o->json, "print the figures as JSON");
     app.footer(format_list());
     return [o] { return run(*o); };

@@ -1,9 +1,11 @@
 // lutconv info: what is in a LUT.
 #include "converter/command.h"
 #include "converter/look_files.h"
+#include "converter/picture_facts.h"
 #include "converter/report.h"
 #include "lutlib/interpolation/interpolation.h"
 #include "lutlib/io/bake_report.h"
+#include "lutlib/io/file.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -67,7 +69,9 @@ std::string table_text(const char* what, int size, const lutlib::Domain& d,
 }
 
 int run(const std::string& path, bool json) {
-    const lutlib::io::Look look = open_look(path);
+    const std::string bytes = lutlib::io::read_file(path);
+    const std::optional<PictureFacts> picture = picture_facts(bytes, path);
+    const lutlib::io::Look look = open_look(bytes, path);
     const auto table = table_of(look);
     const lutlib::Lut& lut = *table;
     const lutlib::ErrorStats moves = distance_from_identity(lut);
@@ -86,6 +90,9 @@ int run(const std::string& path, bool json) {
         if (lut.interpolation) {
             out["interpolation"] = name_of(*lut.interpolation);
         }
+        if (picture) {
+            out["picture"] = picture->json;
+        }
         out["distance_from_identity"] = to_json(moves);
         print(out, "");
         return ok;
@@ -93,6 +100,9 @@ int run(const std::string& path, bool json) {
     std::string out = input_text(path) + "\n";
     if (!lut.title.empty()) {
         out += "  title: " + one_line(lut.title) + "\n";
+    }
+    if (picture) {
+        out += picture->text;
     }
     if (lut.shaper) {
         out += table_text("shaper", lut.shaper->size(), lut.shaper->domain, lut.shaper->entries);

@@ -202,10 +202,71 @@ TEST(Verify, fails_with_words_on_a_wrong_size_and_a_wrong_tag) {
     const Result result = lutconv({"verify", picture, "--against", look, "--engine", "unreal"});
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_NE(result.out.find("unreal takes a lattice of size 16, not 33"), std::string::npos);
-    EXPECT_NE(result.out.find("tagged sRGB"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("the chunk sRGB"), std::string::npos) << result.out;
     const Result tiles = lutconv({"verify", picture, "--against", look, "--engine", "obs"});
     EXPECT_EQ(tiles.exit_code, 1);
     EXPECT_NE(tiles.out.find("wrong size"), std::string::npos) << tiles.out;
+}
+
+// The chunk of a PNG, put behind its header.
+std::string with_gamma(std::string png) {
+    const std::string chunk = std::string("gAMA") + std::string("\0\0\xb1\x8f", 4); // 0.45455
+    std::uint32_t crc = 0xffffffffU;
+    for (const char byte : chunk) {
+        crc ^= static_cast<unsigned char>(byte);
+        for (int bit = 0; bit < 8; ++bit) {
+            crc = (crc >> 1) ^ ((crc & 1) ? 0xedb88320U : 0);
+        }
+    }
+    crc = ~crc;
+    std::string bytes = std::string("\0\0\0\4", 4) + chunk;
+    for (int shift = 24; shift >= 0; shift -= 8) {
+        bytes += static_cast<char>(crc >> shift & 0xff);
+    }
+    constexpr std::size_t behind_header = 33;
+    return png.insert(behind_header, bytes);
+}
+
+TEST(Verify, says_so_when_only_a_chunk_is_wrong_and_convert_takes_it_out) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(17));
+    const std::string picture = folder.path("strip.png");
+    ASSERT_EQ(lutconv({"bake", look, "-o", picture, "--engine", "unity"}).exit_code, 0);
+    const std::string clean = contents(picture);
+    folder.write("strip.png", with_gamma(clean));
+    const Result result = lutconv({"verify", picture, "--against", look, "--engine", "unity"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.out.find("why: the texels are right; the PNG carries gAMA, by which Unity"),
+              std::string::npos)
+        << result.out;
+    EXPECT_NE(result.out.find("--strip-tags"), std::string::npos);
+    const std::string stripped = folder.path("stripped.png");
+    ASSERT_EQ(lutconv({"convert", picture, "-o", stripped, "--strip-tags"}).exit_code, 0);
+    EXPECT_EQ(lutconv({"verify", stripped, "--against", look, "--engine", "unity"}).exit_code, 0);
+    EXPECT_EQ(lutlib::io::read_png(contents(stripped), "").samples,
+              lutlib::io::read_png(clean, "").samples);
+}
+
+TEST(Verify, passes_with_a_note_where_the_engine_ignores_the_chunk) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(17));
+    const std::string picture = folder.path("strip.png");
+    ASSERT_EQ(lutconv({"bake", look, "-o", picture}).exit_code, 0);
+    folder.write("strip.png", with_gamma(contents(picture)));
+    const Result result = lutconv({"verify", picture, "--against", look, "--engine", "piccolo"});
+    EXPECT_EQ(result.exit_code, 0) << result.out;
+    EXPECT_NE(result.out.find("note: the PNG carries gAMA, which Piccolo / Pilot ignores"),
+              std::string::npos)
+        << result.out;
+}
+
+TEST(Bake, offers_no_size_that_the_engine_would_ignore) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(9));
+    const Result result = lutconv(
+        {"bake", look, "-o", folder.path("s.png"), "--engine", "unity", "--max-delta-e", "40"});
+    EXPECT_EQ(result.exit_code, 0) << result.out;
+    EXPECT_NE(result.out.find("32 nodes a side"), std::string::npos) << result.out;
 }
 
 TEST(Verify, names_the_interpolation_when_that_is_the_difference) {

@@ -1,3 +1,4 @@
+#include "lutlib/engine/engine.h"
 #include "tests/converter/run_program.h"
 
 #include <gtest/gtest.h>
@@ -69,6 +70,52 @@ TEST(Identity, changes_nothing_as_cube_and_as_picture) {
         EXPECT_EQ(info["cube"]["size"], 16);
         // 16 nodes are whole 8-bit codes; what is left is float rounding.
         EXPECT_LT(info["distance_from_identity"]["max"].get<double>(), 1e-7);
+    }
+}
+
+TEST(Info, says_what_a_picture_is_and_which_engines_take_it) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(9));
+    const std::string picture = folder.path("strip.png");
+    ASSERT_EQ(lutconv({"bake", look, "-o", picture, "--engine", "unreal"}).exit_code, 0);
+    const std::string text = lutconv({"info", picture}).out;
+    EXPECT_NE(text.find("layout: strip, 16 nodes a side"), std::string::npos) << text;
+    EXPECT_NE(text.find("take it as it is: piccolo, unreal"), std::string::npos) << text;
+    const auto facts = nlohmann::json::parse(lutconv({"info", picture, "--json"}).out);
+    EXPECT_EQ(facts["picture"]["layout"], "strip");
+    EXPECT_EQ(facts["picture"]["bits"], 8);
+    EXPECT_EQ(facts["picture"]["engine_in_text"], "unreal");
+    EXPECT_TRUE(facts["picture"]["engines"]["piccolo"].empty());
+    EXPECT_FALSE(facts["picture"]["engines"].contains("unity"));
+    EXPECT_FALSE(nlohmann::json::parse(lutconv({"info", look, "--json"}).out).contains("picture"));
+}
+
+TEST(Layout, is_taken_by_verbs_that_read_pictures_whose_content_does_not_tell) {
+    const Folder folder;
+    const std::string look = folder.write(
+        "grey.cube",
+        "LUT_3D_SIZE 2\n0 0 0\n.2 .2 .2\n.7 .7 .7\n.9 .9 .9\n.1 .1 .1\n.3 .3 .3\n.8 .8 "
+        ".8\n1 1 1\n");
+    const std::string picture = folder.path("strip.png");
+    ASSERT_EQ(
+        lutconv({"convert", look, "-o", picture, "--format", "strip-up", "--size", "16"}).exit_code,
+        0);
+    const Result refused = lutconv({"eval", picture, "0", "1", "0"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find("--layout"), std::string::npos) << refused.err;
+    const Result read = lutconv({"eval", picture, "0", "1", "0", "--layout", "strip-up"});
+    EXPECT_EQ(read.exit_code, 0) << read.err;
+    EXPECT_NEAR(std::stod(read.out), 0.7, 1e-4);
+    EXPECT_EQ(lutconv({"eval", picture, "0", "1", "0", "--layout", "stripe"}).exit_code, 3);
+}
+
+TEST(Engines, lists_every_row_in_text_and_json) {
+    const auto rows = nlohmann::json::parse(lutconv({"engines", "--json"}).out);
+    const std::string text = lutconv({"engines"}).out;
+    ASSERT_EQ(rows.size(), lutlib::engines().size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        EXPECT_EQ(rows[i]["name"], lutlib::engines()[i].name);
+        EXPECT_NE(text.find(lutlib::engines()[i].label), std::string::npos);
     }
 }
 

@@ -1,0 +1,79 @@
+// lutconv engines: the engines whose LUT pictures are known, with what each wants.
+#include "converter/command.h"
+#include "converter/report.h"
+#include "lutlib/engine/engine.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace converter {
+namespace {
+
+using lutlib::Engine;
+
+std::string list_of(std::span<const int> values) {
+    const auto count = static_cast<int>(values.size());
+    if (count > 3 && values.back() - values.front() == count - 1) {
+        return fmt::format("{} to {}", values.front(), values.back());
+    }
+    std::string out;
+    for (const int value : values) {
+        out += (out.empty() ? "" : " or ") + std::to_string(value);
+    }
+    return out;
+}
+
+std::string sizes_of(const Engine& engine) {
+    return engine.sizes.empty() ? std::string(lutlib::layout_named(engine.layout)->sizes)
+                                : list_of(engine.sizes);
+}
+
+std::string as_text(const Engine& e) {
+    const lutlib::PictureSize extent = *lutlib::layout_named(e.layout)->picture(e.default_size);
+    return fmt::format("{:<10}{}\n"
+                       "          {} nodes ({}x{}, layout {}), {} bits{}; takes {}, {} bits\n"
+                       "          feeds: {}\n          import: {}\n          lookup: {}\n",
+                       e.name, e.label, e.default_size, extent.width, extent.height, e.layout,
+                       e.default_bits,
+                       e.srgb_tag == lutlib::SrgbTag::present ? ", tagged sRGB" : "", sizes_of(e),
+                       list_of(e.bits), e.input, e.import, e.lookup_help);
+}
+
+nlohmann::ordered_json as_json(const Engine& e) {
+    return {{"name", e.name},
+            {"label", e.label},
+            {"layout", e.layout},
+            {"size", e.default_size},
+            {"sizes", e.sizes},
+            {"usual_sizes", e.usual_sizes},
+            {"bits", e.default_bits},
+            {"accepted_bits", e.bits},
+            {"srgb_tag", e.srgb_tag == lutlib::SrgbTag::present},
+            {"input", e.input},
+            {"import", e.import},
+            {"lookup", e.lookup_help},
+            {"source", e.source}};
+}
+
+int run(bool json) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    std::string text;
+    for (const Engine& engine : lutlib::engines()) {
+        rows.push_back(as_json(engine));
+        text += as_text(engine);
+    }
+    json ? print(rows, "") : print(text, "");
+    return ok;
+}
+
+} // namespace
+
+Run declare_engines(CLI::App& app) {
+    const auto json = std::make_shared<bool>(false);
+    app.add_flag("--json", *json, "print as JSON, with where each row is documented");
+    return [json] { return run(*json); };
+}
+
+} // namespace converter

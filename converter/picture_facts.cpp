@@ -1,0 +1,103 @@
+#include "converter/picture_facts.h"
+
+#include "converter/report.h"
+#include "converter/subject.h"
+#include "lutlib/io/file.h"
+#include "lutlib/io/formats.h"
+#include "lutlib/io/lut_picture.h"
+#include "lutlib/io/recipe_file.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+namespace converter {
+namespace {
+
+namespace io = lutlib::io;
+
+// How the file stores its samples: "8 bits a sample, palette, alpha, interlaced".
+std::string storage(const io::LutPicture& picture, const io::PngImage& image) {
+    std::string out =
+        picture.bits ? fmt::format("{} bits a sample", picture.bits) : "floats a sample";
+    for (const auto& [there, word] : {std::pair{image.palette, ", palette"},
+                                      {image.grey, ", grey"},
+                                      {picture.alpha, ", alpha"},
+                                      {image.interlaced, ", interlaced"}}) {
+        out += there ? word : "";
+    }
+    return out;
+}
+
+template <class Names>
+std::string listed(const Names& names) {
+    std::string out;
+    for (const auto& name : names) {
+        out += (out.empty() ? "" : ", ") + std::string(name);
+    }
+    return out.empty() ? "none" : out;
+}
+
+} // namespace
+
+std::optional<PictureFacts> picture_facts(const std::string& bytes, const std::string& path) {
+    const std::string file = io::input_name(path);
+    if (io::is_recipe(bytes) || !io::recognise_format(bytes, file).picture) {
+        return std::nullopt;
+    }
+    const io::LutPicture picture = io::read_lut_picture(bytes, file);
+    const auto [found, contradiction] = layout_of(picture, file);
+    const bool png = io::is_png(bytes);
+    io::PngImage image;
+    if (png) {
+        image = io::read_png(bytes, file);
+    } else {
+        image.depth.bits = picture.bits == 8 ? 8 : 16;
+    }
+    std::vector<std::string_view> takers;
+    nlohmann::ordered_json engines = nlohmann::ordered_json::object();
+    std::string others;
+    for (const lutlib::Engine& engine : lutlib::engines()) {
+        if (engine.layout != found.layout->name || found.rows > 1) {
+            continue;
+        }
+        const std::vector<std::string> points = contract_points(image, engine, found.size);
+        engines[std::string(engine.name)] = points;
+        if (points.empty()) {
+            takers.push_back(engine.name);
+        }
+        for (const std::string& point : points) {
+            others += fmt::format("  not for {}: {}\n", engine.name, one_line(point));
+        }
+    }
+    const std::vector<std::string_view> chunks = colour_chunks(image);
+    PictureFacts out;
+    out.text =
+        fmt::format("  picture: {}x{} pixels, {}{}\n  layout: {}, {} nodes a side{}\n",
+                    picture.picture.width, picture.picture.height, storage(picture, image),
+                    png ? ", colour chunks: " + listed(chunks) : "", found.layout->name, found.size,
+                    found.rows > 1 ? fmt::format(", {} stacked", found.rows) : "");
+    if (picture.engine) {
+        out.text += fmt::format("  its text names the engine {}\n", picture.engine->name);
+    }
+    if (!contradiction.empty()) {
+        out.text += "  but: " + one_line(contradiction) + "\n";
+    }
+    out.text += "  engines that take it as it is: " + listed(takers) + "\n" + others;
+    out.json = {{"width", picture.picture.width},
+                {"height", picture.picture.height},
+                {"bits", picture.bits},
+                {"alpha", picture.alpha},
+                {"palette", image.palette},
+                {"grey", image.grey},
+                {"interlaced", image.interlaced},
+                {"colour_chunks", chunks},
+                {"layout", found.layout->name},
+                {"size", found.size},
+                {"rows", found.rows},
+                {"engine_in_text", picture.engine ? picture.engine->name : ""},
+                {"contradiction", contradiction},
+                {"engines", engines}};
+    return out;
+}
+
+} // namespace converter

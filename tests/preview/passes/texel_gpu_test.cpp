@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <memory>
 #include <numeric>
 
 namespace preview {
@@ -77,9 +79,10 @@ class EveryLookupProbed : public ProbeTest, public testing::WithParamInterface<c
 TEST_P(EveryLookupProbed, tells_what_the_finishing_pass_makes_of_the_texel) {
     const GpuLookup& lookup = *GetParam();
     const std::vector<Rgb> colors = finite_colors();
-    const GpuLook look(device(), lookup.source == GpuLookup::Source::none
-                                     ? no_look()
-                                     : look_for(bent_look(), lookup).data);
+    const GpuLook look(
+        device(), lookup.source == GpuLookup::Source::none
+                      ? no_look()
+                      : look_for(std::make_shared<const lutlib::Lut>(bent_look()), lookup).data);
     const std::vector<Rgb> wanted = finished(colors, &look, {});
     for (const auto& [at, probe] : probed(colors, &look, {}))
         for (std::size_t c = 0; c < 3; ++c)

@@ -61,6 +61,9 @@ struct Lut {
     /// Lines of a .cube whose keyword is none of ours, such as LUT_IN_VIDEO_RANGE: kept as they
     /// are, not acted on.
     std::vector<std::string> keywords;
+    /// What whoever uses the look must know of how the file was read, a sentence each: a guess and
+    /// its reason. Not stored in files.
+    std::vector<std::string> notes;
     /// Where the look came from: a file name or a description. Not stored in files.
     std::string provenance;
 

@@ -8,8 +8,84 @@
 namespace lutlib {
 namespace {
 
-bool blank(char c) {
-    return c == ' ' || c == '\t';
+// Bytes of the blank that begins at `i`; 0 where none does. Word processors and web pages put
+// no-break and typographic spaces (Unicode's Zs, and the byte order mark) where a blank was meant;
+// 0xA0 alone is the no-break space of one-byte character sets.
+std::size_t blank_at(std::string_view text, std::size_t i) {
+    const auto byte = [&](std::size_t k) {
+        return i + k < text.size() ? static_cast<unsigned char>(text[i + k]) : 0U;
+    };
+    const unsigned first = byte(0), second = byte(1), third = byte(2);
+    if (first == ' ' || first == '\t') {
+        return 1;
+    }
+    if (first < 0x80) {
+        return 0;
+    }
+    if (first == 0xC2 && second == 0xA0) {
+        return 2;
+    }
+    if (first == 0xE2 && second == 0x80 && ((third >= 0x80 && third <= 0x8A) || third == 0xAF)) {
+        return 3;
+    }
+    if ((first == 0xE3 && second == 0x80 && third == 0x80) ||
+        (first == 0xEF && second == 0xBB && third == 0xBF)) {
+        return 3;
+    }
+    const bool within_a_letter = i > 0 && static_cast<unsigned char>(text[i - 1]) >= 0x80;
+    return first == 0xA0 && !within_a_letter ? 1 : 0;
+}
+
+// Bytes of the blank that ends before `end`; 0 where none does.
+std::size_t blank_before(std::string_view text, std::size_t end) {
+    for (std::size_t length = 1; length <= std::min<std::size_t>(3, end); ++length) {
+        if (blank_at(text.substr(0, end), end - length) == length) {
+            return length;
+        }
+    }
+    return 0;
+}
+
+void append_utf8(std::string& out, char32_t c) {
+    const auto put = [&](char32_t byte) { out += static_cast<char>(byte); };
+    if (c < 0x80) {
+        put(c);
+    } else if (c < 0x800) {
+        put(0xC0 | c >> 6);
+        put(0x80 | (c & 0x3F));
+    } else if (c < 0x10000) {
+        put(0xE0 | c >> 12);
+        put(0x80 | (c >> 6 & 0x3F));
+        put(0x80 | (c & 0x3F));
+    } else {
+        put(0xF0 | c >> 18);
+        put(0x80 | (c >> 12 & 0x3F));
+        put(0x80 | (c >> 6 & 0x3F));
+        put(0x80 | (c & 0x3F));
+    }
+}
+
+enum class ByteOrder { none, little, big };
+
+// By its mark, else by the NUL bytes beside two characters of ASCII.
+ByteOrder utf16_order(std::string_view bytes) {
+    if (bytes.size() < 4) {
+        return ByteOrder::none;
+    }
+    if (bytes.starts_with("\xFF\xFE")) {
+        return bytes[2] == 0 && bytes[3] == 0 ? ByteOrder::none : ByteOrder::little; // UTF-32
+    }
+    if (bytes.starts_with("\xFE\xFF")) {
+        return ByteOrder::big;
+    }
+    const auto ascii = [](char c) {
+        return c == '\t' || c == '\n' || c == '\r' || (c >= ' ' && c < 127);
+    };
+    if (ascii(bytes[0]) && bytes[1] == 0 && ascii(bytes[2]) && bytes[3] == 0) {
+        return ByteOrder::little;
+    }
+    return bytes[0] == 0 && ascii(bytes[1]) && bytes[2] == 0 && ascii(bytes[3]) ? ByteOrder::big
+                                                                                : ByteOrder::none;
 }
 
 char lower(char c) {
@@ -70,23 +146,24 @@ std::string upper(std::string_view word) {
 }
 
 std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && blank(text.front())) {
-        text.remove_prefix(1);
+    std::size_t first = 0, end = text.size();
+    while (const std::size_t length = first < end ? blank_at(text.substr(0, end), first) : 0) {
+        first += length;
     }
-    while (!text.empty() && blank(text.back())) {
-        text.remove_suffix(1);
+    while (const std::size_t length = end > first ? blank_before(text, end) : 0) {
+        end -= length;
     }
-    return text;
+    return text.substr(first, end - std::min(first, end));
 }
 
 Words words_of(std::string_view line) {
     Words out;
     for (std::size_t i = 0; i < line.size();) {
-        while (i < line.size() && blank(line[i])) {
-            ++i;
+        while (const std::size_t length = i < line.size() ? blank_at(line, i) : 0) {
+            i += length;
         }
         const std::size_t start = i;
-        while (i < line.size() && !blank(line[i])) {
+        while (i < line.size() && blank_at(line, i) == 0) {
             ++i;
         }
         if (i > start) {
@@ -95,6 +172,32 @@ Words words_of(std::string_view line) {
             }
             ++out.count;
         }
+    }
+    return out;
+}
+
+std::optional<std::string> utf8_of_utf16(std::string_view bytes) {
+    const ByteOrder order = utf16_order(bytes);
+    if (order == ByteOrder::none) {
+        return std::nullopt;
+    }
+    const auto unit = [&](std::size_t i) -> char32_t {
+        const auto a = static_cast<unsigned char>(bytes[2 * i]);
+        const auto b = static_cast<unsigned char>(bytes[2 * i + 1]);
+        return order == ByteOrder::little ? a | b << 8U : a << 8U | b;
+    };
+    constexpr char32_t mark = 0xFEFF, replacement = 0xFFFD;
+    const std::size_t units = bytes.size() / 2;
+    std::string out;
+    out.reserve(units);
+    for (std::size_t i = unit(0) == mark ? 1 : 0; i < units; ++i) {
+        char32_t c = unit(i);
+        const bool high = c >= 0xD800 && c < 0xDC00;
+        const bool pair = high && i + 1 < units && unit(i + 1) >= 0xDC00 && unit(i + 1) < 0xE000;
+        if (pair) {
+            c = 0x10000 + ((c - 0xD800) << 10) + (unit(++i) - 0xDC00);
+        }
+        append_utf8(out, c >= 0xD800 && c < 0xE000 ? replacement : c);
     }
     return out;
 }

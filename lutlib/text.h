@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -31,20 +32,24 @@ class LineScanner {
     std::size_t line_ = 0;
 };
 
-/// Without blanks and tabs at both ends.
+/// Without blanks at both ends. Blanks are tabs and all spaces, no-break spaces among them.
 std::string_view trimmed(std::string_view text);
 
 /// ASCII letters in upper case, whatever the locale.
 char upper(char c);
 std::string upper(std::string_view word);
 
-/// A line's first words, split at blanks and tabs. `count` may exceed `items`' size, whose further
+/// A line's first words, split at blanks. `count` may exceed `items`' size, whose further
 /// words are then not kept.
 struct Words {
     std::array<std::string_view, 8> items;
     std::size_t count = 0;
 };
 Words words_of(std::string_view line);
+
+/// The same text in UTF-8, of text that is UTF-16 by its byte order mark or by its zero bytes;
+/// nullopt for any other.
+std::optional<std::string> utf8_of_utf16(std::string_view bytes);
 
 enum class NumberStatus { ok, not_a_number, not_finite };
 

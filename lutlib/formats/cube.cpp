@@ -2,6 +2,8 @@
 
 #include "lutlib/error.h"
 #include "lutlib/formats/decimal.h"
+#include "lutlib/formats/integer_codes.h"
+#include "lutlib/formats/mistaken.h"
 #include "lutlib/limits.h"
 #include "lutlib/text.h"
 
@@ -45,9 +47,7 @@ class CubeReader {
             throw Error("the file is empty; a .cube needs at least LUT_3D_SIZE or LUT_1D_SIZE",
                         {file_, 0, {}});
         }
-        if (bytes.substr(0, 2) == "\xFF\xFE" || bytes.substr(0, 2) == "\xFE\xFF") {
-            throw Error("this is UTF-16 text; save it as UTF-8 or ASCII", {file_, 0, {}});
-        }
+        refuse_mistaken_file(bytes, file_);
         if (bytes.substr(0, 4096).find('\0') != std::string_view::npos) {
             throw Error("this is a binary file, not a .cube text", {file_, 0, {}});
         }
@@ -352,6 +352,7 @@ class CubeReader {
         lut_.cube ? apply_range(lut_.cube->domain, resolve_3d_)
                   : refuse_stray(resolve_3d_, "LUT_3D_INPUT_RANGE");
         lut_.provenance = file_;
+        scale_integer_codes(lut_);
         return std::move(lut_);
     }
 
@@ -378,14 +379,21 @@ class CubeReader {
     Range adobe_, resolve_1d_, resolve_3d_;
 };
 
+Lut read(std::string_view bytes, const std::string& file, bool keep_non_finite) {
+    if (const std::optional<std::string> utf8 = utf8_of_utf16(bytes)) {
+        return CubeReader(*utf8, file, keep_non_finite).read();
+    }
+    return CubeReader(bytes, file, keep_non_finite).read();
+}
+
 } // namespace
 
 Lut read_cube(std::string_view bytes, const std::string& file) {
-    return CubeReader(bytes, file).read();
+    return read(bytes, file, false);
 }
 
 Lut read_broken_cube(std::string_view bytes, const std::string& file) {
-    return CubeReader(bytes, file, true).read();
+    return read(bytes, file, true);
 }
 
 } // namespace lutlib

@@ -12,12 +12,13 @@
 //           | "LUT_1D_INPUT_RANGE" min max       Resolve: the same, of the 1D table
 //           | "LUT_3D_INPUT_RANGE" min max       Resolve: of the 3D table
 //           | other [text]                       kept, written back and not acted on
-//   row     = number number number               blanks or tabs between; a decimal comma is read
+//   row     = number number number               blanks between; a decimal comma is read
 //
 // Keywords are read in any case. They may stand anywhere, but sizes before the first row, and
 // unknown ones not among the rows, where they are taken for damaged rows. The rows are the 1D
 // table's, if there is one, then the 3D table's, red fastest. With both tables the 1D table shapes
-// the input of the 3D table, and DOMAIN_MIN/MAX belong to the 1D table.
+// the input of the 3D table, and DOMAIN_MIN/MAX belong to the 1D table. Text is UTF-8, or UTF-16,
+// told by its first bytes. Tables of whole numbers are codes (integer_codes.h).
 //
 // Sources: Adobe, "Cube LUT Specification 1.0" (2013); Blackmagic Design, DaVinci Resolve's
 // "LUT files" readme.

@@ -22,7 +22,8 @@ bool is_recipe(std::string_view bytes) {
         bytes.remove_prefix(bom.size());
     }
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-    return first != bytes.npos && bytes[first] == '{';
+    // Rich text begins alike.
+    return first != bytes.npos && bytes[first] == '{' && !bytes.substr(first).starts_with("{\\rtf");
 }
 
 std::string base_path(const Recipe& recipe, const std::string& recipe_path) {

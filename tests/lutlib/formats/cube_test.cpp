@@ -3,6 +3,7 @@
 #include "lutlib/error.h"
 #include "lutlib/formats/all.h"
 #include "lutlib/interpolation/interpolation.h"
+#include "lutlib/text.h"
 #include "tests/lutlib/formats/plain_cube_reader.h"
 
 #include <gtest/gtest.h>
@@ -338,6 +339,39 @@ TEST(CubeFormats, recognise_their_own_output_and_nothing_else) {
         EXPECT_EQ(format->recognise("\x89PNG\r\n"), 0) << format->name;
         EXPECT_EQ(format->recognise(""), 0) << format->name;
     }
+}
+
+std::string utf_16(std::string_view ascii, bool big, bool mark) {
+    std::string out = !mark ? "" : big ? "\xFE\xFF" : "\xFF\xFE";
+    for (const char c : ascii) {
+        out += big ? std::string{'\0', c} : std::string{c, '\0'};
+    }
+    return out;
+}
+
+TEST(ReadCube, takes_utf_16_with_and_without_its_mark) {
+    const std::string text = "TITLE \"a\"\r\nLUT_1D_SIZE 2\r\n0 0.25 0\r\n1 1 0.5\r\n";
+    const Lut meant = read_cube(text, "a.cube");
+    for (const bool big : {false, true}) {
+        for (const bool mark : {false, true}) {
+            const Lut lut = read_cube(utf_16(text, big, mark), "a.cube");
+            EXPECT_EQ(lut.shaper, meant.shaper) << big << mark;
+            EXPECT_EQ(lut.title, "a");
+        }
+    }
+    const std::string accented("\xFF\xFE\xE9\0\x3D\xD8\x00\xDE", 8); // e acute, then U+1F600
+    EXPECT_EQ(utf8_of_utf16(accented), "\xC3\xA9\xF0\x9F\x98\x80");
+}
+
+TEST(ReadCube, takes_no_break_and_typographic_spaces_for_blanks) {
+    const Lut meant = read_cube("LUT_1D_SIZE 2\n0 0.25 0\n1 1 0.5\n", "a.cube");
+    for (const std::string blank : {"\xC2\xA0", "\xA0", "\xE2\x80\x89", "\xE3\x80\x80"}) {
+        const std::string text = "LUT_1D_SIZE" + blank + "2\n" + blank + "0" + blank + "0.25" +
+                                 blank + blank + "0 \n1" + blank + " 1 0.5" + blank + "\n";
+        EXPECT_EQ(read_cube(text, "a.cube").shaper, meant.shaper) << blank.size();
+    }
+    // The second byte of a letter is none.
+    EXPECT_EQ(words_of("d\xC3\xA0 voil\xC3\xA0").count, 2U);
 }
 
 } // namespace

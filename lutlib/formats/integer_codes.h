@@ -1,0 +1,24 @@
+// Tables whose numbers are integer codes: which depth they have, said by the file or guessed.
+#pragma once
+
+#include "lutlib/lut.h"
+
+#include <optional>
+#include <string>
+
+namespace lutlib {
+
+/// 2^bits - 1.
+double largest_code(int bits);
+
+/// The usual depth (8, 10, 12, 14 or 16 bits) that codes up to `largest` need; nullopt beyond.
+std::optional<int> depth_of_codes(double largest);
+
+/// Turns tables of a .cube whose values are all whole and reach beyond 127, as no table of
+/// intensities does, into 0..1, with a note of the depth and its reason: Panasonic's .vlt, by its
+/// first comment or its name, has 12 bits, other files the least depth that their codes need. An
+/// input range from 0 to the largest code of a depth is codes too. Tables over any other input
+/// range are left alone when they do not leave it, as theirs are no codes.
+void scale_integer_codes(Lut& lut);
+
+} // namespace lutlib

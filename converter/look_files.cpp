@@ -18,26 +18,25 @@ io::LookOptions with_layout(io::LookOptions options) {
     return options;
 }
 
+void complain(const std::string& name, const std::string& sentence) {
+    print("lutconv: " + one_line(name) + ": " + one_line(sentence) + '\n',
+          std::string(io::standard_stream));
+}
+
 void complain_of(const std::vector<lutlib::Loss>& losses, const std::string& name) {
     for (const lutlib::Loss& loss : losses) {
-        print("lutconv: " + one_line(name) + ": lost: " + loss_text(loss) + '\n',
-              std::string(io::standard_stream));
+        complain(name, "lost: " + loss_text(loss));
     }
 }
 
-// Vendors' keywords may change what a table means.
-void complain_of_keywords(const std::vector<std::string>& keywords, const std::string& name) {
-    for (const std::string& line : keywords) {
-        print("lutconv: " + one_line(name) + ": kept but not acted on: " + one_line(line) + '\n',
-              std::string(io::standard_stream));
-    }
-}
-
+// A guessed depth, vendors' keywords: what a table means.
 io::Look told(io::Look look) {
     tell_remarks(look);
     for (const io::LookFile& file : look.files()) {
         complain_of(file.losses, file.name);
-        complain_of_keywords(file.keywords, file.name);
+        for (const std::string& line : file.keywords) {
+            complain(file.name, "kept but not acted on: " + line);
+        }
     }
     return look;
 }
@@ -63,8 +62,7 @@ const lutlib::Layout* layout_option() {
 void tell_remarks(const io::Look& look) {
     for (const io::LookFile& file : look.files()) {
         for (const std::string& remark : file.remarks) {
-            print("lutconv: " + one_line(file.name) + ": " + one_line(remark) + '\n',
-                  std::string(io::standard_stream));
+            complain(file.name, remark);
         }
     }
 }
@@ -95,7 +93,11 @@ lutlib::Recipe recipe_of(const io::Look& look) {
 }
 
 void write_look(const lutlib::Lut& lut, const std::string& path) {
-    complain_of(io::write_lut(path, lut).losses, io::output_name(path));
+    const io::Encoded written = io::write_lut(path, lut);
+    for (const std::string& reader : written.readers) {
+        complain(io::output_name(path), reader);
+    }
+    complain_of(written.losses, io::output_name(path));
 }
 
 } // namespace converter

@@ -1,6 +1,7 @@
 // The descriptor of a LUT file format, and of what a format can hold.
 #pragma once
 
+#include "lutlib/limits.h"
 #include "lutlib/lut.h"
 
 #include <algorithm>
@@ -35,6 +36,8 @@ struct Holds {
     bool title = false;
     bool keywords = false;      ///< Lut::keywords
     bool interpolation = false; ///< Lut::interpolation, trilinear or tetrahedral
+    int min_cube_size = limits::min_cube_size;
+    int max_cube_size = limits::max_cube_size;
     int integer_bits = 0; ///< codes of so many bits over 0..1, values outside clamped; 0: float
     int decimals = 0;     ///< decimals of a text format that rounds; 0: every bit kept
 };
@@ -115,6 +118,8 @@ struct FileFormat {
     /// The file's bytes. Expects a Lut that `holds` can hold; throws Error otherwise.
     std::string (*write)(const FileFormat& format, const Lut& lut,
                          const WriteOptions& options) = nullptr;
+    /// Which programs do not read a file of this look, or read it otherwise, a sentence each.
+    std::vector<std::string> (*readers)(const Lut& lut) = nullptr;
     /// OpenColorIO reads it: its own evaluation of a file may say more than a table of ours.
     bool opencolorio = false;
     std::string_view opencolorio_writer{}; ///< its name for its writer, where it writes the format

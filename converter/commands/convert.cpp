@@ -78,10 +78,14 @@ nlohmann::ordered_json as_json(const Options& o, const lutlib::FileFormat& forma
             {"losses", losses}};
 }
 
-std::string as_text(const Options& o, const lutlib::FileFormat& format, const io::Encoded& file) {
+std::string as_text(const Options& o, const lutlib::FileFormat& format, const io::Encoded& file,
+                    const std::vector<std::string>& notes) {
     std::string out =
         fmt::format("{} -> {}\n  {}\n  {}, input {}\n", input_text(o.input), output_text(o.output),
                     format.label, io::shape_of(file.lut), io::domain_text(file.lut.domain()));
+    for (const std::string& note : notes) {
+        out += "  " + one_line(note) + '\n';
+    }
     for (const lutlib::Loss& loss : file.losses) {
         out += "  lost: " + loss_text(loss) + '\n';
     }
@@ -130,9 +134,15 @@ int run(const Options& o) {
                                                         : io::require_file_format(o.format);
     io::Encoded file = io::encode_lut(lut, format, o.save);
     std::vector<lutlib::Loss> losses;
+    std::vector<std::string> notes;
     for (const io::LookFile& read : look.files()) {
         losses.insert(losses.end(), read.losses.begin(), read.losses.end());
+        notes.insert(notes.end(), read.notes.begin(), read.notes.end());
+        for (const std::string& keyword : read.keywords) {
+            notes.push_back("not acted on: " + keyword);
+        }
     }
+    notes.insert(notes.end(), file.readers.begin(), file.readers.end());
     losses.insert(losses.end(), table.losses.begin(), table.losses.end());
     file.losses.insert(file.losses.begin(), losses.begin(), losses.end());
     if (o.strict && !file.losses.empty()) {
@@ -145,12 +155,14 @@ int run(const Options& o) {
     io::write_file(o.output, file.bytes);
     if (o.json) {
         nlohmann::ordered_json json = as_json(o, format, file);
+        json["notes"] = notes;
         if (explanation) {
             json["explanation"] = to_json(*explanation);
         }
         print(json, o.output);
     } else {
-        print(as_text(o, format, file) + (explanation ? to_text(*explanation) : ""), o.output);
+        print(as_text(o, format, file, notes) + (explanation ? to_text(*explanation) : ""),
+              o.output);
     }
     return ok;
 }

@@ -80,7 +80,8 @@ int run(const std::string& path, bool json) {
                                    {"format", look.kind().format},
                                    {"title", lut.title},
                                    {"comments", lut.comments},
-                                   {"keywords", lut.keywords}};
+                                   {"keywords", lut.keywords},
+                                   {"notes", lut.notes}};
         if (lut.shaper) {
             out["shaper"] = table_json(lut.shaper->size(), lut.shaper->domain, lut.shaper->entries);
         }

@@ -34,7 +34,8 @@ struct Options {
 
 struct Verdict {
     std::string oracle,
-        refusal; ///< who said what is right; why it was not asked of the file itself
+        refusal;       ///< who said what is right; why it was not asked of the file itself
+    std::string scale; ///< how its reading of the file differs by a factor, and why ours counts
     std::optional<lutlib::Verification> result; ///< unless the picture has no lattice
     std::optional<lutlib::FittedCheck> fitted;
     bool passed = false;
@@ -63,7 +64,7 @@ Verdict judge(const Options& o, const Subject& s) {
     const io::Look look = io::Look::open(o.against);
     const lutlib::Interpolation how = baked_interpolation(o, s, look);
     const io::LookReference reference = look.reference(how);
-    Verdict out{reference.name, reference.refusal, {}, {}, false};
+    Verdict out{reference.name, reference.refusal, reference.scale, {}, {}, false};
     if (s.size > 0) {
         const std::vector<lutlib::Rgb> inputs =
             lutlib::sample_colors(s.size, {.random = o.samples});
@@ -172,6 +173,9 @@ std::string as_text(const Options& o, const Subject& s, const Verdict& v) {
     if (is_a_matter_of_tags(s, v)) {
         out += "  why: the texels are right; " + s.tags + "\n";
     }
+    if (!v.scale.empty()) {
+        out += fmt::format("  {}\n  so OpenColorIO evaluates our reading of the look\n", v.scale);
+    }
     for (const std::string& point : s.contract) {
         if (!is_a_matter_of_tags(s, v)) {
             out += "  contract: " + point + "\n";
@@ -216,6 +220,9 @@ nlohmann::ordered_json as_json(const Options& o, const Subject& s, const Verdict
     }
     if (!v.refusal.empty()) {
         out["oracle_refusal"] = v.refusal;
+    }
+    if (!v.scale.empty()) {
+        out["oracle_scale"] = v.scale;
     }
     if (v.result) {
         const lutlib::TexelCheck& t = v.result->texels;

@@ -9,5 +9,7 @@ namespace lutlib::formats {
 
 extern const FileFormat cube; ///< Adobe/Iridas
 extern const FileFormat cube_resolve;
+extern const FileFormat flame; ///< Autodesk .3dl
+extern const FileFormat lustre;
 
 } // namespace lutlib::formats

@@ -208,14 +208,27 @@ Plan plan_of(const Lut& lut, const Holds& holds) {
     throw UsageError("this format can only be read");
 }
 
-int cube_size_for(const Lut& lut, const Domain& domain, int wanted) {
+// The least size that holds a lattice's own nodes, so that growing it costs nothing.
+int grown(int own, int least) {
+    const int cells = own - 1;
+    return (least - 1 + cells - 1) / cells * cells + 1;
+}
+
+int cube_size_for(const Lut& lut, const Domain& domain, const Holds& holds, int wanted) {
     if (wanted != 0) {
         check_cube_size(wanted);
+        if (wanted < holds.min_cube_size || wanted > holds.max_cube_size) {
+            throw Error("the format holds " + std::to_string(holds.min_cube_size) + " to " +
+                        std::to_string(holds.max_cube_size) + " nodes a side, not " +
+                        std::to_string(wanted));
+        }
         return wanted;
     }
     const int own = lut.cube ? lut.cube->size : 0;
-    return lut.cube && !lut.shaper && lut.cube->domain == domain ? own
-                                                                 : std::max(own, made_cube_size);
+    const bool kept = lut.cube && !lut.shaper && lut.cube->domain == domain;
+    const int size = kept ? own : std::max(own, made_cube_size);
+    return std::min(size < holds.min_cube_size ? grown(size, holds.min_cube_size) : size,
+                    holds.max_cube_size);
 }
 
 void resample(const Lut& lut, const Plan& plan, const Holds& holds, int cube_size,
@@ -241,7 +254,7 @@ void resample(const Lut& lut, const Plan& plan, const Holds& holds, int cube_siz
             out = sampled_curve(lut, domain);
         }
     } else {
-        const int size = cube_size_for(lut, domain, cube_size);
+        const int size = cube_size_for(lut, domain, holds, cube_size);
         if (out.shaper || !out.cube || out.cube->domain != domain || out.cube->size != size) {
             out = sampled_cube(lut, domain, size);
         }
@@ -265,6 +278,10 @@ bool can_hold(const Lut& lut, const Holds& holds) {
     const auto domain_fits = [&](const Domain& d, bool any_domain) {
         return d == allowed(d, any_domain, holds.per_channel_domain);
     };
+    if (lut.cube &&
+        (lut.cube->size < holds.min_cube_size || lut.cube->size > holds.max_cube_size)) {
+        return false;
+    }
     if (lut.shaper && lut.cube) {
         return holds.curve_and_cube && domain_fits(lut.shaper->domain, holds.curve_domain) &&
                domain_fits(lut.cube->domain, holds.cube_domain);

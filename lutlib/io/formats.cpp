@@ -2,14 +2,16 @@
 
 #include "lutlib/error.h"
 #include "lutlib/formats/all.h"
+#include "lutlib/formats/mistaken.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/fit_format.h"
 #include "lutlib/io/formats/all.h"
 #include "lutlib/io/formats/picture.h"
 #include "lutlib/named.h"
+#include "lutlib/text.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 namespace lutlib::io {
 namespace {
@@ -17,6 +19,8 @@ namespace {
 constexpr auto rows = std::to_array<const FileFormat*>({
     &formats::cube,
     &formats::cube_resolve,
+    &formats::flame,
+    &formats::lustre,
     &formats::csp,
     &formats::spi1d,
     &formats::spi3d,
@@ -61,34 +65,6 @@ int keeps(const FileFormat& format, const Lut& lut) {
                                                                    : 0;
 }
 
-// What OpenColorIO makes of a file that its own writer wrote. Some formats leave it to the reader
-// to guess how large the codes are, and a dark look is then read as a bright one.
-void check_reading_back(const std::string& bytes, const FileFormat& format, const Lut& meant,
-                        std::vector<Loss>& losses) {
-    const auto reread = [&] {
-        try {
-            return format.read(format, bytes, "look." + format.extensions.first(), {}).lut;
-        } catch (const Error& error) {
-            throw Error(
-                "a ." + format.extensions.first() +
-                " of this look cannot be read back, take another format: " + error.message());
-        }
-    };
-    const Lut back = reread();
-    if (back.cube && meant.cube && back.cube->size == meant.cube->size) {
-        double most = 0;
-        for (std::size_t i = 0; i < meant.cube->nodes.size(); ++i) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                most = std::max(most, std::abs(static_cast<double>(back.cube->nodes[i][c]) -
-                                               std::clamp(meant.cube->nodes[i][c], 0.0F, 1.0F)));
-            }
-        }
-        if (most > 2 / std::ldexp(1.0, format.holds.integer_bits)) {
-            losses.push_back({"readers take its codes for another depth, largest error", most, ""});
-        }
-    }
-}
-
 } // namespace
 
 std::span<const FileFormat* const> file_formats() {
@@ -118,6 +94,10 @@ const FileFormat& format_for_writing(const std::string& path, const Lut& lut) {
 }
 
 const FileFormat& recognise_format(std::string_view bytes, const std::string& file) {
+    refuse_mistaken_file(bytes, file);
+    if (const std::optional<std::string> utf8 = utf8_of_utf16(bytes)) {
+        return recognise_format(*utf8, file);
+    }
     constexpr int extension_score = 40;
     const std::string extension = extension_of(file);
     const auto readers = formats_where([](const FileFormat* row) { return row->read != nullptr; });
@@ -143,6 +123,10 @@ const FileFormat& recognise_format(std::string_view bytes, const std::string& fi
 
 Reading decode_lut(std::string_view bytes, const std::string& file, const ReadOptions& options,
                    std::string_view format) {
+    refuse_mistaken_file(bytes, file);
+    if (const std::optional<std::string> utf8 = utf8_of_utf16(bytes)) {
+        return decode_lut(*utf8, file, options, format);
+    }
     const FileFormat& row =
         format.empty() ? recognise_format(bytes, file) : require_file_format(format);
     if (!row.read) {
@@ -168,9 +152,10 @@ Encoded encode_lut(const Lut& lut, const FileFormat& format, const WriteOptions&
         size = formats::picture_cube_size(*format.layout, lut, options.size);
     }
     FitToFormat fit = fit_to(lut, holds, size);
-    Encoded out{format.write(format, fit.lut, options), std::move(fit.lut), std::move(fit.losses)};
-    if (format.read && holds.integer_bits > 0 && !format.picture) {
-        check_reading_back(out.bytes, format, out.lut, out.losses);
+    Encoded out{
+        format.write(format, fit.lut, options), std::move(fit.lut), std::move(fit.losses), {}};
+    if (format.readers) {
+        out.readers = format.readers(out.lut);
     }
     return out;
 }

@@ -33,6 +33,8 @@ struct Encoded {
     std::string bytes;
     Lut lut; ///< the look as fitted to the format
     std::vector<Loss> losses;
+    /// Which programs do not read this file, or read it otherwise, a sentence each.
+    std::vector<std::string> readers;
 };
 
 /// The bytes of a file in this format. Throws Error, UsageError.

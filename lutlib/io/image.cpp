@@ -86,7 +86,7 @@ FloatImage decode_image(std::string_view bytes, const std::string& extension,
     if (is_png(bytes)) {
         return to_float_image(read_png(bytes, file));
     }
-    const TemporaryFile copy(bytes, extension);
+    const TemporaryFile copy(bytes, file, extension);
     return oiio().read(copy.path(), file);
 }
 

@@ -9,7 +9,11 @@
 #include "lutlib/io/ocio.h"
 #include "lutlib/io/recipe_file.h"
 #include "lutlib/metrics/compare.h"
+#include "lutlib/metrics/samples.h"
+#include "lutlib/metrics/scale.h"
 #include "lutlib/recipe/bake_recipe.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>
@@ -34,6 +38,27 @@ LookTable baked(const Recipe& recipe) {
                               d.absolute.max, ""});
     }
     return out;
+}
+
+// What was guessed of a picture's layout, then of a table's codes.
+std::vector<std::string> remarks_of(std::vector<std::string> remarks, const Lut& lut) {
+    remarks.insert(remarks.end(), lut.notes.begin(), lut.notes.end());
+    return remarks;
+}
+
+// Where a file leaves it to its readers how large white is.
+std::string scale_text(const Transform& theirs, const Lut& lut, Interpolation how) {
+    const std::vector<Rgb> inputs = sample_colors(5, {.neutral = 64, .random = 500});
+    const auto scale = scale_between(theirs, Transform::of(lut, how), inputs);
+    if (!scale) {
+        return {};
+    }
+    std::string why;
+    for (const std::string& note : lut.notes) {
+        why += (why.empty() ? ": " : "; ") + note;
+    }
+    return fmt::format("OpenColorIO reads {:.4g} times the values that lutlib reads{}", *scale,
+                       why);
 }
 
 bool claims_to_be_a_look(const std::string& path) {
@@ -84,7 +109,8 @@ void Look::read_recipe() {
     }
     Reading base = read_lut(base_path(*recipe_, path_),
                             {.layout = options_.layout, .engine = options_.engine});
-    files_.push_back({base.lut.provenance, base.all_losses(), base.lut.keywords, base.remarks});
+    files_.push_back({base.lut.provenance, base.all_losses(), base.lut.keywords,
+                      remarks_of(base.remarks, base.lut)});
     recipe_->base_lut = std::make_shared<const Lut>(std::move(base.lut));
 }
 
@@ -96,7 +122,8 @@ void Look::read_table(const LookOptions& options) {
         {.size = 0, .layout = options.layout, .engine = options.engine, .row = options.row},
         format.name);
     kind_ = {std::string(format.name), reading.layout, reading.engine};
-    files_ = {{name_, std::move(reading.losses), reading.lut.keywords, std::move(reading.remarks)}};
+    files_ = {{name_, std::move(reading.losses), reading.lut.keywords,
+               remarks_of(reading.remarks, reading.lut)}};
     table_losses_ = std::move(reading.table_losses);
     lut_ = std::make_shared<const Lut>(std::move(reading.lut));
 }
@@ -185,7 +212,10 @@ LookReference Look::reference(Interpolation how) const {
     } else {
         try {
             out.look = in_opencolorio(how);
-            return out;
+            out.scale = scale_text(out.look, *lut_, how);
+            if (out.scale.empty()) {
+                return out;
+            }
         } catch (const Error& error) {
             out.refusal = error.message();
         }

@@ -56,7 +56,10 @@ struct LookReference {
     Transform look;
     std::string name; ///< who answers, for reports
     /// Why OpenColorIO evaluates what lutlib read, not the file itself; empty when it does.
-    std::string refusal;
+    std::string refusal{};
+    /// In what OpenColorIO's reading of the file and lutlib's differ by a factor, and why lutlib's
+    /// counts, which OpenColorIO then evaluates; empty where they do not.
+    std::string scale{};
 };
 
 class Look {

@@ -28,10 +28,31 @@ std::string new_folder() {
     return folder;
 }
 
+// OpenColorIO expands "$" and "%" as variables, OpenImageIO "%" and "#" as frame numbers, and the
+// file system takes 255 bytes.
+std::string harmless(const std::string& name) {
+    constexpr std::size_t most_bytes = 200;
+    std::string out;
+    for (const char c : name.substr(0, most_bytes)) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                           (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '_' || c == ' ';
+        out += plain ? c : '_';
+    }
+    return out;
+}
+
+std::string name_in_folder(const std::string& name, const std::string& extension) {
+    const std::filesystem::path path(name);
+    const std::string own = path.extension().string();
+    const std::string stem = harmless(path.stem().string());
+    return (stem.empty() ? "input" : stem) + (extension.empty() ? own : "." + extension);
+}
+
 } // namespace
 
-TemporaryFile::TemporaryFile(std::string_view bytes, const std::string& extension)
-    : folder_(new_folder()), path_(folder_ + "/input" + (extension.empty() ? "" : "." + extension)),
+TemporaryFile::TemporaryFile(std::string_view bytes, const std::string& name,
+                             const std::string& extension)
+    : folder_(new_folder()), path_(folder_ + "/" + name_in_folder(name, extension)),
       folder_removed_(folder_), file_removed_(path_) {
     std::ofstream file(path_, std::ios::binary);
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

@@ -219,5 +219,53 @@ TEST(Recipe, is_no_loss_where_a_table_says_it_all) {
     EXPECT_EQ(strict.exit_code, 0) << strict.err;
 }
 
+// A .3dl whose white is far below its depth, and a .vlt: the codes are the file's word, and where
+// OpenColorIO takes them for another depth verify says so and proves the picture all the same.
+TEST(Verify, says_where_opencolorio_reads_a_file_at_another_scale) {
+    const Folder folder;
+    std::string rows;
+    for (int r = 0; r < 4; ++r) {
+        for (int g = 0; g < 4; ++g) {
+            for (int b = 0; b < 4; ++b) {
+                rows += std::to_string(r * 300) + ' ' + std::to_string(g * 300) + ' ' +
+                        std::to_string(b * 250) + '\n';
+            }
+        }
+    }
+    const std::string dark =
+        folder.write("dark.3dl", "# Output bit depth 12\n0 341 682 1023\n" + rows);
+    const std::string vlt = folder.write(
+        "a.vlt", "# panasonic vlt file version 1.0\nLUT_3D_SIZE 2\n0 0 0\n4095 0 0\n0 3000 0\n"
+                 "4095 3000 0\n0 0 4095\n4095 0 4095\n0 3000 4095\n4095 3000 4095\n");
+    const std::string strip = folder.path("s.png");
+    EXPECT_EQ(lutconv({"eval", dark, "1", "1", "1"}).out.substr(0, 6), "0.2197");
+    for (const auto& [look, times] : {std::pair(dark, "4.003 times"), {vlt, "4095 times"}}) {
+        EXPECT_EQ(lutconv({"bake", look, "-o", strip}).exit_code, 0);
+        const Result result = lutconv({"verify", strip, "--against", look});
+        EXPECT_EQ(result.exit_code, 0) << result.out;
+        EXPECT_NE(result.out.find(std::string("OpenColorIO reads ") + times), std::string::npos)
+            << result.out;
+    }
+}
+
+TEST(MistakenFiles, are_refused_by_every_verb_that_reads_looks) {
+    const Folder folder;
+    const std::string file = folder.write("a.3dl", "{\\rtf1\\ansi 0 0 0}"), out = folder.path("o");
+    const std::vector<std::vector<std::string>> lines{{"info", file},
+                                                      {"bake", file, "-o", out + ".png"},
+                                                      {"convert", file, "-o", out + ".cube"},
+                                                      {"check", file},
+                                                      {"edit", file, "-o", out + ".cube"},
+                                                      {"invert", file, "-o", out + ".cube"},
+                                                      {"resample", file, "-o", out + ".cube"},
+                                                      {"compare", file, file},
+                                                      {"eval", file, "0", "0", "0"}};
+    for (const auto& line : lines) {
+        const Result result = lutconv(line);
+        EXPECT_EQ(result.exit_code, 2) << line[0];
+        EXPECT_NE(result.err.find("rich text (RTF)"), std::string::npos) << result.err;
+    }
+}
+
 } // namespace
 } // namespace converter_test

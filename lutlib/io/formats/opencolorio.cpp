@@ -3,8 +3,11 @@
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats/all.h"
 #include "lutlib/io/ocio.h"
+#include "lutlib/text.h"
 
 #include <array>
+#include <filesystem>
+#include <utility>
 
 namespace lutlib::formats {
 namespace {
@@ -17,26 +20,56 @@ constexpr Holds operators_and_tables{.curve = true,
                                      .per_channel_domain = true,
                                      .title = true,
                                      .interpolation = true};
-constexpr Holds unit_cube_of_12_bits{.cube = true, .integer_bits = 12};
 constexpr Holds unit_cube_of_6_decimals{.cube = true, .decimals = 6};
+
+// The first line that is neither blank nor a comment: "LUT:", the number of tables, their length.
+std::string_view discreet_head(std::string_view bytes) {
+    LineScanner lines(bytes);
+    std::string_view line;
+    while (lines.next(line) && (trimmed(line).empty() || trimmed(line).front() == '#')) {
+    }
+    return trimmed(line);
+}
+
+int recognise_discreet(std::string_view bytes) {
+    const Words words = words_of(discreet_head(bytes.substr(0, 4096)));
+    return upper(words.items[0]) == "LUT:" && words.count >= 3 ? 80 : 0;
+}
+
+// The depth of its codes stands behind the table's sizes ("LUT: 1 1024 256"), else behind "to" in
+// the file's name (12to10log.lut); else OpenColorIO takes them for as many bits as the table has
+// entries.
+std::string depth_note(std::string_view bytes, const std::string& file) {
+    if (words_of(discreet_head(bytes)).count > 3) {
+        return {};
+    }
+    const std::string name = upper(std::filesystem::path(file).stem().string());
+    const std::size_t to = name.find("TO");
+    const std::string digits = to == std::string::npos ? "" : name.substr(to + 2, 2);
+    const bool known = digits.starts_with('8') || digits == "10" || digits == "12" ||
+                       digits == "16" || digits == "32";
+    return known ? "the codes' depth is read from the file's name, which says to " +
+                       (digits.front() == '8' ? "8" : digits) + " bits"
+                 : "no depth of the codes is declared: guessed to be that of the input, by the "
+                   "number of entries";
+}
+
+Reading read_discreet(const FileFormat& format, std::string_view bytes, const std::string& file,
+                      const ReadOptions& options) {
+    Reading out = read_with_opencolorio(format, bytes, file, options);
+    if (std::string note = depth_note(bytes, file); !note.empty()) {
+        out.lut.notes.push_back(std::move(note));
+    }
+    return out;
+}
+
+constexpr FileFormat read_by(decltype(FileFormat::read) read, FileFormat row) {
+    row.read = read;
+    return row;
+}
 
 // Without a magic text the extension decides.
 constexpr auto rows = std::to_array<FileFormat>({
-    read_by_opencolorio({
-        .name = "flame",
-        .label = "Autodesk Flame .3dl: a cube of integer codes",
-        .extensions = {"3dl"},
-        .holds = unit_cube_of_12_bits,
-        .opencolorio_writer = "flame",
-    }),
-    read_by_opencolorio({
-        .name = "lustre",
-        .label = "Autodesk Lustre .3dl: a cube of integer codes with a mesh header",
-        .extensions = {"3dl"},
-        .holds = unit_cube_of_12_bits,
-        .magic = "3DMESH",
-        .opencolorio_writer = "lustre",
-    }),
     read_by_opencolorio({
         .name = "clf",
         .label = "Academy/ASC Common LUT Format: operators, curves and cubes",
@@ -120,12 +153,13 @@ constexpr auto rows = std::to_array<FileFormat>({
         .holds = unit_cube_of_6_decimals,
         .opencolorio_writer = "houdini",
     }),
-    read_by_opencolorio({
-        .name = "discreet",
-        .label = "Discreet 1D .lut: a curve of integer codes",
-        .extensions = {"lut"},
-        .holds = {},
-    }),
+    read_by(read_discreet, read_by_opencolorio({
+                               .name = "discreet",
+                               .label = "Discreet 1D .lut: a curve of integer codes",
+                               .extensions = {"lut"},
+                               .holds = {},
+                               .recognise = recognise_discreet,
+                           })),
     read_by_opencolorio({
         .name = "truelight",
         .label = "Truelight .cub: a cube",

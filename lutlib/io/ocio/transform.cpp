@@ -66,8 +66,9 @@ OCIO::ConstProcessorRcPtr processor_of_file(std::string_view bytes, const std::s
                                             const std::string& file,
                                             std::optional<Interpolation> interpolation) {
     // OpenColorIO reads only by path, expands "$" and "%" in it as variables and remembers what it
-    // read under it. A file of our own in a folder of our own has none of these troubles.
-    const TemporaryFile copy(bytes, extension);
+    // read under it. A file of our own in a folder of our own has none of these troubles; its name
+    // stays, for a Discreet 1D .lut says its depth there.
+    const TemporaryFile copy(bytes, file, extension);
     const OCIO::FileTransformRcPtr transform = OCIO::FileTransform::Create();
     transform->setSrc(copy.path().c_str());
     transform->setCCCId("0"); // collections hold several corrections; other formats ignore it

@@ -145,7 +145,7 @@ TEST(PendingFile, and_temporary_files_go_with_a_program_that_a_signal_ends) {
         if (child == 0) {
             ::setenv("TMPDIR", folder.path().c_str(), 1);
             const PendingFile pending(folder.file("x.exr"));
-            const TemporaryFile temporary("bytes", "exr");
+            const TemporaryFile temporary("bytes", "a.exr", "");
             // Tells the test that all is there.
             put(folder.file("ready"), "");
             while (true) {
@@ -187,7 +187,7 @@ TEST(TemporaryFile, says_what_to_do_where_there_is_no_place_for_it) {
     ::setenv("TMPDIR", "/nonexistent", 1);
     std::string text;
     try {
-        const TemporaryFile file("bytes", "exr");
+        const TemporaryFile file("bytes", "a.exr", "");
     } catch (const Error& e) {
         text = e.what();
     }

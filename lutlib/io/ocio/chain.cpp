@@ -168,6 +168,40 @@ std::optional<Domain> domain_of_unit(const ChannelMaps& maps) {
     return out;
 }
 
+std::optional<Domain> domain_onto(const ChannelMaps& maps, const Domain& values) {
+    Domain out;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const ChannelMap& map = maps[c];
+        const double min = (static_cast<double>(values.min[c]) - map.offset) / map.scale;
+        const double max = (static_cast<double>(values.max[c]) - map.offset) / map.scale;
+        out.min[c] = static_cast<float>(std::max(min, map.low));
+        out.max[c] = static_cast<float>(std::min(max, map.high));
+        if (!(map.scale > 0) || !(out.min[c] < out.max[c])) {
+            return std::nullopt;
+        }
+    }
+    return out;
+}
+
+std::optional<Domain> values_of_inverse(const OCIO::ConstTransformRcPtr& op) {
+    const auto table = as<OCIO::Lut1DTransform>(op);
+    if (!table || is_forward(*table) || table->getInputHalfDomain() || table->getLength() == 0) {
+        return std::nullopt;
+    }
+    Domain out;
+    table->getValue(0, out.min.r, out.min.g, out.min.b);
+    out.max = out.min;
+    for (unsigned long i = 1; i < table->getLength(); ++i) {
+        Rgb entry;
+        table->getValue(i, entry.r, entry.g, entry.b);
+        for (std::size_t c = 0; c < 3; ++c) {
+            out.min[c] = std::min(out.min[c], entry[c]);
+            out.max[c] = std::max(out.max[c], entry[c]);
+        }
+    }
+    return out;
+}
+
 std::optional<Lut1D> curve_of(const OCIO::ConstTransformRcPtr& op) {
     const auto table = as<OCIO::Lut1DTransform>(op);
     if (!table || !is_forward(*table) || table->getInputHalfDomain() ||

@@ -36,6 +36,13 @@ bool append_straight(ChannelMaps& maps, const Lut1D& curve);
 /// channel is not rising.
 std::optional<Domain> domain_of_unit(const ChannelMaps& maps);
 
+/// The inputs that `maps` takes to `values`, where no clamp cuts into them; nullopt where a channel
+/// is not rising or has no width.
+std::optional<Domain> domain_onto(const ChannelMaps& maps, const Domain& values);
+
+/// What an inverse 1D table takes: the values that the table itself has. nullopt for others.
+std::optional<Domain> values_of_inverse(const OCIO::ConstTransformRcPtr& op);
+
 /// A plain table, with domain 0..1; nullopt for inverse, half-float-indexed and hue-preserving
 /// ones.
 std::optional<Lut1D> curve_of(const OCIO::ConstTransformRcPtr& op);

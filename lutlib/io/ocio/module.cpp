@@ -12,11 +12,15 @@ namespace {
 
 // Corrections of a .ccc or .cdl collection; 0 for other files.
 std::size_t corrections_in(std::string_view bytes) {
-    constexpr std::string_view opening = "<ColorCorrection ";
+    // Not the collection's own name, which begins alike.
+    constexpr std::string_view name = "ColorCorrection", before = "<:", behind = " \t\r\n>/";
     std::size_t count = 0;
-    for (std::size_t at = bytes.find(opening); at != std::string_view::npos;
-         at = bytes.find(opening, at + opening.size())) {
-        ++count;
+    for (std::size_t at = bytes.find(name); at != std::string_view::npos;
+         at = bytes.find(name, at + name.size())) {
+        const std::size_t end = at + name.size();
+        const bool opens = at > 0 && before.find(bytes[at - 1]) != std::string_view::npos &&
+                           !bytes.substr(0, at).ends_with("</");
+        count += opens && end < bytes.size() && behind.find(bytes[end]) != std::string_view::npos;
     }
     return count;
 }

@@ -4,6 +4,7 @@
 #include "lutlib/io/ocio/chain.h"
 #include "lutlib/limits.h"
 #include "lutlib/metrics/stats.h"
+#include "lutlib/resample/curves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,8 +112,8 @@ Front front_of(const Chain& chain) {
     return front;
 }
 
-// The inputs over which the chain from `first` on is sampled: those its first table spans, or what
-// a clamp leaves, or what the shaper before it gives, or 0..1.
+// The inputs over which the chain from `first` on is sampled: those its first table spans, or that
+// an inverse table takes, or what a clamp leaves, or what the shaper before it gives, or 0..1.
 Domain sampling_domain(const Chain& chain, std::size_t first, const std::optional<Lut1D>& shaper) {
     ChannelMaps maps;
     std::size_t i = first;
@@ -121,6 +122,11 @@ Domain sampling_domain(const Chain& chain, std::size_t first, const std::optiona
     }
     if (i < chain.size() && (curve_of(chain[i]) || cube_of(chain[i]))) {
         if (const std::optional<Domain> domain = domain_of_unit(maps)) {
+            return *domain;
+        }
+    }
+    if (const auto values = i < chain.size() ? values_of_inverse(chain[i]) : std::nullopt) {
+        if (const std::optional<Domain> domain = domain_onto(maps, *values)) {
             return *domain;
         }
     }
@@ -170,44 +176,68 @@ std::size_t replace_non_finite(std::vector<Rgb>& values) {
     return count;
 }
 
+OCIO::ConstCPUProcessorRcPtr lossless(const Chain& chain, std::size_t first) {
+    return cpu_processor(processor_of_chain(chain, first), Optimization::lossless);
+}
+
+// How many operators at the front do not mix channels, where they bend them: an affine front is a
+// domain.
+std::size_t bending_front(const Chain& chain) {
+    ChannelMaps maps;
+    std::size_t end = 0;
+    bool bends = false;
+    while (end < chain.size()) {
+        const Chain longer(chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(end) + 1);
+        if (lossless(longer, 0)->hasChannelCrosstalk()) {
+            break;
+        }
+        bends = bends || !append(maps, chain[end]);
+        ++end;
+    }
+    return bends ? end : 0;
+}
+
+// The operators before `end`, which do not mix channels, as a table over the inputs they take.
+Lut1D table_of_front(const Chain& chain, std::size_t end) {
+    const Chain front(chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(end));
+    return sample_curve_closely(transform_of(lossless(front, 0)), sampling_domain(chain, 0, {}),
+                                default_curve_size, curve_tolerance);
+}
+
+std::size_t sample_cube_of_rest(const Chain& chain, const ReadOptions& options, Front& front) {
+    Lut& lut = front.lut;
+    std::size_t first = front.shaper_end;
+    if (first > 0) {
+        // Without what fold_affine may have put into it.
+        lut.shaper->entries = curve_of(chain[first - 1])->entries;
+    } else if (first = bending_front(chain); first > 0) {
+        lut.shaper = table_of_front(chain, first);
+    } else {
+        lut.shaper.reset();
+    }
+    const std::size_t replaced = lut.shaper ? replace_non_finite(lut.shaper->entries) : 0;
+    lut.cube = identity_cube(sampling_size(chain, first, options),
+                             sampling_domain(chain, first, lut.shaper));
+    transform_in_place(lossless(chain, first), lut.cube->nodes);
+    return replaced + replace_non_finite(lut.cube->nodes);
+}
+
 // Replaces what the front could not say by samples of the chain behind the shaper.
-std::string sample_rest(const Chain& chain, const ReadOptions& options, Front& front,
-                        std::vector<Loss>& losses) {
+void sample_rest(const Chain& chain, const ReadOptions& options, Front& front,
+                 std::vector<Loss>& losses) {
     Lut& lut = front.lut;
     lut.cube.reset();
-    const auto whole = cpu_processor(processor_of_chain(chain, 0), Optimization::lossless);
-    std::vector<Rgb>* values = nullptr;
-    std::string form;
-    std::size_t first = 0;
-    if (!whole->hasChannelCrosstalk()) {
-        lut.shaper = Lut1D{sampling_domain(chain, 0, {}), {}};
-        lut.shaper->entries.resize(default_curve_size);
-        for (int i = 0; i < default_curve_size; ++i) {
-            lut.shaper->entries[static_cast<std::size_t>(i)] =
-                to_float(entry_position(*lut.shaper, i));
-        }
-        values = &lut.shaper->entries;
-        form = "a curve of " + std::to_string(default_curve_size) + " entries";
+    std::size_t replaced = 0;
+    if (lossless(chain, 0)->hasChannelCrosstalk()) {
+        replaced = sample_cube_of_rest(chain, options, front);
     } else {
-        if (front.shaper_end == 0) {
-            lut.shaper.reset();
-        } else {
-            // Without what fold_affine may have put into it.
-            lut.shaper->entries = curve_of(chain[front.shaper_end - 1])->entries;
-        }
-        first = front.shaper_end;
-        lut.cube = identity_cube(sampling_size(chain, first, options),
-                                 sampling_domain(chain, first, lut.shaper));
-        values = &lut.cube->nodes;
-        form = "a cube of " + std::to_string(lut.cube->size) + " nodes a side";
+        lut.shaper = table_of_front(chain, chain.size());
+        replaced = replace_non_finite(lut.shaper->entries);
     }
-    transform_in_place(cpu_processor(processor_of_chain(chain, first), Optimization::lossless),
-                       *values);
-    if (const std::size_t count = replace_non_finite(*values)) {
+    if (replaced > 0) {
         losses.push_back({"samples that are not finite, replaced by 0 or +-65504",
-                          static_cast<double>(count), "values"});
+                          static_cast<double>(replaced), "values"});
     }
-    return form;
 }
 
 // Largest difference between the look and the chain over `inputs`.
@@ -256,9 +286,9 @@ Reading look_of_processor(const OCIO::ConstProcessorRcPtr& processor, const Read
         front.lut.interpolation = interpolation_of(asked[front.cube_at]);
     }
     if (!front.whole) {
-        const std::string form = sample_rest(chain, options, front, out.table_losses);
-        what = "sampled onto " + form + " over the input " + text_of(front.lut.domain()) +
-               ", largest error";
+        sample_rest(chain, options, front, out.table_losses);
+        what = "sampled onto " + shape_of(front.lut) + " over the input " +
+               text_of(front.lut.domain()) + ", largest error";
     }
     const Domain& domain = front.lut.domain();
     const double inside = largest_error(front.lut, exact, colors_between(domain, 0, 1, 40000));

@@ -150,5 +150,48 @@ TEST(ReadFiles, sample_onto_the_size_asked_for_with_an_error_that_falls_with_it)
     EXPECT_LT(loss_at(65), loss_at(17));
 }
 
+TEST(ReadFiles, takes_of_an_inverse_table_every_input_that_the_table_has) {
+    const std::string ctf = R"(<ProcessList version="1.3" id="i">
+<InverseLUT1D inBitDepth="32f" outBitDepth="32f"><Array dim="4 1">
+-0.2
+0.3
+0.5
+1.4
+</Array></InverseLUT1D>)";
+    const Lut curve = decode_lut(ctf + "</ProcessList>", "i.ctf").lut;
+    EXPECT_FALSE(curve.cube);
+    EXPECT_EQ(curve.domain(), (Domain{{-.2F, -.2F, -.2F}, {1.4F, 1.4F, 1.4F}}));
+    for (const auto& [in, out] : {std::pair(-.2, 0.), {.05, 1 / 6.}, {.5, 2 / 3.}, {1.4, 1.}}) {
+        EXPECT_NEAR(evaluate_exact(curve, {in, in, in}).g, out, 1e-5) << in;
+    }
+    // Before a matrix that mixes, it is the table before a cube.
+    const Lut mixed = decode_lut(ctf + R"(<Matrix inBitDepth="32f" outBitDepth="32f">
+<Array dim="3 3">0.5 0.5 0  0 1 0  0 0 1</Array></Matrix></ProcessList>)",
+                                 "m.ctf")
+                          .lut;
+    ASSERT_TRUE(mixed.shaper && mixed.cube);
+    EXPECT_EQ(mixed.domain(), curve.domain());
+    const RgbD out = evaluate_exact(mixed, {1.4, .5, -.2});
+    EXPECT_NEAR(out.r, (1 + 2 / 3.) / 2, 1e-5);
+    EXPECT_NEAR(out.b, 0, 1e-5);
+}
+
+TEST(ReadFiles, tells_of_several_corrections_with_and_without_ids) {
+    for (const char* id : {"", " id=\"a\""}) {
+        std::string cdl = "<ColorDecisionList xmlns=\"urn:ASC:CDL:v1.01\">\n";
+        for (int i = 0; i < 2; ++i) {
+            cdl += std::string("<ColorDecision><ColorCorrection") + id +
+                   "><SOPNode><Slope>1 1 1</Slope><Offset>0 0 0</Offset><Power>1 1 1</Power>"
+                   "</SOPNode></ColorCorrection></ColorDecision>\n";
+        }
+        const Reading reading = decode_lut(cdl + "</ColorDecisionList>\n", "a.cdl");
+        const bool told =
+            std::any_of(reading.losses.begin(), reading.losses.end(), [](const Loss& loss) {
+                return loss.unit == "corrections" && loss.figure == 2;
+            });
+        EXPECT_TRUE(told) << id;
+    }
+}
+
 } // namespace
 } // namespace lutlib::io

@@ -2,7 +2,9 @@
 
 #include "converter/usage.h"
 #include "lutlib/error.h"
+#include "lutlib/limits.h"
 #include "lutlib/named.h"
+#include "lutlib/resample/combine.h"
 
 #include <fmt/core.h>
 
@@ -94,7 +96,10 @@ std::vector<Operation> OperatorFlags::operations() const {
 
 void SamplingOptions::declare(CLI::App& app, bool recipe) {
     recipe_ = recipe;
-    app.add_option("--size", size_, "nodes a side of the result")->check(cube_sizes());
+    app.add_option("--size", size_,
+                   recipe ? "nodes a side of the result, which is then a cube"
+                          : "nodes a side of the result; of curves, which stay curves, entries")
+        ->check(recipe ? cube_sizes() : shaper_sizes());
     app.add_option("--domain", domain_, "input range of the result: minimum and maximum")
         ->expected(2);
     app.add_option("--shaper", shaper_,
@@ -136,6 +141,17 @@ lutlib::Sampling SamplingOptions::sampling() const {
     out.shaper_size = settings.shaper_size;
     // Codes of a look that lacks a recipe are taken for light where a curve is to shape them.
     out.input = lutlib::require_encoding("linear");
+    return out;
+}
+
+lutlib::Sampling SamplingOptions::sampling_of(const std::vector<const lutlib::Lut*>& looks) const {
+    lutlib::Sampling out = sampling();
+    if (size_ > lutlib::limits::max_cube_size && !make_curve(looks, out)) {
+        throw lutlib::UsageError(fmt::format("--size {} is for curves; this makes a cube, which "
+                                             "takes {} to {} nodes a side",
+                                             size_, lutlib::limits::min_cube_size,
+                                             lutlib::limits::max_cube_size));
+    }
     return out;
 }
 

@@ -38,6 +38,9 @@ class SamplingOptions {
     /// Overwrites what was given.
     void apply_to(lutlib::BakeSettings& settings) const;
     lutlib::Sampling sampling() const;
+    /// The same of the lattice that these looks make. Throws UsageError for a size that a cube
+    /// cannot have.
+    lutlib::Sampling sampling_of(const std::vector<const lutlib::Lut*>& looks) const;
 
   private:
     int size_ = 0, shaper_size_ = 0;

@@ -26,6 +26,10 @@ std::string to_text(const lutlib::WorstColour& worst) {
 }
 
 std::string tables_text(const lutlib::Lut& lut) {
+    if (!lut.cube) {
+        return fmt::format("a 1D table of {} entries, input {}: the channels do not mix",
+                           lut.shaper->size(), lutlib::io::domain_text(lut.domain()));
+    }
     std::string out = fmt::format("{} nodes a side, input {}", lut.cube->size,
                                   lutlib::io::domain_text(lut.domain()));
     if (lut.shaper) {
@@ -61,10 +65,11 @@ void write_and_report(const Result& result, bool json, nlohmann::ordered_json ex
     const lutlib::Lut& lut = result.lut;
     const lutlib::Difference error =
         compare(result.exact, lutlib::Transform::of(lut),
-                lutlib::samples_over(lut.domain(), std::min(lut.cube->size, 33)), result.encoding);
+                lutlib::samples_over(lut.domain(), lut.cube ? std::min(lut.cube->size, 33) : 33),
+                result.encoding);
     if (json) {
         nlohmann::ordered_json out{{"output", result.output},
-                                   {"size", lut.cube->size},
+                                   {"size", lut.cube ? lut.cube->size : 0},
                                    {"shaper_size", lut.shaper ? lut.shaper->size() : 0}};
         out.update(extra);
         out["error"] = to_json(error);

@@ -23,7 +23,8 @@ struct Result {
     std::vector<std::string> notes; ///< lines of text, what was lost
 };
 
-/// Writes the LUT, measures it over its domain, and prints text or JSON.
+/// Writes the LUT, measures it over its domain, and prints text or JSON; "size" is 0 there for a 1D
+/// table alone.
 void write_and_report(const Result& result, bool json, nlohmann::ordered_json extra);
 
 nlohmann::ordered_json to_json(const lutlib::Difference& difference);

@@ -38,7 +38,7 @@ int run(const Options& o) {
     for (const auto& look : looks) {
         chain.push_back(look.get());
     }
-    const lutlib::Lut lut = compose(chain, o.made.sampling.sampling(), method);
+    const lutlib::Lut lut = compose(chain, o.made.sampling.sampling_of(chain), method);
     const double clamped = clamped_share(chain, method);
     std::vector<std::string> notes;
     if (clamped > 0) {

@@ -6,17 +6,21 @@
 #include "converter/report.h"
 #include "converter/result.h"
 #include "converter/usage.h"
+#include "lutlib/error.h"
 #include "lutlib/io/bake_report.h"
+#include "lutlib/limits.h"
 #include "lutlib/metrics/compare.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
+#include <array>
 #include <memory>
 
 namespace converter {
 namespace {
+
+constexpr std::array channel_names{"red", "green", "blue"};
 
 struct Options {
     std::string input, output;
@@ -54,6 +58,71 @@ std::string region_text(const char* what, const char* extent, const lutlib::Inve
                        extent, region.extent);
 }
 
+std::string cube_text(const lutlib::Inversion& inversion) {
+    return fmt::format("  {} nodes a side, input {}\n", inversion.lut.cube->size,
+                       lutlib::io::domain_text(inversion.lut.domain())) +
+           region_text("no input gives these, so they got the nearest that can be given",
+                       "distance", inversion.out_of_gamut, inversion.nodes) +
+           region_text("folded: several inputs give these, so they got the nearest of them",
+                       "the inputs lie apart by", inversion.folded, inversion.nodes);
+}
+
+using Channels = std::array<lutlib::CurveInversion::Channel, 3>;
+
+std::string three(const Channels& channels, double lutlib::CurveInversion::Channel::*member) {
+    return fmt::format("{:.4g}, {:.4g}, {:.4g}", channels[0].*member, channels[1].*member,
+                       channels[2].*member);
+}
+
+std::string curve_text(const lutlib::Lut& inverse, const Channels& channels) {
+    using Channel = lutlib::CurveInversion::Channel;
+    std::string out = fmt::format(
+        "  a 1D table of {} entries, input {}\n"
+        "  slope of red, green, blue at its low end {}; at its high end {}; held beyond both\n",
+        inverse.shaper->size(), lutlib::io::domain_text(inverse.domain()),
+        three(channels, &Channel::slope_low), three(channels, &Channel::slope_high));
+    for (std::size_t c = 0; c < 3; ++c) {
+        const Channel& channel = channels[c];
+        if (channel.flat > 0) {
+            out += fmt::format("  lost: {} is flat over {:.4g} units of input; of the inputs that "
+                               "give one value the inverse takes the nearest to it\n",
+                               channel_names[c], channel.flat);
+        }
+        if (channel.turned > 0) {
+            out += fmt::format("  lost: {} turns back over {:.4g} units of input, by {:.4g} at "
+                               "most; of several inputs the inverse takes the first\n",
+                               channel_names[c], channel.turned, channel.depth);
+        }
+    }
+    return out;
+}
+
+nlohmann::ordered_json curve_json(const Channels& channels) {
+    nlohmann::ordered_json out = nlohmann::ordered_json::array();
+    for (const auto& channel : channels) {
+        out.push_back({{"flat", channel.flat},
+                       {"turned", channel.turned},
+                       {"depth", channel.depth},
+                       {"slope_low", channel.slope_low},
+                       {"slope_high", channel.slope_high}});
+    }
+    return out;
+}
+
+nlohmann::ordered_json as_json(const Options& o, const lutlib::Inversion& inversion) {
+    nlohmann::ordered_json out{{"input", o.input}, {"output", o.output}};
+    if (inversion.curve) {
+        out["entries"] = inversion.lut.shaper->size();
+        out["channels"] = curve_json(*inversion.curve);
+    } else {
+        out["size"] = inversion.lut.cube->size;
+        out["nodes"] = inversion.nodes;
+        out["out_of_gamut"] = region_json(inversion.out_of_gamut, inversion.nodes);
+        out["folded"] = region_json(inversion.folded, inversion.nodes);
+    }
+    return out;
+}
+
 int run(const Options& o) {
     lutlib::InvertOptions options;
     if (o.size) {
@@ -63,29 +132,23 @@ int run(const Options& o) {
         options.domain = domain_of(o.domain);
     }
     const auto look = read_table(o.input);
+    if (look->cube && o.size > lutlib::limits::max_cube_size) {
+        throw lutlib::UsageError(fmt::format(
+            "--size {} is for curves; the inverse of a cube takes {} to {} nodes a side", o.size,
+            lutlib::limits::min_cube_size, lutlib::limits::max_cube_size));
+    }
     const lutlib::Inversion inversion = invert(*look, options);
     write_look(inversion.lut, o.output);
     const lutlib::Difference error = round_trip(*look, inversion.lut);
     if (o.json) {
-        print(nlohmann::ordered_json{{"input", o.input},
-                                     {"output", o.output},
-                                     {"size", inversion.lut.cube->size},
-                                     {"nodes", inversion.nodes},
-                                     {"out_of_gamut",
-                                      region_json(inversion.out_of_gamut, inversion.nodes)},
-                                     {"folded", region_json(inversion.folded, inversion.nodes)},
-                                     {"round_trip", to_json(error)}},
-              o.output);
+        nlohmann::ordered_json json = as_json(o, inversion);
+        json["round_trip"] = to_json(error);
+        print(json, o.output);
         return ok;
     }
     std::string text =
-        fmt::format("{} <- inverse of {}\n  {} nodes a side, input {}\n", output_text(o.output),
-                    input_text(o.input), inversion.lut.cube->size,
-                    lutlib::io::domain_text(inversion.lut.domain()));
-    text += region_text("no input gives these, so they got the nearest that can be given",
-                        "distance", inversion.out_of_gamut, inversion.nodes);
-    text += region_text("folded: several inputs give these, so they got the nearest of them",
-                        "the inputs lie apart by", inversion.folded, inversion.nodes);
+        fmt::format("{} <- inverse of {}\n", output_text(o.output), input_text(o.input));
+    text += inversion.curve ? curve_text(inversion.lut, *inversion.curve) : cube_text(inversion);
     text += fmt::format("  the look, then its inverse, against changing nothing, {} colours\n{}",
                         error.absolute.count, to_text(error, "    "));
     print(text, o.output);
@@ -98,10 +161,14 @@ Run declare_invert(CLI::App& app) {
     const auto o = std::make_shared<Options>();
     app.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input")->required();
     app.add_option("-o,--output", o->output, "the inverse, or - for standard output")->required();
-    app.add_option("--size", o->size, "nodes a side of the inverse (default: the look's)")
-        ->check(cube_sizes());
-    app.add_option("--domain", o->domain,
-                   "colours to invert: minimum and maximum (default: 0..1, widened to the look's)")
+    app.add_option("--size", o->size,
+                   "nodes a side of the inverse (default: the look's); of a curve, which stays a "
+                   "curve, entries (default: as many as it needs)")
+        ->check(shaper_sizes());
+    app.add_option(
+           "--domain", o->domain,
+           "colours to invert: minimum and maximum (default: 0..1, widened to the look's; of "
+           "a curve its own)")
         ->expected(2);
     app.add_flag("--json", o->json, "print the figures as JSON");
     return [o] { return run(*o); };

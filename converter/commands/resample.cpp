@@ -21,7 +21,7 @@ int run(const Options& o) {
     const lutlib::Encoding encoding = o.made.results();
     const lutlib::ResamplingMethod& method = o.made.method.get();
     const auto look = read_table(o.input);
-    const lutlib::Lut lut = resample(*look, o.made.sampling.sampling(), method);
+    const lutlib::Lut lut = resample(*look, o.made.sampling.sampling_of({look.get()}), method);
     const std::string name = input_text(o.input);
     write_and_report(
         {lut, o.made.output, o.made.output, name, method.transform_of(*look), encoding, {}},

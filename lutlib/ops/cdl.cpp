@@ -54,6 +54,10 @@ Transform compile(const Values& values, const OpContext&) {
     });
 }
 
+bool per_channel(const Values& values) {
+    return std::get<double>(values[3]) == 1;
+}
+
 } // namespace
 
 const Op cdl{.name = "cdl",
@@ -64,6 +68,7 @@ const Op cdl{.name = "cdl",
              .space = Space::codes,
              .parameters = parameters,
              .monotone_on_neutrals = false,
+             .per_channel = per_channel,
              .compile = compile};
 
 } // namespace lutlib::op

@@ -28,6 +28,12 @@ Transform compile(const Values& values, const OpContext&) {
     return Transform::each([m](RgbD c) { return m * c; });
 }
 
+bool per_channel(const Values& values) {
+    const auto r = std::get<RgbD>(values[0]), g = std::get<RgbD>(values[1]),
+               b = std::get<RgbD>(values[2]);
+    return r.g == 0 && r.b == 0 && g.r == 0 && g.b == 0 && b.r == 0 && b.g == 0;
+}
+
 } // namespace
 
 const Op channel_mixer{.name = "channel-mixer",
@@ -36,6 +42,7 @@ const Op channel_mixer{.name = "channel-mixer",
                        .reference = "out = M in, rows as given",
                        .space = Space::linear,
                        .parameters = parameters,
+                       .per_channel = per_channel,
                        .compile = compile};
 
 } // namespace lutlib::op

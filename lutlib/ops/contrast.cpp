@@ -38,6 +38,7 @@ const Op contrast{.name = "contrast",
                   .space = Space::codes,
                   .parameters = parameters,
                   .monotone_on_neutrals = true,
+                  .per_channel = always,
                   .compile = compile};
 
 } // namespace lutlib::op

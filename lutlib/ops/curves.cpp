@@ -67,6 +67,7 @@ const Op curves{.name = "curves",
                 .reference = "Fritsch and Carlson 1980, see curve.h; slope 1 outside the knots",
                 .space = Space::codes,
                 .parameters = parameters,
+                .per_channel = always,
                 .compile = compile};
 
 } // namespace lutlib::op

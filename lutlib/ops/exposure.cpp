@@ -29,6 +29,7 @@ const Op exposure{.name = "exposure",
                   .space = Space::linear,
                   .parameters = parameters,
                   .monotone_on_neutrals = true,
+                  .per_channel = always,
                   .compile = compile};
 
 } // namespace lutlib::op

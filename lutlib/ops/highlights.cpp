@@ -54,6 +54,10 @@ Transform compile(const Values& values, const OpContext&) {
     });
 }
 
+bool per_channel(const Values& values) {
+    return std::get<double>(values[2]) == 1; // bleach
+}
+
 } // namespace
 
 const Op highlights{
@@ -65,6 +69,7 @@ const Op highlights{
     .space = Space::linear,
     .parameters = parameters,
     .monotone_on_neutrals = true,
+    .per_channel = per_channel,
     .compile = compile};
 
 } // namespace lutlib::op

@@ -46,6 +46,7 @@ const Op lift_gamma_gain{
     .space = Space::codes,
     .parameters = parameters,
     .monotone_on_neutrals = true,
+    .per_channel = always,
     .compile = compile};
 
 } // namespace lutlib::op

@@ -27,6 +27,7 @@ const Op offset{.name = "offset",
                 .space = Space::codes,
                 .parameters = parameters,
                 .monotone_on_neutrals = true,
+                .per_channel = always,
                 .compile = compile};
 
 } // namespace lutlib::op

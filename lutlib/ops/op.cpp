@@ -130,6 +130,10 @@ struct FlagReader {
 
 } // namespace
 
+bool always(const Values& /*values*/) {
+    return true;
+}
+
 std::string_view name_of(Space space) {
     return space == Space::codes    ? "code values"
            : space == Space::linear ? "linear light"

@@ -73,9 +73,15 @@ struct Op {
     std::span<const Parameter> parameters;
     /// Neutral colours that rise stay neutral colours that do not fall, whatever the values.
     bool monotone_on_neutrals = false;
+    /// Whether every channel of the result depends on that channel alone, with these values; null:
+    /// with none. Of operators on Oklab it never does.
+    bool (*per_channel)(const Values& values) = nullptr;
     /// Values have been checked. May throw Error for a combination that cannot be.
     Transform (*compile)(const Values& values, const OpContext& context) = nullptr;
 };
+
+/// For Op::per_channel: with any values.
+bool always(const Values& values);
 
 /// Every operator, in the order in which a panel shows them.
 std::span<const Op* const> ops();

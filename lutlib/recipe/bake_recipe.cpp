@@ -2,6 +2,7 @@
 
 #include "lutlib/error.h"
 #include "lutlib/interpolation/interpolation.h"
+#include "lutlib/resample/curves.h"
 #include "lutlib/resample/resample.h"
 #include "lutlib/resample/sample_lut.h"
 
@@ -37,7 +38,31 @@ Lut1D tone_shaper(const Transform& look, const Domain& domain, int size) {
     return table;
 }
 
+bool is_active(const Operation& operation) {
+    return operation.enabled && !is_identity(operation);
+}
+
+// A recipe that does nothing is a lattice, as its size says; a curve must come from somewhere.
+bool is_curve(const Recipe& recipe) {
+    const bool bends = (recipe.base_lut && recipe.base_lut->shaper) ||
+                       &recipe.output_encoding() != recipe.input ||
+                       std::any_of(recipe.operations.begin(), recipe.operations.end(), is_active);
+    return bends && recipe.bake.shaper.empty() && !recipe.bake.size && !mixes_channels(recipe);
+}
+
 } // namespace
+
+bool mixes_channels(const Recipe& recipe) {
+    const Primaries &in = recipe.input->primaries, &out = recipe.output_encoding().primaries;
+    const bool one_gamut =
+        in.red == out.red && in.green == out.green && in.blue == out.blue && in.white == out.white;
+    const auto mixes = [](const Operation& operation) {
+        const auto per_channel = operation.op->per_channel;
+        return is_active(operation) && !(per_channel && per_channel(operation.values));
+    };
+    return !one_gamut || (recipe.base_lut && !is_curves(*recipe.base_lut)) ||
+           std::any_of(recipe.operations.begin(), recipe.operations.end(), mixes);
+}
 
 Lut bake_recipe(const Recipe& recipe) {
     const Transform whole = Transform::of(recipe);
@@ -45,7 +70,12 @@ Lut bake_recipe(const Recipe& recipe) {
     const Lut none;
     const Lut& base = recipe.base_lut ? *recipe.base_lut : none;
     Lut out;
-    if (settings.shaper == "tone") {
+    if (is_curve(recipe)) {
+        constexpr int least_entries = 4096;
+        out.shaper = sample_curve_closely(whole, settings.domain.value_or(base.domain()),
+                                          base.shaper ? base.shaper->size() : least_entries,
+                                          curve_tolerance);
+    } else if (settings.shaper == "tone") {
         const Domain domain = settings.domain.value_or(base.domain());
         check_domain(domain);
         check_shaper_size(settings.shaper_size);

@@ -2,9 +2,12 @@
 
 #include "lutlib/error.h"
 #include "lutlib/metrics/compare.h"
+#include "lutlib/resample/curves.h"
+#include "lutlib/resample/sample_lut.h"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace lutlib {
 namespace {
@@ -28,6 +31,56 @@ std::optional<int> largest_size(const std::vector<const Lut*>& looks) {
     return largest;
 }
 
+Lut curve_of(const std::vector<const Lut*>& looks, const Transform& transform, const Domain& domain,
+             const Sampling& sampling) {
+    int longest = 0;
+    for (const Lut* look : looks) {
+        longest = std::max(longest, look->shaper ? look->shaper->size() : 0);
+    }
+    const Domain over = sampling.domain.value_or(domain);
+    Lut out;
+    out.title = looks.front()->title;
+    out.shaper = sampling.size ? sample_curve(transform, over, *sampling.size)
+                               : sample_curve_closely(transform, over, longest, curve_tolerance);
+    return out;
+}
+
+Domain united(Domain a, const Domain& b) {
+    for (std::size_t c = 0; c < 3; ++c) {
+        a.min[c] = std::min(a.min[c], b.min[c]);
+        a.max[c] = std::max(a.max[c], b.max[c]);
+    }
+    return a;
+}
+
+/// A curve onto 0..1, to stand before a cube; nullopt where it does not rise strictly.
+std::optional<Lut1D> rising_shaper(const Lut1D& curve) {
+    Lut1D out = curve;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double low = curve.entries.front()[c], high = curve.entries.back()[c];
+        for (Rgb& entry : out.entries) {
+            entry[c] = static_cast<float>((static_cast<double>(entry[c]) - low) / (high - low));
+        }
+        const auto falls = [c](const Rgb& a, const Rgb& b) { return !(a[c] < b[c]); };
+        if (std::adjacent_find(out.entries.begin(), out.entries.end(), falls) !=
+            out.entries.end()) {
+            return std::nullopt;
+        }
+    }
+    return out;
+}
+
+/// The 1D table that the cube of a blend should stand behind: of the look that is nothing but one,
+/// where it spans both.
+std::optional<Lut1D> shaper_of_mixture(const Lut& a, const Lut& b, const Domain& domain) {
+    for (const auto& [curve, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+        if (curve->shaper && is_curves(*curve) && other->cube && curve->shaper->domain == domain) {
+            return rising_shaper(*curve->shaper);
+        }
+    }
+    return std::nullopt;
+}
+
 bool inside(const Domain& domain, RgbD colour) {
     for (std::size_t c = 0; c < 3; ++c) {
         if (colour[c] < static_cast<double>(domain.min[c]) ||
@@ -40,6 +93,14 @@ bool inside(const Domain& domain, RgbD colour) {
 
 } // namespace
 
+bool make_curve(const std::vector<const Lut*>& looks, const Sampling& sampling) {
+    return sampling.shaper.empty() &&
+           std::all_of(looks.begin(), looks.end(),
+                       [](const Lut* look) { return is_curves(*look); }) &&
+           std::any_of(looks.begin(), looks.end(),
+                       [](const Lut* look) { return look->shaper.has_value(); });
+}
+
 Transform composition(const std::vector<const Lut*>& looks, const ResamplingMethod& method) {
     return in_sequence(steps_of(looks, method));
 }
@@ -48,6 +109,9 @@ Lut compose(const std::vector<const Lut*>& looks, const Sampling& sampling,
             const ResamplingMethod& method) {
     if (looks.empty()) {
         throw Error("there is nothing to compose");
+    }
+    if (make_curve(looks, sampling)) {
+        return curve_of(looks, composition(looks, method), looks.front()->domain(), sampling);
     }
     Sampling chosen = sampling;
     chosen.size = sampling.size ? sampling.size : largest_size(looks);
@@ -97,6 +161,10 @@ Transform mixture(const Lut& a, const Lut& b, double amount, const ResamplingMet
 
 Lut blend(const Lut& a, const Lut& b, double amount, const Sampling& sampling,
           const ResamplingMethod& method) {
+    const Domain both = united(a.domain(), b.domain());
+    if (make_curve({&a, &b}, sampling)) {
+        return curve_of({&a, &b}, mixture(a, b, amount, method), both, sampling);
+    }
     Sampling chosen = sampling;
     chosen.size = sampling.size ? sampling.size : largest_size({&a, &b});
     const bool same_table =
@@ -104,13 +172,20 @@ Lut blend(const Lut& a, const Lut& b, double amount, const Sampling& sampling,
     Lut like;
     like.title = a.title;
     if (same_table) {
-        like = a;
+        // The identity has neither size nor domain of its own.
+        like = a.cube ? a : b;
+        like.title = a.title;
     }
     if (!same_table && !chosen.domain) {
-        Domain both = a.domain();
-        for (std::size_t c = 0; c < 3; ++c) {
-            both.min[c] = std::min(both.min[c], b.domain().min[c]);
-            both.max[c] = std::max(both.max[c], b.domain().max[c]);
+        const std::optional<Lut1D> shaper =
+            chosen.shaper.empty() ? shaper_of_mixture(a, b, both) : std::nullopt;
+        if (shaper) {
+            Lut out;
+            out.title = a.title;
+            out.shaper = *shaper;
+            out.cube = sample_cube_behind(mixture(a, b, amount, method), *shaper,
+                                          chosen.size.value_or(usual_cube_size));
+            return out;
         }
         chosen.domain = both;
     }

@@ -145,6 +145,19 @@ void add(InverseRegion& region, Rgb wanted, double extent) {
     }
 }
 
+std::string inverse_title(const Lut& lut) {
+    return lut.title.empty() ? "" : "Inverse of " + lut.title;
+}
+
+Inversion inverse_table(const Lut& lut, const InvertOptions& options) {
+    CurveInversion inverse = invert_curve(*lut.shaper, {options.size, options.domain});
+    Inversion out;
+    out.lut.shaper = std::move(inverse.curve);
+    out.lut.title = inverse_title(lut);
+    out.curve = inverse.channels;
+    return out;
+}
+
 Domain inverse_domain(const Lut& lut) {
     Domain out;
     const Domain range = output_range(lut);
@@ -175,10 +188,12 @@ Domain output_range(const Lut& lut) {
 }
 
 Inversion invert(const Lut& lut, const InvertOptions& options) {
+    if (lut.shaper && !lut.cube) {
+        return inverse_table(lut, options);
+    }
     if (lut.shaper) {
         check_invertible(*lut.shaper);
     }
-    // A look of a 1D table alone is that table before a cube that changes nothing.
     const Lut3D cube = lut.cube ? *lut.cube : identity_cube(2, output_range(lut));
     if (cube.size > largest_size) {
         throw Error("a cube of " + std::to_string(cube.size) +
@@ -212,7 +227,7 @@ Inversion invert(const Lut& lut, const InvertOptions& options) {
         inverse.nodes[i] = to_float(answer.input);
     }
     out.lut.cube = std::move(inverse);
-    out.lut.title = lut.title.empty() ? "" : "Inverse of " + lut.title;
+    out.lut.title = inverse_title(lut);
     return out;
 }
 

@@ -10,8 +10,10 @@
 
 #include "lutlib/lut.h"
 #include "lutlib/metrics/stats.h"
+#include "lutlib/resample/invert_curve.h"
 #include "lutlib/resample/resample.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -29,7 +31,9 @@ struct InverseRegion {
 
 struct Inversion {
     Lut lut;
-    std::size_t nodes = 0;
+    /// Of a look of a 1D table alone, whose inverse is one too; the regions are then empty.
+    std::optional<std::array<CurveInversion::Channel, 3>> curve;
+    std::size_t nodes = 0; ///< of the cube
     /// No input gives these colours. Extent: the distance to the nearest output, largest channel.
     InverseRegion out_of_gamut;
     /// More than one input does. Extent: the largest channel distance between those.
@@ -37,15 +41,18 @@ struct Inversion {
 };
 
 struct InvertOptions {
-    std::optional<int> size;      ///< of the inverse; default: the look's
-    std::optional<Domain> domain; ///< of the inverse; default: 0..1, widened to the look's outputs
+    /// Nodes a side of the inverse, or entries; default: the look's, or what a 1D table needs.
+    std::optional<int> size;
+    /// Of the inverse; default: 0..1, widened to the look's outputs, or a 1D table's outputs.
+    std::optional<Domain> domain;
 };
 
 /// The look's outputs, per channel.
 Domain output_range(const Lut& lut);
 
-/// Throws Error for a cube larger than 129 (resample it first), or a 1D table that neither rises
-/// nor falls along its whole length: an output of it has no single input.
+/// A 1D table alone becomes a 1D table (invert_curve.h). Throws Error for a cube larger than 129
+/// (resample it first), or a 1D table before a cube that neither rises nor falls along its whole
+/// length: an output of it has no single input.
 Inversion invert(const Lut& lut, const InvertOptions& options = {});
 
 } // namespace lutlib

@@ -4,6 +4,8 @@
 #include "lutlib/interpolation/interpolation.h"
 #include "lutlib/interpolation/tricubic.h"
 #include "lutlib/named.h"
+#include "lutlib/resample/combine.h"
+#include "lutlib/resample/curves.h"
 #include "lutlib/resample/sample_lut.h"
 
 #include <algorithm>
@@ -96,6 +98,15 @@ Lut sample_like(const Lut& like, const Sampling& sampling, const Transform& whol
 }
 
 Lut resample(const Lut& lut, const Sampling& sampling, const ResamplingMethod& method) {
+    if (make_curve({&lut}, sampling)) {
+        Lut out;
+        out.title = lut.title;
+        const Domain domain = sampling.domain.value_or(lut.domain());
+        const int size = sampling.size.value_or(lut.shaper->size());
+        const bool same = domain == lut.domain() && size == lut.shaper->size();
+        out.shaper = same ? *lut.shaper : sample_curve(method.transform_of(lut), domain, size);
+        return out;
+    }
     Lut cube_only;
     cube_only.cube = lut.cube;
     cube_only.interpolation = lut.interpolation;

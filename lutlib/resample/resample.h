@@ -31,7 +31,9 @@ inline constexpr int usual_cube_size = 33;
 
 /// The result's lattice. Unset members: as the look has them.
 struct Sampling {
-    std::optional<int> size;      ///< default: the cube's, 33 for a look without one
+    /// Nodes a side, or entries of a 1D table alone. Default: the cube's, 33 for a look without
+    /// one; the table's.
+    std::optional<int> size;
     std::optional<Domain> domain; ///< default: the look's
     std::string shaper;           ///< none, base, or an encoding; see below
     int shaper_size = 4096;
@@ -41,7 +43,8 @@ struct Sampling {
 /// What Sampling::shaper may be.
 std::vector<std::string_view> shaper_names();
 
-/// The look at the nodes of the new lattice. `shaper`:
+/// The look at the nodes of the new lattice. A look of a 1D table alone stays one while `shaper` is
+/// empty. `shaper`:
 ///   ""           as the look has it, unless a domain is given, which means none
 ///   "none"       a cube alone
 ///   "base"       the look's own 1D table, untouched, and its cube at the new size over its domain

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <filesystem>
 
 namespace converter_test {
@@ -152,6 +153,56 @@ TEST(Resample, compose_blend_and_invert_report_their_errors) {
     const json inverse = run({"invert", look, "-o", out, "--size", "9"});
     EXPECT_EQ(inverse["nodes"], 729);
     EXPECT_LT(inverse["round_trip"]["absolute"]["mean"], 0.05);
+}
+
+TEST(Curves, stay_curves_through_every_verb) {
+    const Folder folder;
+    std::string text = "LUT_1D_SIZE 30\nDOMAIN_MAX 4 4 4\n";
+    for (int i = 0; i < 30; ++i) {
+        const std::string v = std::to_string(std::sqrt(i / 29.0)) + ' ';
+        text += v + v + v + '\n';
+    }
+    const std::string curve = folder.write("c.cube", text), out = folder.path("o.cube");
+    const std::vector<std::vector<std::string>> lines{
+        {"edit", curve, "-o", out, "--exposure", "0.5", "--contrast", "1.2"},
+        {"edit", "identity", "-o", out, "--gamma", "0.5"},
+        {"resample", curve, "-o", out, "--size", "4096"},
+        {"compose", curve, curve, "-o", out},
+        {"blend", "identity", curve, "-o", out},
+        {"blend", curve, curve, "--amount", "0.5", "-o", out},
+        {"invert", curve, "-o", out}};
+    for (const auto& line : lines) {
+        run(line);
+        EXPECT_EQ(contents(out).find("LUT_3D_SIZE"), std::string::npos) << line[0];
+    }
+    EXPECT_EQ(color_at(out, "1", "0.5", "0").substr(0, 2), "4 ");
+    run({"resample", curve, "-o", out, "--size", "4096"});
+    EXPECT_NE(contents(out).find("LUT_1D_SIZE 4096"), std::string::npos);
+    for (const char* name : {"x.csp", "x.spi1d", "x.clf", "x.ctf", "x.cube"}) {
+        EXPECT_TRUE(run({"convert", curve, "-o", folder.path(name)})["losses"].empty()) << name;
+        EXPECT_EQ(run({"info", folder.path(name)}).contains("cube"), false) << name;
+    }
+    // What mixes makes a cube behind the curve, whose own bend it keeps.
+    const json mixed = run({"edit", curve, "-o", out, "--saturation", "0.5"});
+    EXPECT_LT(mixed["error"]["absolute"]["max"], 1e-5);
+    EXPECT_NE(contents(out).find("LUT_1D_SIZE 30"), std::string::npos);
+    EXPECT_NE(contents(out).find("LUT_3D_SIZE 33"), std::string::npos);
+    const Result large = lutconv(
+        {"resample", folder.write("a.cube", saturated_cube(5)), "-o", out, "--size", "4096"});
+    EXPECT_EQ(large.exit_code, 3);
+    EXPECT_NE(large.err.find("--size 4096 is for curves"), std::string::npos) << large.err;
+}
+
+TEST(Invert, of_a_curve_tells_its_slopes_and_what_it_loses) {
+    const Folder folder;
+    const std::string clipped =
+        folder.write("c.cube", "LUT_1D_SIZE 5\n0 0 0\n.25 .5 .25\n.5 .25 .5\n1 .75 .75\n1 1 1\n");
+    const Result result = lutconv({"invert", clipped, "-o", folder.path("i.cube")});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("at its high end 0.5, 1, 1"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("red is flat over 0.25"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("green turns back over 0.375"), std::string::npos) << result.out;
+    EXPECT_EQ(color_at(folder.path("i.cube"), "1", "1", "1"), "1 1 1\n");
 }
 
 TEST(Compare, of_a_look_with_itself_is_zero_and_finds_the_worst_colour) {

@@ -2,11 +2,14 @@
 
 #include "lutlib/error.h"
 #include "lutlib/interpolation/interpolation.h"
+#include "lutlib/metrics/compare.h"
 #include "lutlib/transform.h"
+#include "tests/lutlib/ops/op_samples.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace lutlib {
 namespace {
@@ -172,6 +175,52 @@ TEST(BakeRecipe, refuses_a_shaper_that_cannot_be) {
     EXPECT_THROW(bake_recipe(recipe), Error);
     recipe.base = "missing.cube";
     EXPECT_THROW(Transform::of(recipe), Error);
+}
+
+TEST(BakeRecipe, of_channels_that_do_not_mix_is_a_curve) {
+    Recipe recipe;
+    EXPECT_TRUE(bake_recipe(recipe).cube) << "nothing is a lattice";
+    recipe.operations = {operation("exposure", {1.0}), operation("contrast", {1.5, 0.4})};
+    EXPECT_FALSE(mixes_channels(recipe));
+    const Lut curve = bake_recipe(recipe);
+    ASSERT_TRUE(curve.shaper && !curve.cube);
+    const Transform exact = Transform::of(recipe);
+    for (const Rgb& in : samples_over({}, 9, 1000)) {
+        const RgbD d = evaluate_exact(curve, to_double(in)) - exact(to_double(in));
+        EXPECT_LT(largest_magnitude(d), 3e-5);
+    }
+    recipe.bake.size = 9;
+    EXPECT_EQ(bake_recipe(recipe).cube->size, 9) << "a size is of cubes";
+    recipe.bake.size.reset();
+    recipe.operations.push_back(operation("saturation", {0.5}));
+    EXPECT_TRUE(mixes_channels(recipe));
+    EXPECT_TRUE(bake_recipe(recipe).cube);
+    recipe.operations.back().enabled = false;
+    EXPECT_FALSE(mixes_channels(recipe));
+}
+
+// Whatever an operator says of its channels holds: one channel of the input moves one of the
+// output.
+TEST(MixesChannels, is_told_by_every_operator_that_does) {
+    std::mt19937 random(1);
+    for (const Op* op : ops()) {
+        for (const Operation& tried :
+             {test::some_operation(*op, random), test::extreme_operation(*op, true),
+              test::extreme_operation(*op, false)}) {
+            Recipe recipe;
+            recipe.operations = {tried};
+            if (is_identity(tried) || mixes_channels(recipe)) {
+                continue;
+            }
+            const Transform look = Transform::of(recipe);
+            for (const Rgb& in : samples_over({{-.5F, -.5F, -.5F}, {2, 2, 2}}, 4, 300)) {
+                const RgbD all = look(to_double(in)), red = look({in.r, .3, .1}),
+                           blue = look({.7, .2, in.b});
+                EXPECT_EQ(all.r, red.r) << op->name;
+                EXPECT_EQ(all.b, blue.b) << op->name;
+            }
+        }
+    }
 }
 
 } // namespace

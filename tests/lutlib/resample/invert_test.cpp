@@ -204,8 +204,8 @@ TEST(Invert, counts_what_only_inputs_beyond_the_1d_table_would_give) {
     EXPECT_NEAR(out.lut.cube->at(16, 0, 0).r, 1, 1e-6);
 }
 
-TEST(Invert, refuses_a_table_that_is_flat_and_a_cube_that_is_too_large) {
-    Lut look;
+TEST(Invert, refuses_a_table_before_a_cube_that_is_flat_and_a_cube_that_is_too_large) {
+    Lut look = cube_look(identity_cube(5));
     look.shaper = Lut1D{{}, {{0, 0, 0}, {.5F, .5F, .5F}, {.5F, .6F, .6F}, {1, 1, 1}}};
     EXPECT_THROW(invert(look, {}), Error);
     look.shaper.reset();

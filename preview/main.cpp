@@ -33,6 +33,10 @@ const GpuLookup* lookup_of(const Options& options) {
 std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& path,
                                  const Options& options, std::string& notes, const char* side) {
     const LoadedLook look = load_look(path, lookup_of(options));
+    for (const std::string& line : look.told) {
+        std::fprintf(stderr, "lutpreview: %s: %s\n", path.c_str(), line.c_str());
+        notes += "look " + std::string(side) + ": " + line + "\n";
+    }
     if (!look.note.empty())
         notes += "look " + std::string(side) + ": " + look.note + "\n";
     if (look.skip_reason.empty() || (options.force_all && path != "none" && !path.empty()))

@@ -4,6 +4,7 @@
 #include "lutlib/io/bake_report.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
+#include "lutlib/io/look_text.h"
 #include "lutlib/io/lut_picture.h"
 #include "lutlib/io/recipe_file.h"
 #include "lutlib/recipe/bake_recipe.h"
@@ -30,6 +31,7 @@ void open_look(State& state, const io::Look& look) {
     const bool is_recipe = look.recipe() != nullptr;
     next.recipe = look.as_recipe();
     next.recipe.title = look.title();
+    next.told = told_of(look);
     next.recipe_path = is_recipe ? look.path() : "";
     next.base_path = is_recipe ? io::base_path(next.recipe, look.path()) : look.path();
     const auto shows_recipe = [](const Side& side) {
@@ -43,6 +45,7 @@ void open_look(State& state, const io::Look& look) {
 void open_side(Side& side, const io::Look& look) {
     side.lut = look.table().lut;
     side.path = look.path();
+    side.told = told_of(look);
     side.source = SideSource::file;
 }
 

@@ -46,6 +46,7 @@ struct Side {
     const GpuLookup* engine = nullptr; ///< of `baked`: a lookup that has an engine
     int size = 0, bits = 0;            ///< of `baked`; 0: the engine's own
     std::string path;                  ///< of `file`
+    std::vector<std::string> told;     ///< of `file`: what its reading lost, guessed or left undone
     std::shared_ptr<const lutlib::Lut> lut;
     friend bool operator==(const Side&, const Side&) = default;
 };
@@ -70,8 +71,9 @@ struct CubeChoice {
 /// Everything that undo brings back.
 struct State {
     lutlib::Recipe recipe;
-    std::string recipe_path; ///< empty: never saved
-    std::string base_path;   ///< where the recipe's base lies
+    std::string recipe_path;       ///< empty: never saved
+    std::string base_path;         ///< where the recipe's base lies
+    std::vector<std::string> told; ///< what the reading of the look lost, guessed or left undone
     std::array<Side, 2> sides;
     const Compare* compare = &compares[2];
     float split = 0.5F, heat_scale = 8;

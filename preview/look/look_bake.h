@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace preview {
 
@@ -17,6 +18,8 @@ struct LoadedLook {
     std::string note; ///< how exactly it stands for its recipe; empty when not measured
     /// The look as a table, or what the picture that is read holds of it; null: no look.
     std::shared_ptr<const lutlib::Lut> table;
+    /// What the reading of its file lost, guessed or did not act on, a line each.
+    std::vector<std::string> told{};
 };
 
 /// The lattice that a baked picture holds, of values as its engine's sampler sees them.

@@ -1,6 +1,7 @@
 #include "preview/look/look_file.h"
 
 #include "lutlib/error.h"
+#include "lutlib/io/look_text.h"
 #include "preview/look/recipe_table.h"
 
 namespace preview {
@@ -54,11 +55,7 @@ LoadedLook load_look(const std::string& path, const GpuLookup* lookup) {
     const auto look =
         lutlib::io::Look::open(path, {.engine = lookup != nullptr ? lookup->engine : nullptr});
     LoadedLook out = look_for(look, lookup);
-    for (const lutlib::io::LookFile& file : look.files()) {
-        for (const std::string& remark : file.remarks) {
-            out.note += (out.note.empty() ? "" : "; ") + remark;
-        }
-    }
+    out.told = told_of(look);
     return out;
 }
 

@@ -136,12 +136,18 @@ void encoding_choice(const char* label, lutlib::Encoding& chosen) {
 
 } // namespace
 
+void lines(const std::vector<std::string>& texts) {
+    for (const std::string& text : texts)
+        ImGui::TextWrapped("%s", text.c_str());
+}
+
 void look_panel(Ui& ui) {
     lutlib::Recipe& recipe = ui.history.draft().recipe;
     ImGui::InputText("Title", &recipe.title);
     encoding_choice("Input", recipe.input);
     ImGui::TextDisabled("Base: %s", recipe.base_lut ? ui.history.draft().base_path.c_str()
                                                     : "none (the identity)");
+    lines(ui.history.draft().told);
     add_menu(ui, recipe);
     ImGui::SameLine();
     ImGui::TextDisabled("baked in %.1f ms", ui.facts.bake_milliseconds);

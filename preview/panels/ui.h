@@ -110,6 +110,9 @@ void picture_area(Ui& ui, const Rect& area);
 bool curve_editor(Ui& ui, const lutlib::Parameter& parameter, lutlib::Knots& knots,
                   const std::string& place);
 
+/// Texts one below the other, wrapped.
+void lines(const std::vector<std::string>& texts);
+
 /// Remembers where the last item is; the name without blanks.
 void mark(Ui& ui, std::string name);
 

@@ -44,6 +44,8 @@ void side_controls(Ui& ui, Side& side, const std::string& name, const std::strin
                             note.empty() ? "being measured against the recipe ..." : note.c_str());
     if (side.source == SideSource::file)
         ImGui::TextDisabled("%s", side.path.c_str());
+    if (side.source == SideSource::file)
+        lines(side.told);
     if (side.source == SideSource::baked) {
         if (ImGui::BeginCombo("Engine", text_of(side.engine->label).c_str())) {
             for (const GpuLookup* row : engine_lookups())

@@ -1,0 +1,116 @@
+#include "tests/docs/workplace.h"
+
+#include "lutlib/io/png.h"
+#include "tests/preview/scene/gltf_writer.h"
+
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+namespace docs_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contents(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write(const fs::path& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+}
+
+std::string quoted(const std::string& text) {
+    return "'" + text + "'";
+}
+
+void append_word(std::string& out, std::size_t value) {
+    for (int shift = 0; shift < 32; shift += 8) {
+        out += static_cast<char>(value >> shift & 0xFFU);
+    }
+}
+
+/// A square as a binary glTF: a header, then a chunk of JSON and one of the buffer's bytes.
+std::string square_glb() {
+    preview::GltfWriter square;
+    square.add_node({{"mesh", square.add_mesh(preview::square_corners())}});
+    square.root["buffers"] =
+        preview::GltfWriter::json::array({{{"byteLength", square.bytes.size()}}});
+    const auto chunk = [](std::string bytes, char padding, std::string_view type) {
+        bytes.append((4 - bytes.size() % 4) % 4, padding);
+        std::string out;
+        append_word(out, bytes.size());
+        return out.append(type) + bytes;
+    };
+    using namespace std::string_view_literals;
+    const std::string chunks =
+        chunk(square.root.dump(), ' ', "JSON") + chunk(square.bytes, '\0', "BIN\0"sv);
+    std::string out = "glTF";
+    append_word(out, 2);
+    append_word(out, 12 + chunks.size());
+    return out + chunks;
+}
+
+/// One picture below the other, as often as `count`.
+std::string stacked(const std::string& png, int count) {
+    lutlib::io::CodeImage image = lutlib::io::read_png(png, "strip.png");
+    const std::vector<std::uint16_t> one = image.samples;
+    image.text.clear();
+    for (int i = 1; i < count; ++i) {
+        image.samples.insert(image.samples.end(), one.begin(), one.end());
+    }
+    image.height *= count;
+    return lutlib::io::write_png(image);
+}
+
+void make(const fs::path& folder, const std::string& line) {
+    const Ran ran = run_in(folder, line);
+    ASSERT_EQ(ran.exit_code, 0) << line << '\n' << ran.output;
+}
+
+} // namespace
+
+Ran run_in(const fs::path& folder, const std::string& line) {
+    const fs::path out = folder / ".out";
+    const std::string shell = "cd " + quoted(folder.string()) + " && PATH=" + quoted(PROGRAMS) +
+                              ":$PATH && { " + line + "\n} </dev/null >" + quoted(out.string()) +
+                              " 2>&1";
+    const int status = std::system(shell.c_str());
+    Ran ran{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(out)};
+    fs::remove(out);
+    return ran;
+}
+
+void fill_workplace(const fs::path& folder) {
+    fs::copy(SAMPLE_LOOKS, folder / "luts");
+    // Operators that are affine in code values: a lattice of any size holds them exactly, so a
+    // strip is right for the recipe and for its LUT. Within 0..1 it stays healthy.
+    make(folder, "lutconv edit identity -o look.cube --saturation 0.8 --contrast 0.9 "
+                 "--save-recipe look.json");
+    for (const char* name : {"My Look", "their", "first", "second", "a"}) {
+        fs::copy(folder / "look.cube", folder / (std::string(name) + ".cube"));
+    }
+    make(folder, "lutconv edit identity -o b.cube --saturation 0.6");
+    make(folder, "lutconv bake look.cube -o strip.png");
+    make(folder, "lutconv convert look.cube -o look.3dl --size 17");
+    make(folder, "lutconv bake look.cube --engine reshade -o one.png");
+    write(folder / "multi.png", stacked(contents(folder / "one.png"), 4));
+    make(folder, "lutconv edit identity --saturation 0.8 --domain 0 4 -o wide.cube");
+    make(folder, "lutconv apply look.cube luts/warm_teal.png -o picture.exr");
+    fs::copy(folder / "picture.exr", folder / "Desk.exr");
+    write(folder / "model.glb", square_glb());
+    // A row whose decimal point was lost, as a spike stands out.
+    std::string broken = contents(folder / "look.cube");
+    const std::size_t row = broken.find("\n0.5");
+    ASSERT_NE(row, std::string::npos);
+    broken.erase(row + 2, 1);
+    write(folder / "broken.cube", broken);
+}
+
+} // namespace docs_test

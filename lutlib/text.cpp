@@ -8,6 +8,18 @@
 namespace lutlib {
 namespace {
 
+// Whether the byte at `i` is the rest of a UTF-8 letter: up to two more lie before it and its
+// first.
+bool continues_a_letter(std::string_view text, std::size_t i) {
+    for (std::size_t back = 1; back <= 3 && back <= i; ++back) {
+        const auto byte = static_cast<unsigned char>(text[i - back]);
+        if (byte < 0x80 || byte >= 0xC0) {
+            return byte >= 0xC0;
+        }
+    }
+    return false;
+}
+
 // Bytes of the blank that begins at `i`; 0 where none does. Word processors and web pages put
 // no-break and typographic spaces (Unicode's Zs, and the byte order mark) where a blank was meant;
 // 0xA0 alone is the no-break space of one-byte character sets.
@@ -32,8 +44,7 @@ std::size_t blank_at(std::string_view text, std::size_t i) {
         (first == 0xEF && second == 0xBB && third == 0xBF)) {
         return 3;
     }
-    const bool within_a_letter = i > 0 && static_cast<unsigned char>(text[i - 1]) >= 0x80;
-    return first == 0xA0 && !within_a_letter ? 1 : 0;
+    return first == 0xA0 && !continues_a_letter(text, i) ? 1 : 0;
 }
 
 // Bytes of the blank that ends before `end`; 0 where none does.

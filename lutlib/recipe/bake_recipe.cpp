@@ -45,7 +45,7 @@ bool is_active(const Operation& operation) {
 // A recipe that does nothing is a lattice, as its size says; a curve must come from somewhere.
 bool is_curve(const Recipe& recipe) {
     const bool bends = (recipe.base_lut && recipe.base_lut->shaper) ||
-                       &recipe.output_encoding() != recipe.input ||
+                       recipe.output_encoding() != recipe.input ||
                        std::any_of(recipe.operations.begin(), recipe.operations.end(), is_active);
     return bends && recipe.bake.shaper.empty() && !recipe.bake.size && !mixes_channels(recipe);
 }
@@ -53,9 +53,7 @@ bool is_curve(const Recipe& recipe) {
 } // namespace
 
 bool mixes_channels(const Recipe& recipe) {
-    const Primaries &in = recipe.input->primaries, &out = recipe.output_encoding().primaries;
-    const bool one_gamut =
-        in.red == out.red && in.green == out.green && in.blue == out.blue && in.white == out.white;
+    const bool one_gamut = recipe.output_encoding().gamut == recipe.input.gamut;
     const auto mixes = [](const Operation& operation) {
         const auto per_channel = operation.op->per_channel;
         return is_active(operation) && !(per_channel && per_channel(operation.values));

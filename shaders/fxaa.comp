@@ -7,6 +7,9 @@
 #include "common/tile.glsl"
 layout(binding = 0) uniform sampler2D source;
 layout(binding = 1) writeonly uniform image2D target;
+layout(push_constant) uniform Push {
+    float strength; // 1: all of the shift
+} push;
 
 const float least_contrast = 0.0312, relative_contrast = 0.125, softness = 0.75;
 const int steps[11] = int[11](1, 1, 1, 1, 1, 2, 2, 2, 2, 4, 8);
@@ -73,7 +76,7 @@ vec3 antialiased(ivec2 at) {
     // The edge bends towards this texel only if the nearer end is not on this texel's side of it.
     float shift = (m < edge) != (departure < 0.0) ? 0.5 - nearer / float(back + forth) : 0.0;
     shift = max(shift, soft);
-    return mix(own, color_at(at + across), shift);
+    return mix(own, color_at(at + across), push.strength * shift);
 }
 
 void main() {

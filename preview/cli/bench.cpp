@@ -7,9 +7,13 @@
 #include "lutlib/codes.h"
 #include "lutlib/error.h"
 #include "preview/cli/headless.h"
+#include "preview/frame/frame.h"
+#include "preview/look/gpu_look.h"
 #include "preview/look/look_bake.h"
 #include "preview/passes/copy.h"
+#include "preview/passes/finish.h"
 #include "preview/passes/scope.h"
+#include "preview/scene/gpu_scene.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

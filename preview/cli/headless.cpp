@@ -1,6 +1,8 @@
 #include "preview/cli/headless.h"
 
 #include "lutlib/half.h"
+#include "preview/frame/frame.h"
+#include "preview/passes/pass.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -26,7 +28,7 @@ std::vector<T> values_of(const std::vector<std::byte>& bytes) {
 
 /// The inputs with the HDR maximum measured, where the frame has one.
 FrameInputs measured(Executor& executor, FrameInputs inputs, const FrameSettings& settings) {
-    if (settings.view != nullptr || settings.force_all)
+    if (settings.shows_intermediate() || settings.force_all)
         return inputs;
     Graph graph;
     const FrameHandles handles = build_frame(graph, inputs, settings);
@@ -63,7 +65,7 @@ Rendered render_frame(Executor& executor, const FrameInputs& inputs,
     out.explanation = explain(graph, executor.plan());
     out.size = size_of(graph, handles.output);
     out.rgba = values_of<std::uint8_t>(executor.read_image(handles.output));
-    if (settings.view != nullptr)
+    if (settings.shows_intermediate())
         return out;
     if (settings.keep_hdr) {
         out.hdr_size = size_of(graph, handles.hdr);

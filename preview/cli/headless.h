@@ -1,7 +1,7 @@
 // Renders without a window: into a file, or for its timings.
 #pragma once
 
-#include "preview/frame/frame.h"
+#include "preview/frame/settings.h"
 #include "preview/graph/execute.h"
 
 #include <string>

@@ -3,51 +3,22 @@
 #include "lutlib/error.h"
 #include "lutlib/named.h"
 #include "preview/cli/light_edit.h"
+#include "preview/cli/option_rows.h"
+#include "preview/effects/effect.h"
+#include "preview/look/gpu_lookups.h"
+#include "preview/passes/resolve.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <charconv>
+#include <type_traits>
 
 namespace preview {
 
 namespace {
 
 constexpr std::uint32_t largest_side = 16384;
-
-template <class Rows>
-const auto* require_row(const Rows& rows, const std::string& name, std::string_view what) {
-    return &lutlib::require_named(rows, what, name);
-}
-
-Size parse_size(std::string_view option, const std::string& text) {
-    Size size;
-    const char* const end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, size.width);
-    if (width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x') {
-        const auto height = std::from_chars(width.ptr + 1, end, size.height);
-        if (height.ec == std::errc{} && height.ptr == end && size.width > 0 && size.height > 0 &&
-            size.width <= largest_side && size.height <= largest_side)
-            return size;
-    }
-    throw lutlib::UsageError(fmt::format("{} is WIDTHxHEIGHT with sides of 1 to {}, and not '{}'",
-                                         option, largest_side, text));
-}
-
-ProbePlace parse_place(const std::string& text, Size picture) {
-    ProbePlace place;
-    const char* const end = text.data() + text.size();
-    const auto x = std::from_chars(text.data(), end, place.x);
-    if (x.ec == std::errc{} && x.ptr != end && *x.ptr == ',') {
-        const auto y = std::from_chars(x.ptr + 1, end, place.y);
-        if (y.ec == std::errc{} && y.ptr == end && place.x >= 0 && place.y >= 0 &&
-            static_cast<std::uint32_t>(place.x) < picture.width &&
-            static_cast<std::uint32_t>(place.y) < picture.height)
-            return place;
-    }
-    throw lutlib::UsageError(fmt::format("--probe is X,Y within the picture of {}x{}, and not '{}'",
-                                         picture.width, picture.height, text));
-}
 
 /// A number from low to high; unlike CLI::Range it refuses NaN.
 CLI::Validator within(double low, double high) {
@@ -61,169 +32,236 @@ CLI::Validator within(double low, double high) {
             fmt::format("in [{} - {}]", low, high)};
 }
 
-template <class Rows, class Text>
-std::string section(std::string_view title, const Rows& rows, Text text) {
-    std::string out = fmt::format("{}\n", title);
-    for (const auto& row : rows)
-        out += fmt::format("  {:<20} {}\n", row.name, text(row));
-    return out;
+void declare(CLI::App& app, const OptionRow& row, Options& options) {
+    std::visit(
+        [&](auto of) {
+            auto& member = of(options);
+            using T = std::remove_reference_t<decltype(member)>;
+            if constexpr (std::is_same_v<T, bool>) {
+                app.add_flag(row.flag, member, row.help);
+            } else {
+                CLI::Option* const option = app.add_option(row.flag, member, row.help);
+                if (row.min < row.max) {
+                    option->check(within(row.min, row.max));
+                }
+                if (row.type != nullptr) {
+                    option->type_name(row.type);
+                }
+                if (row.one_of[0] != nullptr) {
+                    option->check(CLI::IsMember({row.one_of[0], row.one_of[1]}));
+                }
+            }
+        },
+        row.of);
 }
 
-} // namespace
+template <class S>
+void declare(CLI::App& app, const ChoiceRow<S>& row, S& settings) {
+    app.add_option_function<std::string>(
+           fmt::format("--{}", row.flag),
+           [&row, &settings](const std::string& name) {
+               const std::vector<Option> options = row.options();
+               const Option& found = lutlib::require_named(options, row.kind, name);
+               row.choose(settings, static_cast<std::size_t>(&found - options.data()));
+           },
+           std::string(row.help))
+        ->type_name("NAME");
+}
 
-void declare(CLI::App& app, Options& options) {
-    app.add_option(
-        "input", options.input,
-        "A built-in scene (--list), a glTF 2.0 file (textures stand as their mean), or a picture "
-        "file, which stands for the scene");
-    app.add_option("--a", options.look_a, "Look of side A: none, or any LUT file or picture")
-        ->type_name("LOOK");
-    app.add_option("--b", options.look_b, "Look of side B")->type_name("LOOK");
-    app.add_option("--compare", options.compare,
-                   "a, b, split, side or diff; by default a, or split when --b is given");
-    app.add_option("--split", options.split, "Where the line stands, of the width")
-        ->check(within(0, 1));
-    app.add_option("--heat-scale", options.heat_scale, "dE2000 at the end of the heat map")
-        ->check(within(4, 96));
-    app.add_option("--engine", options.engine,
-                   "The lookup that reads the looks: an engine's or another of --list");
-    app.add_option("--tonemap", options.tonemap, "Tone map, from --list");
-    app.add_option("--bloom", options.bloom, "Bloom, from --list");
-    app.add_option("--bloom-strength", options.bloom_settings.strength,
-                   "Share of the light that blooms; by default the method's own")
-        ->check(within(0, 1));
-    app.add_option("--bloom-threshold", options.bloom_settings.threshold,
-                   "Brightness above which light blooms; 0: all light")
-        ->check(within(0, 65504));
-    app.add_option("--bloom-knee", options.bloom_settings.knee,
-                   "Half width of the soft step about the threshold")
-        ->check(within(0, 65504));
-    app.add_option("--bloom-radius", options.bloom_settings.radius, "Scales the bloom's width")
-        ->check(within(0.05, 8));
-    app.add_option("--exposure", options.exposure, "Stops")->check(within(-20, 20));
-    app.add_option("--time", options.seconds, "The moment of the scene, in seconds")
-        ->check(within(-1e6, 1e6));
-    app.add_option("--azimuth", options.azimuth, "Turns the camera to the right, degrees")
-        ->check(within(-360, 360));
-    app.add_option("--elevation", options.elevation, "Raises the camera, degrees")
-        ->check(within(-180, 180));
-    app.add_option("--distance", options.distance, "Moves the camera away, metres")
-        ->check(within(-1000, 1000));
-    app.add_option("--fov", options.field_of_view, "Widens the field of view, degrees")
-        ->check(within(-120, 120));
+void declare_effects(CLI::App& app, Options& options) {
     app.add_flag("--fxaa,!--no-fxaa", options.fxaa,
-                 "Antialiasing; by default on for scenes and off for pictures")
-        ->each([&options](const std::string&) { options.fxaa_given = true; });
+                 "Antialiasing; by default on for scenes and off for pictures");
+    app.add_option_function<std::vector<std::string>>(
+           "--effect",
+           [&options](const std::vector<std::string>& texts) {
+               for (const std::string& text : texts) {
+                   put_use(options.effects, parse_use(text));
+               }
+           },
+           "Lays an effect over the picture, as vignette or vignette:strength=0.5,angle=90; --list "
+           "has them. May be repeated")
+        ->allow_extra_args(false)
+        ->type_name("NAME[:PARAMETER=VALUE,...]");
     app.add_option("--without", options.without,
-                   "Effects to switch off, with commas between them, from --list")
+                   "Parts of the frame and effects to switch off, with commas between them, from "
+                   "--list")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->type_name("EFFECTS");
+        ->type_name("PARTS");
     app.add_option(
            "--light", options.lights,
            "Changes a light, as key.intensity=2 or 1.color=1,0.5,0; --list has the controls. "
            "May be repeated")
         ->allow_extra_args(false)
         ->type_name("LIGHT.CONTROL=VALUE");
-    app.add_option("--shadow-size", options.shadow_size, "Texels of a shadow map's side")
-        ->check(CLI::Range(16U, 8192U));
-    app.add_option("--raster", options.raster, "Who rasterises, from --list");
-    app.add_flag("--headless", options.headless, "Render without a window");
-    app.add_option("--size", options.size,
-                   "Size of the output, within which a picture keeps its proportions; by default "
-                   "the picture's own or 1280x720")
-        ->type_name("WxH");
-    app.add_option("-o,--output", options.output,
-                   "Picture file; .exr and .hdr get the light before tone mapping");
-    app.add_option("--debug-view", options.debug_view, "Show an intermediate, from --list");
-    app.add_option("--cube-view", options.cube_view,
-                   "Draw the look of side a or b as the cube of its nodes, without a GPU")
-        ->check(CLI::IsMember({"a", "b"}));
-    app.add_option("--cube-nodes", options.cube_nodes, "Nodes of an axis, at most")
-        ->check(CLI::Range(2, 65));
-    app.add_option("--cube-turn", options.cube.turn, "Turns it about the neutral axis, degrees");
-    app.add_option("--cube-tilt", options.cube.tilt, "Degrees; 90 looks down on white")
-        ->check(within(-90, 90));
-    app.add_option("--cube-zoom", options.cube.zoom, "Brings it nearer")->check(within(0.3, 8));
-    app.add_flag("--cube-clamped", options.cube.clamped,
-                 "Nodes where a display shows them, within 0 to 1");
-    app.add_flag("--cube-by-input", options.cube.by_input,
-                 "Dots in the colours that nodes stand for, not those they give");
-    app.add_option("--probe", options.probe,
-                   "Print the colour of this texel before the looks and after each side's")
-        ->type_name("X,Y");
-    app.add_option("--scope", options.scope,
-                   "Show the finished picture on this instrument, from --list");
-    app.add_option("--scope-side", options.scope_side, "shown, a or b: what it looks at");
-    app.add_option("--scope-size", options.scope_size, "Size of its picture")->type_name("WxH");
-    app.add_option("--scope-scale", options.scope_scale,
-                   "log or linear: how counts become brightness or height; by default its own")
-        ->check(CLI::IsMember({"log", "linear"}));
-    app.add_flag("--explain", options.explain, "Print each pass: kept or left out, and why");
-    app.add_flag("--force-all", options.force_all, "Leave out nothing that could be done");
-    app.add_flag("--timings", options.timings, "Print the median GPU time of each pass");
-    app.add_option("--frames", options.frames, "Frames that --timings measures")
-        ->check(CLI::Range(1, 100000));
-    app.add_flag("--json", options.json, "Timings and the probe as JSON");
-    app.add_flag(
-        "--list", options.list,
-        "Print scenes, tone maps, blooms, lookups, views, effects, lights' controls, devices");
-    app.add_option("--device", options.device, "Part of a GPU's name, or its number in --list");
-    app.add_option("--font", options.font, "The window's font, a TrueType or OpenType file");
-    app.add_option("--places", options.places,
-                   "Keep in this file where the window's controls are, for scripts: a line "
-                   "'NAME X Y WIDTH HEIGHT' for each, in pixels, after 'frame NUMBER' and where "
-                   "the mouse was last seen, 'mouse X Y'; written when all that happened up to "
-                   "then is drawn");
-    app.add_flag("--validate", options.validate, "Run under Vulkan's validation layers");
+}
+
+/// Switches off a part of the frame or takes out an effect.
+void leave_out(FrameSettings& settings, const std::string& name) {
+    if (const EffectInfo* const part = lutlib::find_named(effects, name)) {
+        settings.without.set(part->effect, true);
+        return;
+    }
+    if (const PostEffect* const effect = post_effect_named(name)) {
+        take_out(settings.effects, *effect);
+        return;
+    }
+    std::vector<std::string_view> names = lutlib::name_list(effects);
+    const std::vector<std::string_view> more = lutlib::name_list(post_effects());
+    names.insert(names.end(), more.begin(), more.end());
+    lutlib::refuse_name("effect or part of the frame", name, names);
+}
+
+EffectUses effects_of(const Options& options, bool is_scene) {
+    EffectUses uses;
+    set_usual(uses, options.fxaa.value_or(is_scene));
+    for (const EffectUse& use : options.effects) {
+        put_use(uses, use);
+    }
+    return uses;
+}
+
+/// The output's size: as asked for, and of a picture's proportions.
+Size output_size(const Options& options, const FrameSettings& settings, Size input_size) {
+    const bool is_picture = input_size != Size{};
+    Size size = is_picture ? input_size : settings.output;
+    if (!options.size.empty()) {
+        size = parse_size("--size", options.size);
+        if (is_picture) {
+            size = fitted(input_size, picture_size(size, *settings.compare));
+        }
+    }
+    if (is_picture && settings.compare == &compare_side) {
+        size.width *= 2;
+    }
+    return size;
+}
+
+/// Reads two numbers with `between` between them and nothing else.
+template <class T>
+bool reads_pair(const std::string& text, char between, T& first, T& second) {
+    const char* const end = text.data() + text.size();
+    const auto one = std::from_chars(text.data(), end, first);
+    if (one.ec != std::errc{} || one.ptr == end || *one.ptr != between) {
+        return false;
+    }
+    const auto two = std::from_chars(one.ptr + 1, end, second);
+    return two.ec == std::errc{} && two.ptr == end;
+}
+
+std::string line_of(std::string_view name, std::string_view text) {
+    return fmt::format("  {:<20} {}\n", name, text);
+}
+
+template <class Rows>
+std::string section(std::string_view title, const Rows& rows) {
+    std::string out = fmt::format("{}\n", title);
+    for (const auto& row : rows) {
+        out += line_of(row.name, text_of(row));
+    }
+    return out;
+}
+
+template <class S>
+std::string section_of(const ChoiceRow<S>& row) {
+    std::string out = fmt::format("{} (--{})\n", row.title, row.flag);
+    for (const Option& option : row.options()) {
+        out += line_of(option.name, option.text);
+    }
+    return out;
+}
+
+std::string numbers_listing() {
+    const PictureSettings usual;
+    std::string out = "Settings\n";
+    for (const NumberRow<PictureSettings>& row : picture_numbers()) {
+        out += line_of(fmt::format("--{}", row.flag),
+                       fmt::format("{}; {} to {}, by default {}", row.help, row.min, row.max,
+                                   row.value(usual)));
+    }
+    return out;
+}
+
+std::string effects_listing() {
+    std::string out = "Effects (--effect)\n";
+    for (const PostEffect* effect : post_effects()) {
+        out += line_of(effect->name,
+                       fmt::format("{}; {}", effect->help,
+                                   stages()[static_cast<std::size_t>(effect->stage)].help));
+        for (const lutlib::Parameter& parameter : effect->parameters) {
+            out += line_of(fmt::format("  {}", parameter.name),
+                           fmt::format("{}; {} to {}, by default {}", parameter.label,
+                                       parameter.min, parameter.max, parameter.fallback));
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+Size parse_size(std::string_view option, const std::string& text) {
+    Size size;
+    if (reads_pair(text, 'x', size.width, size.height) && size.width > 0 && size.height > 0 &&
+        size.width <= largest_side && size.height <= largest_side) {
+        return size;
+    }
+    throw lutlib::UsageError(fmt::format("{} is WIDTHxHEIGHT with sides of 1 to {}, and not '{}'",
+                                         option, largest_side, text));
+}
+
+ProbePlace parse_place(std::string_view option, const std::string& text, Size picture) {
+    ProbePlace place;
+    if (reads_pair(text, ',', place.x, place.y) && place.x >= 0 && place.y >= 0 &&
+        static_cast<std::uint32_t>(place.x) < picture.width &&
+        static_cast<std::uint32_t>(place.y) < picture.height) {
+        return place;
+    }
+    throw lutlib::UsageError(fmt::format("{} is X,Y within the picture of {}x{}, and not '{}'",
+                                         option, picture.width, picture.height, text));
+}
+
+void declare(CLI::App& app, Options& options) {
+    for (const ChoiceRow<PictureSettings>& row : picture_choices()) {
+        declare<PictureSettings>(app, row, options.frame);
+    }
+    app.get_option("--compare")->each([&options](const std::string&) {
+        options.is_compare_given = true;
+    });
+    for (const NumberRow<PictureSettings>& row : picture_numbers()) {
+        app.add_option(fmt::format("--{}", row.flag), row.of(options.frame), std::string(row.help))
+            ->check(within(row.min, row.max));
+    }
+    declare_effects(app, options);
+    for (const ChoiceRow<Options>& row : option_choices()) {
+        declare(app, row, options);
+    }
+    for (const OptionRow& row : option_rows()) {
+        declare(app, row, options);
+    }
 }
 
 FrameSettings settings_of(const Options& options, Size input_size) {
-    const bool is_picture = input_size != Size{};
-    FrameSettings settings;
-    const std::string compare = !options.compare.empty() ? options.compare
-                                : options.look_b.empty() ? "a"
-                                                         : "split";
-    settings.compare = require_row(compares, compare, "comparison");
-    settings.tonemap = require_row(tonemaps(), options.tonemap, "tone map");
-    settings.bloom = require_row(blooms(), options.bloom, "bloom");
-    if (!options.debug_view.empty())
-        settings.view = require_row(debug_views(), options.debug_view, "debug view");
-    settings.scope_side = require_row(scope_sides, options.scope_side, "side of a scope");
-    if (!options.scope_scale.empty())
-        settings.scope_logarithmic = options.scope_scale == "log";
-    if (!options.scope.empty()) {
-        settings.scope = require_row(scopes, options.scope, "scope");
-        settings.scope_sizes[static_cast<std::size_t>(settings.scope - scopes.data())] =
+    FrameSettings settings = options.frame;
+    if (!options.is_compare_given) {
+        settings.compare = options.look_b.empty() ? &compare_a : &compare_split;
+    }
+    if (settings.scope != nullptr) {
+        settings.scope_sizes[index_of(*settings.scope)] =
             options.scope_size.empty() ? Size{settings.scope->width, settings.scope->height}
                                        : parse_size("--scope-size", options.scope_size);
     }
-    settings.bloom_settings = options.bloom_settings;
-    settings.split = options.split;
-    settings.heat_scale = options.heat_scale;
-    settings.exposure = options.exposure;
-    settings.without.set(Effect::fxaa, options.fxaa_given ? !options.fxaa : is_picture);
-    for (const std::string& name : options.without)
-        settings.without.set(require_row(effects, name, "effect")->effect, true);
-    settings.shadow_size = options.shadow_size;
-    settings.force_all = options.force_all;
-    if (!options.size.empty()) {
-        settings.output = parse_size("--size", options.size);
-        if (is_picture) {
-            const std::uint32_t sides = settings.compare == &compare_side ? 2 : 1;
-            settings.output = fitted(input_size, picture_size(settings.output, *settings.compare));
-            settings.output.width *= sides;
-        }
-    } else if (is_picture) {
-        settings.output = input_size;
-        if (settings.compare == &compare_side)
-            settings.output.width *= 2;
+    settings.effects = effects_of(options, input_size == Size{});
+    for (const std::string& name : options.without) {
+        leave_out(settings, name);
     }
-    if (!options.probe.empty())
-        settings.probe = parse_place(options.probe, settings.output);
-    if (settings.probe && settings.view != nullptr)
+    settings.output = output_size(options, settings, input_size);
+    if (!options.probe.empty()) {
+        settings.probe = parse_place("--probe", options.probe, settings.output);
+    }
+    if (settings.probe && settings.shows_intermediate()) {
         throw lutlib::UsageError(
             "--probe tells the finished picture, which --debug-view leaves out");
+    }
     return settings;
 }
 
@@ -243,22 +281,17 @@ Orbit orbit_of(const Options& options, const Scene& scene) {
     return orbit;
 }
 
-Raster raster_of(const Options& options, const gpu::Device& device, Size size) {
-    return require_row(rasters(), options.raster, "rasteriser")->on(device, size);
-}
-
 std::string listing() {
-    const auto help = [](const auto& row) { return row.help; };
-    const auto label = [](const auto& row) { return row.label; };
-    return section("Scenes", scenes(), help) + section("Tone maps (--tonemap)", tonemaps(), label) +
-           section("Blooms (--bloom)", blooms(), label) +
-           section("Lookups (--engine)", gpu_lookups(), label) +
-           section("Comparisons (--compare)", compares, label) +
-           section("Views (--debug-view)", debug_views(), help) +
-           section("Scopes (--scope)", scopes, help) +
-           section("Effects (--without)", effects, help) +
-           section("Lights' controls (--light)", light_controls(), help) +
-           section("Rasterisers (--raster)", rasters(), label);
+    std::string out = section("Scenes", scenes()) + section("Lookups (--engine)", gpu_lookups());
+    for (const ChoiceRow<PictureSettings>& row : picture_choices()) {
+        out += section_of(row);
+    }
+    for (const ChoiceRow<Options>& row : option_choices()) {
+        out += section_of(row);
+    }
+    return out + numbers_listing() + effects_listing() +
+           section("Parts of the frame (--without, as effects)", effects) +
+           section("Lights' controls (--light)", light_controls());
 }
 
 } // namespace preview

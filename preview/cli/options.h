@@ -1,10 +1,13 @@
 // The command line of lutpreview.
 #pragma once
 
+#include "preview/frame/settings.h"
 #include "preview/look/cube_view.h"
-#include "preview/frame/frame.h"
 
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -14,25 +17,25 @@ namespace preview {
 
 struct Options {
     std::string input = "sample"; ///< a built-in scene, a model or a picture file
-    std::string look_a = "none", look_b;
-    std::string raster = "auto";
-    std::string compare, engine, tonemap = "agx", bloom = "glare", size, debug_view, device;
-    float split = 0.5F, heat_scale = 8, exposure = 0;
+    std::string look_a = "none", look_b, engine;
+    /// What the frame is asked for; settings_of() completes it.
+    FrameSettings frame;
+    bool is_compare_given = false;
+    std::optional<bool> fxaa;         ///< empty: on for scenes, off for pictures
+    EffectUses effects;               ///< that are put in
+    std::vector<std::string> without; ///< names of parts of the frame and of effects
+    std::vector<std::string> lights;  ///< changes, as edit_light() takes them
+    const RasterChoice* raster = &rasters().front();
+    std::string size, probe, scope_size;
     double seconds = 0;
     float azimuth = 0, elevation = 0, distance = 0, field_of_view = 0; ///< added to the scene's
     std::string cube_view; ///< the side whose look is drawn as a cube; empty: none
     int cube_nodes = 17;
     CubeView cube;
-    std::string probe, scope, scope_side = "shown", scope_size, scope_scale;
-    BloomSettings bloom_settings{-1, 1, 0.2F, 1};
-    std::vector<std::string> without; ///< names of effects
-    std::vector<std::string> lights;  ///< changes, as edit_light() takes them
-    bool fxaa = true, fxaa_given = false;
-    std::uint32_t shadow_size = 1024;
     bool headless = false, explain = false, timings = false, json = false, list = false;
-    bool force_all = false, validate = false;
+    bool validate = false;
     int frames = 50;
-    std::string output;
+    std::string output, device;
     std::string font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"; ///< of the window
     std::string places; ///< file that tells where the window's controls are
 };
@@ -50,12 +53,13 @@ std::vector<PointLight> lights_of(const Options& options, const std::optional<Sc
 /// The scene's camera, moved as the options say.
 Orbit orbit_of(const Options& options, const Scene& scene);
 
-/// Which rasteriser the options choose for the device. Throws lutlib::UsageError for a name that no
-/// row has, and where the device cannot do it.
-Raster raster_of(const Options& options, const gpu::Device& device, Size size);
+/// WIDTHxHEIGHT with sides of 1 to 16384. Throws lutlib::UsageError that names the option.
+Size parse_size(std::string_view option, const std::string& text);
+/// X,Y within a picture of that size. Throws lutlib::UsageError that names the option.
+ProbePlace parse_place(std::string_view option, const std::string& text, Size picture);
 
-/// The tables: scenes, tone maps, blooms, lookups, comparisons, views, effects,
-/// lights' controls and rasterisers.
+/// The tables: scenes, lookups, every choice, the numbers with their ranges and defaults, effects,
+/// parts of the frame and lights' controls.
 std::string listing();
 
 } // namespace preview

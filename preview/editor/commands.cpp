@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace preview::ui {
+namespace preview::editor {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::string export_lut(const State& state, const std::string& path) {
     return report;
 }
 
-} // namespace preview::ui
+} // namespace preview::editor

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace preview::ui {
+namespace preview::editor {
 
 /// A recipe replaces the recipe; a LUT becomes the base of a new one. Side B shows it.
 void open_look(State& state, const lutlib::io::Look& look);
@@ -20,4 +20,4 @@ std::string export_strip(const State& state, const Side& side, const std::string
 /// The recipe as a LUT in the format of the path's extension; what it lost.
 std::string export_lut(const State& state, const std::string& path);
 
-} // namespace preview::ui
+} // namespace preview::editor

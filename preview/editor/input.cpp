@@ -1,21 +1,9 @@
 #include "preview/editor/input.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
-namespace preview::ui {
-
-namespace {
-
-using Kind = InputEvent::Kind;
-
-bool is_modifier(int key) {
-    return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
-}
-
-} // namespace
+namespace preview::editor {
 
 std::vector<InputEvent> InputQueue::next_frame() {
+    using Kind = InputEvent::Kind;
     std::vector<InputEvent> out;
     bool moved = false, is_full = false;
     while (!events_.empty()) {
@@ -29,11 +17,11 @@ std::vector<InputEvent> InputQueue::next_frame() {
         moved = moved || event.kind == Kind::move;
         is_full =
             is_full || event.kind == Kind::button ||
-            (event.kind == Kind::key && event.down && !event.repeats && !is_modifier(event.code));
+            (event.kind == Kind::key && event.down && !event.repeats && event.key != Key::modifier);
         out.push_back(event);
         events_.pop_front();
     }
     return out;
 }
 
-} // namespace preview::ui
+} // namespace preview::editor

@@ -5,12 +5,14 @@
 // apart.
 #pragma once
 
+#include "preview/editor/keys.h"
+
 #include <cstdint>
 #include <deque>
 #include <limits>
 #include <vector>
 
-namespace preview::ui {
+namespace preview::editor {
 
 /// Where the mouse is while it is not in the window, as Dear ImGui has it.
 inline constexpr float far_away = -std::numeric_limits<float>::max();
@@ -19,10 +21,11 @@ struct InputEvent {
     enum class Kind : std::uint8_t { move, wheel, button, key, character };
     Kind kind = Kind::move;
     float x = 0, y = 0; ///< where the mouse is, in the window's pixels; how far the wheel turned
-    int code = 0;       ///< GLFW's button or key, or the character
-    int scancode = 0, modifiers = 0; ///< of keys, as GLFW has them
+    int code = 0;       ///< the window library's button or key, or the character
+    int scancode = 0, modifiers = 0; ///< of keys, as the window library has them
     bool down = false;               ///< of buttons and keys: pressed (or repeated), not released
     bool repeats = false;
+    Key key = Key::none; ///< of keys
 };
 
 class InputQueue {
@@ -39,4 +42,4 @@ class InputQueue {
     std::deque<InputEvent> events_;
 };
 
-} // namespace preview::ui
+} // namespace preview::editor

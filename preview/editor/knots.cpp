@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace preview::ui {
+namespace preview::editor {
 
 namespace {
 
@@ -124,4 +124,4 @@ std::optional<std::size_t> knot_at(const CurveView& view, const Knots& knots, Kn
     return nearest;
 }
 
-} // namespace preview::ui
+} // namespace preview::editor

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace preview::ui {
+namespace preview::editor {
 
 struct CurveView {
     double x_min = 0, x_max = 1, y_min = 0, y_max = 1;
@@ -32,4 +32,4 @@ void remove_knot(const lutlib::Parameter& parameter, lutlib::Knots& knots, std::
 std::optional<std::size_t> knot_at(const CurveView& view, const lutlib::Knots& knots,
                                    lutlib::Knot at, lutlib::Knot reach);
 
-} // namespace preview::ui
+} // namespace preview::editor

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <tuple>
 
-namespace preview::ui {
+namespace preview::editor {
 
 namespace {
 
@@ -151,4 +151,4 @@ void LookBaker::run() {
     }
 }
 
-} // namespace preview::ui
+} // namespace preview::editor

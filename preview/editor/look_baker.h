@@ -1,8 +1,8 @@
 // Bakes the looks of both sides on a thread of its own, so that a frame never waits for one.
 #pragma once
 
-#include "preview/look/look_bake.h"
 #include "preview/editor/model.h"
+#include "preview/look/look_bake.h"
 
 #include <condition_variable>
 #include <functional>
@@ -10,7 +10,7 @@
 #include <optional>
 #include <thread>
 
-namespace preview::ui {
+namespace preview::editor {
 
 /// What the look of a side depends on.
 struct LookRequest {
@@ -61,4 +61,4 @@ class LookBaker {
     std::thread thread_;
 };
 
-} // namespace preview::ui
+} // namespace preview::editor

@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <tuple>
 
-namespace preview::ui {
+namespace preview::editor {
 
 namespace {
 
 auto values_of(const lutlib::Recipe& r) {
     return std::tie(r.title, r.input, r.output, r.base, r.base_lut, r.bake, r.operations);
-}
-
-auto values_of(const BloomSettings& s) {
-    return std::tie(s.strength, s.threshold, s.knee, s.radius);
 }
 
 auto values_of(const Orbit& o) {
@@ -21,16 +17,14 @@ auto values_of(const Orbit& o) {
 }
 
 auto values_of(const State& s) {
-    return std::tie(s.recipe_path, s.base_path, s.sides, s.compare, s.split, s.heat_scale,
-                    s.exposure, s.tonemap, s.bloom, s.without, s.shown, s.lights, s.scopes_seen,
-                    s.cube);
+    return std::tie(s.recipe_path, s.base_path, s.sides, s.shown, s.lights, s.scopes_seen, s.cube);
 }
 
 } // namespace
 
 bool operator==(const State& a, const State& b) {
     return values_of(a) == values_of(b) && values_of(a.recipe) == values_of(b.recipe) &&
-           values_of(a.bloom_settings) == values_of(b.bloom_settings) &&
+           static_cast<const PictureSettings&>(a) == static_cast<const PictureSettings&>(b) &&
            values_of(a.orbit) == values_of(b.orbit);
 }
 
@@ -39,8 +33,7 @@ State initial_state() {
     for (Side& side : state.sides)
         side.engine = engine_lookups().front();
     state.sides[1].source = SideSource::recipe;
-    state.tonemap = tonemap_named("agx");
-    state.bloom = bloom_named("glare");
+    state.compare = &compare_split;
     return state;
 }
 
@@ -99,4 +92,4 @@ std::vector<const GpuLookup*> engine_lookups() {
     return rows;
 }
 
-} // namespace preview::ui
+} // namespace preview::editor

@@ -2,11 +2,8 @@
 #pragma once
 
 #include "lutlib/recipe/recipe.h"
-#include "preview/finish/blooms.h"
-#include "preview/finish/compare.h"
-#include "preview/finish/effects.h"
+#include "preview/finish/picture_settings.h"
 #include "preview/finish/scopes.h"
-#include "preview/finish/tonemaps.h"
 #include "preview/look/cube_view.h"
 #include "preview/look/gpu_lookups.h"
 #include "preview/scene/scene.h"
@@ -21,7 +18,7 @@ namespace preview {
 struct Shown;
 }
 
-namespace preview::ui {
+namespace preview::editor {
 
 /// What one side of the comparison shows.
 enum class SideSource : std::uint8_t { none, source, recipe, baked, file };
@@ -69,19 +66,12 @@ struct CubeChoice {
 };
 
 /// Everything that undo brings back.
-struct State {
+struct State : PictureSettings {
     lutlib::Recipe recipe;
     std::string recipe_path;       ///< empty: never saved
     std::string base_path;         ///< where the recipe's base lies
     std::vector<std::string> told; ///< what the reading of the look lost, guessed or left undone
     std::array<Side, 2> sides;
-    const Compare* compare = &compares[2];
-    float split = 0.5F, heat_scale = 8;
-    float exposure = 0; ///< stops, added to the scene's
-    const Tonemap* tonemap = nullptr;
-    const Bloom* bloom = nullptr;
-    BloomSettings bloom_settings;
-    EffectSet without;                  ///< what is switched off
     std::shared_ptr<const Shown> shown; ///< the scene or picture
     Orbit orbit;
     std::vector<PointLight> lights; ///< in place of the scene's
@@ -126,4 +116,4 @@ void move_operation(lutlib::Recipe& recipe, std::size_t at, std::size_t to);
 /// The rows of gpu_lookups() that are an engine's.
 std::vector<const GpuLookup*> engine_lookups();
 
-} // namespace preview::ui
+} // namespace preview::editor

@@ -19,12 +19,12 @@
 
 namespace preview {
 
-/// By default what a display can show, light up to 1, does not bloom.
 struct BloomSettings {
-    float strength = -1;     ///< 0..1; negative: the method's own
-    float threshold = 1.25f; ///< of the largest channel; 0: all light blooms
-    float knee = 0.25f;      ///< half width of the quadratic knee about the threshold, <= threshold
-    float radius = 1;        ///< scales the Gaussians' sigmas
+    float strength = -1; ///< 0..1; negative: the method's own
+    float threshold = 1; ///< of the largest channel; 0: all light blooms
+    float knee = 0.2F;   ///< half width of the quadratic knee about the threshold
+    float radius = 1;    ///< scales the Gaussians' sigmas
+    friend bool operator==(const BloomSettings&, const BloomSettings&) = default;
 };
 
 /// One bilinear fetch at source position scale * (x + 0.5) + offset, in source texels.

@@ -2,6 +2,7 @@
 
 #include "lutlib/named.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace preview {
@@ -14,6 +15,10 @@ constexpr double bins_per_unit = 40;
 
 const Compare* compare_named(std::string_view name) {
     return lutlib::find_named(compares, name);
+}
+
+Size picture_size(Size output, const Compare& compare) {
+    return &compare == &compare_side ? Size{std::max(output.width / 2, 1U), output.height} : output;
 }
 
 DifferenceFigures difference_figures(std::span<const std::uint32_t> counted, std::uint64_t texels) {

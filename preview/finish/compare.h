@@ -1,6 +1,8 @@
 // How two looks are shown together, as a table; shaders/common/finish.glsl has the same numbers.
 #pragma once
 
+#include "preview/gpu/size.h"
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -16,16 +18,34 @@ struct Compare {
 };
 
 inline constexpr std::array<Compare, 5> compares{{
-    {"a", "side A alone", 0, true, false},
-    {"b", "side B alone", 1, false, true},
-    {"split", "A left and B right of a line that can be moved", 2, true, true},
-    {"side", "A and B side by side, each half as wide as the output", 3, true, true},
-    {"diff", "their difference in dE2000 as a heat map with its scale", 4, true, true},
+    {.name = "a", .label = "side A alone", .shader = 0, .shows_a = true, .shows_b = false},
+    {.name = "b", .label = "side B alone", .shader = 1, .shows_a = false, .shows_b = true},
+    {.name = "split",
+     .label = "A left and B right of a line that can be moved",
+     .shader = 2,
+     .shows_a = true,
+     .shows_b = true},
+    {.name = "side",
+     .label = "A and B side by side, each half as wide as the output",
+     .shader = 3,
+     .shows_a = true,
+     .shows_b = true},
+    {.name = "diff",
+     .label = "their difference in dE2000 as a heat map with its scale",
+     .shader = 4,
+     .shows_a = true,
+     .shows_b = true},
 }};
+inline constexpr const Compare& compare_a = compares[0];
+inline constexpr const Compare& compare_b = compares[1];
+inline constexpr const Compare& compare_split = compares[2];
 inline constexpr const Compare& compare_side = compares[3];
 inline constexpr const Compare& compare_difference = compares[4];
 
 const Compare* compare_named(std::string_view name);
+
+/// The size at which a scene is rendered so that its finished picture is `output` wide and high.
+Size picture_size(Size output, const Compare& compare);
 
 /// The differences of all texels of a picture, in dE2000.
 struct DifferenceFigures {

@@ -1,5 +1,6 @@
-// The parts of a frame that can be switched off, as a table: the command line, the panel of passes
-// and the frame's explanation follow it.
+// The parts that every frame has and that can be switched off, as a table: the command line, the
+// panel of passes and the frame's explanation follow it. What may be laid over a frame beside them
+// is in preview/effects/.
 #pragma once
 
 #include <array>
@@ -8,7 +9,7 @@
 
 namespace preview {
 
-enum class Effect : std::uint8_t { lights, shadows, environment, bloom, tonemap, looks, fxaa };
+enum class Effect : std::uint8_t { lights, shadows, environment, bloom, tonemap, looks };
 
 struct EffectInfo {
     Effect effect;
@@ -18,14 +19,13 @@ struct EffectInfo {
 };
 
 /// In the order of the enumeration, which is that of the frame.
-inline constexpr std::array<EffectInfo, 7> effects{{
+inline constexpr std::array<EffectInfo, 6> effects{{
     {Effect::lights, "lights", "Lights", "no light of the scene shines, and none casts a shadow"},
     {Effect::shadows, "shadows", "Shadows", "lights shine through everything"},
     {Effect::environment, "environment", "Surroundings", "the surroundings are black"},
     {Effect::bloom, "bloom", "Bloom", "bright light does not spread"},
     {Effect::tonemap, "tonemap", "Tone map", "light above 1 is cut off"},
     {Effect::looks, "looks", "Looks", "both sides show the picture without a LUT"},
-    {Effect::fxaa, "fxaa", "Antialiasing (FXAA)", "edges stay as they are sampled"},
 }};
 
 /// Some of the effects.

@@ -48,6 +48,11 @@ inline constexpr std::array<Scope, 4> scopes{{
      ScopeBins::levels, 4, 768, 384, false},
 }};
 
+/// The place of a row in `scopes`, and so of what is kept for each of them.
+constexpr std::size_t index_of(const Scope& scope) {
+    return static_cast<std::size_t>(&scope - scopes.data());
+}
+
 /// How many counts a scope keeps. `columns` counts only for ScopeBins::columns.
 constexpr std::size_t scope_counts(const Scope& scope, std::uint32_t columns) {
     switch (scope.bins) {

@@ -2,9 +2,15 @@
 
 #include "lutlib/error.h"
 #include "lutlib/named.h"
+#include "preview/effects/fusion.h"
 #include "preview/frame/instruments.h"
-#include "preview/passes/fxaa.h"
+#include "preview/passes/bloom_composite.h"
+#include "preview/passes/finish.h"
+#include "preview/passes/lighting.h"
+#include "preview/passes/resolve.h"
 #include "preview/passes/shadow.h"
+#include "preview/passes/split_line.h"
+#include "preview/scene/gpu_scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,21 +114,59 @@ ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSet
     return add_lighting(graph, declared.handles, lighting);
 }
 
+bool is_display_encoded(const FrameInputs& inputs) {
+    return inputs.picture != nullptr && inputs.picture->display_encoded;
+}
+
+/// The effects in use that this frame draws; says why it leaves out the others.
+EffectUses drawn_effects(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings) {
+    EffectUses drawn;
+    for (const EffectUse& use : settings.effects) {
+        const std::string_view reason =
+            left_out_because(use, *settings.compare, is_display_encoded(inputs));
+        if (reason.empty()) {
+            drawn.push_back(use);
+        } else {
+            graph.withhold(use.effect->name, reason);
+        }
+    }
+    for (const PostEffect* effect : post_effects()) {
+        if (use_of(settings.effects, *effect) == nullptr) {
+            graph.withhold(effect->name, "it is not in use");
+        }
+    }
+    return drawn;
+}
+
+/// Lays the effects of a stage over the picture, one after the other.
+ImageHandle with_effects(Graph& graph, Stage stage, const EffectUses& drawn, ImageHandle picture,
+                         std::uint32_t width, FrameHandles& handles) {
+    for (const EffectUse& use : drawn) {
+        if (use.effect->stage == stage) {
+            picture = use.effect->add(graph, {picture, width}, use.values);
+            handles.effects.push_back({use.effect, picture});
+        }
+    }
+    return picture;
+}
+
 /// Why there is no bloom; empty when there is.
 std::string_view no_bloom_because(const FrameInputs& inputs, const FrameSettings& settings,
-                                  const BloomPlan& plan) {
-    if (settings.tonemap == nullptr)
+                                  const EffectUses& drawn, const BloomPlan& plan) {
+    if (is_display_encoded(inputs))
         return "the picture is display-encoded already";
     if (settings.bloom == nullptr || plan.empty())
         return "it is off, or its strength is 0";
-    if (!settings.force_all && inputs.hdr_maximum &&
+    // What was measured is the light before effects, which may have brightened it.
+    const bool is_measured = inputs.hdr_maximum && !has_stage(drawn, Stage::hdr);
+    if (!settings.force_all && is_measured &&
         static_cast<double>(*inputs.hdr_maximum) <= bloom_onset(settings.bloom_settings))
         return "no light is bright enough to bloom";
     return {};
 }
 
 BloomLayers bloom_of(Graph& graph, ImageHandle hdr, const FrameInputs& inputs,
-                     const FrameSettings& settings) {
+                     const FrameSettings& settings, const EffectUses& drawn) {
     if (settings.without.has(Effect::bloom))
         return {};
     const Size size = size_of(graph, hdr);
@@ -131,7 +175,7 @@ BloomLayers bloom_of(Graph& graph, ImageHandle hdr, const FrameInputs& inputs,
         plan = bloom_plan(*settings.bloom,
                           {static_cast<int>(size.width), static_cast<int>(size.height)},
                           settings.bloom_settings);
-    const std::string_view reason = no_bloom_because(inputs, settings, plan);
+    const std::string_view reason = no_bloom_because(inputs, settings, drawn, plan);
     if (!reason.empty()) {
         graph.withhold("bloom", reason);
         return {};
@@ -189,9 +233,10 @@ constexpr DebugView views[] = {
 /// What the finishing pass is asked for; says which looks there are not.
 Finishing finishing_of(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings) {
     Finishing out;
-    out.settings.tonemap = settings.tonemap;
-    if (settings.tonemap != nullptr && settings.without.has(Effect::tonemap))
-        out.settings.tonemap = tonemap_named("none");
+    if (!is_display_encoded(inputs)) {
+        out.settings.tonemap =
+            settings.without.has(Effect::tonemap) ? tonemap_named("none") : settings.tonemap;
+    }
     out.settings.compare = settings.compare;
     out.settings.split = settings.split;
     out.settings.heat_scale = settings.heat_scale;
@@ -206,14 +251,48 @@ Finishing finishing_of(Graph& graph, const FrameInputs& inputs, const FrameSetti
     return out;
 }
 
-ImageHandle antialiased(Graph& graph, ImageHandle picture, const FrameSettings& settings) {
-    if (settings.without.has(Effect::fxaa))
-        return picture;
-    if (settings.compare == &compare_difference) {
-        graph.withhold("fxaa", "a heat map has no edges to smooth");
-        return picture;
+/// Finishes handles.hdr into handles.graded, and lays over it what stands after the look.
+void finish(Graph& graph, const FrameSettings& settings, const EffectUses& drawn,
+            Finishing& finishing, FrameHandles& handles) {
+    const Fusion fusion = fusion_of(drawn, *settings.compare);
+    const std::uint32_t width = size_of(graph, finishing.picture).width;
+    if (fusion.is_bloom_apart) {
+        finishing.picture = with_effects(graph, Stage::before_tonemap, drawn,
+                                         add_bloom_composite(graph, finishing), width, handles);
+        finishing.bloom = {};
+    } else {
+        graph.withhold("bloom composite", "the finishing pass does it: no effect reads its result");
     }
-    return add_fxaa(graph, picture);
+    finishing.settings.has_line = !fusion.is_line_apart;
+    const Finished finished = add_finish(graph, finishing);
+    handles.graded = finished.picture;
+    handles.figures = finished.figures;
+    handles.output = with_effects(graph, Stage::after_look, drawn, handles.graded, width, handles);
+    if (fusion.is_line_apart) {
+        handles.output = add_split_line(graph, handles.output, settings.split);
+    } else if (settings.compare == &compare_split) {
+        graph.withhold("split line", "the finishing pass draws it: no effect comes after the look");
+    }
+}
+
+/// Shows an intermediate in place of the picture.
+void show(Graph& graph, const FrameSettings& settings, std::string_view name, ImageHandle shown,
+          const View& view, FrameHandles& handles) {
+    if (!shown) {
+        throw lutlib::UsageError("this frame has no '" + std::string(name) +
+                                 "' to show; --explain says why");
+    }
+    handles.output = add_view(graph, shown, view, settings.output, handles.materials);
+    graph.present(handles.output);
+}
+
+void show_effect(Graph& graph, const FrameSettings& settings, FrameHandles& handles) {
+    const PostEffect& effect = *settings.effect_view;
+    const auto made = std::find_if(handles.effects.begin(), handles.effects.end(),
+                                   [&](const EffectPicture& it) { return it.effect == &effect; });
+    show(graph, settings, effect.name,
+         made == handles.effects.end() ? ImageHandle{} : made->picture,
+         View{effect.stage == Stage::after_look ? "view_codes.comp" : "view_light.comp"}, handles);
 }
 
 } // namespace
@@ -240,27 +319,26 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
         handles.lit = render_scene(graph, inputs, settings, size, handles);
     }
 
-    const Resolved resolved = add_resolve(graph, handles.lit, size, std::exp2(settings.exposure));
-    handles.hdr = resolved.hdr;
+    const EffectUses drawn = drawn_effects(graph, inputs, settings);
+    const float stops = settings.exposure + (inputs.scene != nullptr ? inputs.scene->exposure : 0);
+    const Resolved resolved = add_resolve(graph, handles.lit, size, std::exp2(stops));
     handles.hdr_maximum = resolved.maximum;
+    handles.hdr = with_effects(graph, Stage::hdr, drawn, resolved.hdr,
+                               size_of(graph, resolved.hdr).width, handles);
 
     Finishing finishing = finishing_of(graph, inputs, settings);
     finishing.picture = handles.hdr;
-    finishing.bloom = bloom_of(graph, handles.hdr, inputs, settings);
+    finishing.bloom = bloom_of(graph, handles.hdr, inputs, settings, drawn);
     handles.bloom = finishing.bloom.images[0];
-    const Finished finished = add_finish(graph, finishing);
-    handles.graded = finished.picture;
-    handles.figures = finished.figures;
-    handles.output = antialiased(graph, handles.graded, settings);
+    finish(graph, settings, drawn, finishing, handles);
 
     if (settings.view != nullptr) {
-        const ImageHandle shown = settings.view->handle(handles);
-        if (!shown)
-            throw lutlib::UsageError("this frame has no '" + std::string(settings.view->name) +
-                                     "' to show; --explain says why");
-        handles.output =
-            add_view(graph, shown, settings.view->view, settings.output, handles.materials);
-        graph.present(handles.output);
+        show(graph, settings, settings.view->name, settings.view->handle(handles),
+             settings.view->view, handles);
+        return handles;
+    }
+    if (settings.effect_view != nullptr) {
+        show_effect(graph, settings, handles);
         return handles;
     }
     add_instruments(graph, settings, finishing, handles);

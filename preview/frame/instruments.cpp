@@ -2,6 +2,7 @@
 
 #include "lutlib/error.h"
 #include "preview/passes/axes.h"
+#include "preview/passes/pass.h"
 #include "preview/passes/probe.h"
 #include "preview/passes/scope.h"
 
@@ -45,8 +46,7 @@ void add_instruments(Graph& graph, const FrameSettings& settings, const Finishin
                      FrameHandles& handles) {
     add_scopes(graph, settings, handles);
     if (settings.scope != nullptr) {
-        handles.output =
-            handles.scope_pictures[static_cast<std::size_t>(settings.scope - scopes.data())];
+        handles.output = handles.scope_pictures[index_of(*settings.scope)];
         if (!handles.output)
             throw lutlib::UsageError("this frame has nothing for the " +
                                      std::string(settings.scope->name) +

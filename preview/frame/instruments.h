@@ -2,7 +2,8 @@
 // the curves' axes. A part of build_frame().
 #pragma once
 
-#include "preview/frame/frame.h"
+#include "preview/frame/settings.h"
+#include "preview/passes/finish.h"
 
 namespace preview {
 

@@ -1,6 +1,7 @@
 #include "preview/frame/rasters.h"
 
 #include "lutlib/error.h"
+#include "preview/gpu/device.h"
 #include "preview/passes/visibility.h"
 
 namespace preview {

@@ -1,13 +1,16 @@
 // Who finds the visible triangles: the GPU's rasteriser, or compute shaders.
 #pragma once
 
-#include "preview/gpu/device.h"
-#include "preview/passes/pass.h"
+#include "preview/gpu/size.h"
 
 #include <span>
 #include <string_view>
 
 namespace preview {
+
+namespace gpu {
+class Device;
+}
 
 enum class Raster { hardware, compute };
 

@@ -2,7 +2,10 @@
 // and its part on the GPU.
 #pragma once
 
-#include "preview/frame/frame.h"
+#include "preview/frame/settings.h"
+#include "preview/gpu/size.h"
+#include "preview/scene/gpu_scene.h"
+#include "preview/scene/scene.h"
 
 #include <memory>
 #include <optional>

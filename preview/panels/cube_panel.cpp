@@ -8,7 +8,7 @@
 #include <chrono>
 #include <cmath>
 
-namespace preview::ui {
+namespace preview::panels {
 
 namespace {
 
@@ -119,4 +119,4 @@ void cube_panel(Ui& ui) {
                         nodes.outputs.size(), took.count());
 }
 
-} // namespace preview::ui
+} // namespace preview::panels

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace preview::ui {
+namespace preview::panels {
 
 namespace {
 
@@ -204,4 +204,4 @@ bool curve_editor(Ui& ui, const Parameter& parameter, Knots& knots, const std::s
     return changed;
 }
 
-} // namespace preview::ui
+} // namespace preview::panels

@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-namespace preview::ui {
+namespace preview::panels {
 
 namespace {
 
@@ -90,4 +90,4 @@ void file_panel(Ui& ui) {
     ImGui::PopTextWrapPos();
 }
 
-} // namespace preview::ui
+} // namespace preview::panels

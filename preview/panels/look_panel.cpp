@@ -1,4 +1,5 @@
 // The recipe: its operators as their descriptors tell, in their order.
+#include "preview/panels/parameter_control.h"
 #include "preview/panels/ui.h"
 
 #include <imgui.h>
@@ -6,7 +7,7 @@
 
 #include <algorithm>
 
-namespace preview::ui {
+namespace preview::panels {
 
 namespace {
 
@@ -17,44 +18,6 @@ using lutlib::RgbD;
 
 std::string text_of(std::string_view view) {
     return std::string(view);
-}
-
-/// One control for one parameter; true when its value changed.
-bool parameter_control(Ui& ui, const Parameter& parameter, lutlib::Value& value,
-                       const std::string& place) {
-    const std::string label = text_of(parameter.label) +
-                              (parameter.unit.empty() ? "" : " (" + text_of(parameter.unit) + ")");
-    bool changed = false;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x * 0.55F);
-    switch (parameter.kind) {
-    case ParameterKind::number: {
-        double number = std::get<double>(value);
-        changed = ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, &number, &parameter.min,
-                                      &parameter.max, "%.5g", ImGuiSliderFlags_AlwaysClamp);
-        value = number;
-        break;
-    }
-    case ParameterKind::toggle: {
-        bool on = std::get<double>(value) != 0;
-        changed = ImGui::Checkbox(label.c_str(), &on);
-        value = on ? 1.0 : 0.0;
-        break;
-    }
-    case ParameterKind::rgb: {
-        const RgbD color = std::get<RgbD>(value);
-        double channels[3] = {color.r, color.g, color.b};
-        const auto speed = static_cast<float>((parameter.max - parameter.min) / 1000);
-        changed = ImGui::DragScalarN(label.c_str(), ImGuiDataType_Double, channels, 3, speed,
-                                     &parameter.min, &parameter.max, "%.5g",
-                                     ImGuiSliderFlags_AlwaysClamp);
-        value = RgbD{channels[0], channels[1], channels[2]};
-        break;
-    }
-    case ParameterKind::curve:
-        return curve_editor(ui, parameter, std::get<lutlib::Knots>(value), place);
-    }
-    mark(ui, place);
-    return changed;
 }
 
 enum class Change { none, up, down, remove };
@@ -178,4 +141,4 @@ void look_panel(Ui& ui) {
     }
 }
 
-} // namespace preview::ui
+} // namespace preview::panels

@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-namespace preview::ui {
+namespace preview::panels {
 
 namespace {
 
@@ -50,4 +50,4 @@ void passes_panel(Ui& ui) {
     ImGui::PopTextWrapPos();
 }
 
-} // namespace preview::ui
+} // namespace preview::panels

@@ -1,12 +1,12 @@
 // The lights of the scene, by the table of their controls.
-#include "preview/scene/light_controls.h"
 #include "preview/panels/ui.h"
+#include "preview/scene/light_controls.h"
 
 #include <imgui.h>
 
 #include <algorithm>
 
-namespace preview::ui {
+namespace preview::panels {
 
 namespace {
 
@@ -68,4 +68,4 @@ void scene_panel(Ui& ui) {
     }
 }
 
-} // namespace preview::ui
+} // namespace preview::panels

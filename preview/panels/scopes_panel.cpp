@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace preview::ui {
+namespace preview::panels {
 
 namespace {
 
@@ -106,4 +106,4 @@ void scope_strip(Ui& ui, const Rect& area) {
     ImGui::End();
 }
 
-} // namespace preview::ui
+} // namespace preview::panels

@@ -4,7 +4,7 @@
 
 #include <imgui.h>
 
-namespace preview::ui {
+namespace preview::panels {
 
 namespace {
 
@@ -54,4 +54,4 @@ void status_line(Ui& ui, const Rect& area) {
     ui.places["status"] = area;
 }
 
-} // namespace preview::ui
+} // namespace preview::panels

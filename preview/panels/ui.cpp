@@ -2,7 +2,6 @@
 
 #include "preview/editor/commands.h"
 
-#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -10,7 +9,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace preview::ui {
+namespace preview::panels {
 
 namespace {
 
@@ -27,28 +26,27 @@ constexpr Panel panels[] = {
 struct Shortcut {
     const char* keys;
     const char* help;
-    int key;
+    Key key;
     bool ctrl, shift;
     void (*action)(Ui& ui);
 };
 
-template <std::size_t Row>
-void compare_by(Ui& ui) {
-    ui.history.draft().compare = &compares[Row];
+void compare_by(Ui& ui, const Compare& row) {
+    ui.history.draft().compare = &row;
 }
 
 constexpr Shortcut shortcuts[] = {
-    {"F1", "this list", GLFW_KEY_F1, false, false, [](Ui& ui) { ui.shows_help = !ui.shows_help; }},
-    {"Esc", "close it, errors and questions", GLFW_KEY_ESCAPE, false, false,
+    {"F1", "this list", Key::f1, false, false, [](Ui& ui) { ui.shows_help = !ui.shows_help; }},
+    {"Esc", "close it, errors and questions", Key::escape, false, false,
      [](Ui& ui) {
          ui.shows_help = false;
          ui.errors.clear();
          ui.to_replace.clear();
      }},
-    {"Ctrl+Z", "undo", GLFW_KEY_Z, true, false, [](Ui& ui) { ui.history.undo(); }},
-    {"Ctrl+Shift+Z", "redo", GLFW_KEY_Z, true, true, [](Ui& ui) { ui.history.redo(); }},
-    {"Ctrl+Y", "redo", GLFW_KEY_Y, true, false, [](Ui& ui) { ui.history.redo(); }},
-    {"Ctrl+S", "save the recipe to its file", GLFW_KEY_S, true, false,
+    {"Ctrl+Z", "undo", Key::z, true, false, [](Ui& ui) { ui.history.undo(); }},
+    {"Ctrl+Shift+Z", "redo", Key::z, true, true, [](Ui& ui) { ui.history.redo(); }},
+    {"Ctrl+Y", "redo", Key::y, true, false, [](Ui& ui) { ui.history.redo(); }},
+    {"Ctrl+S", "save the recipe to its file", Key::s, true, false,
      [](Ui& ui) {
          State& state = ui.history.draft();
          if (state.recipe_path.empty())
@@ -56,20 +54,25 @@ constexpr Shortcut shortcuts[] = {
          else
              attempt(ui, [&] { save_recipe(state, state.recipe_path); });
      }},
-    {"Ctrl+Shift+R", "make everything on the GPU anew", GLFW_KEY_R, true, true,
+    {"Ctrl+Shift+R", "make everything on the GPU anew", Key::r, true, true,
      [](Ui& ui) { ui.wants_new_screen = true; }},
-    {"Ctrl+Q", "quit", GLFW_KEY_Q, true, false, [](Ui& ui) { ui.quits = true; }},
-    {"1", "side A alone", GLFW_KEY_1, false, false, &compare_by<0>},
-    {"2", "side B alone", GLFW_KEY_2, false, false, &compare_by<1>},
-    {"3", "split by a line", GLFW_KEY_3, false, false, &compare_by<2>},
-    {"4", "side by side", GLFW_KEY_4, false, false, &compare_by<3>},
-    {"5", "difference", GLFW_KEY_5, false, false, &compare_by<4>},
+    {"Ctrl+Q", "quit", Key::q, true, false, [](Ui& ui) { ui.quits = true; }},
+    {"1", "side A alone", Key::digit_1, false, false, [](Ui& ui) { compare_by(ui, compare_a); }},
+    {"2", "side B alone", Key::digit_2, false, false, [](Ui& ui) { compare_by(ui, compare_b); }},
+    {"3", "split by a line", Key::digit_3, false, false,
+     [](Ui& ui) { compare_by(ui, compare_split); }},
+    {"4", "side by side", Key::digit_4, false, false, [](Ui& ui) { compare_by(ui, compare_side); }},
+    {"5", "difference", Key::digit_5, false, false,
+     [](Ui& ui) { compare_by(ui, compare_difference); }},
 };
 
 /// What a text field takes for itself.
 bool is_for_text(const KeyPress& press) {
-    return press.ctrl ? press.key == GLFW_KEY_Z || press.key == GLFW_KEY_Y
-                      : press.key <= GLFW_KEY_GRAVE_ACCENT;
+    return press.ctrl ? press.key == Key::z || press.key == Key::y : is_printable(press.key);
+}
+
+bool is_held(const Ui& ui, Key key) {
+    return ui.down[static_cast<std::size_t>(key)];
 }
 
 constexpr const char* mouse_help[][2] = {
@@ -198,10 +201,10 @@ void handle_shortcuts(Ui& ui) {
     }
     if (io.WantTextInput)
         return;
-    if (!io.KeyCtrl && ImGui::IsKeyDown(GLFW_KEY_A))
-        ui.held = &compares[0];
-    if (!io.KeyCtrl && ImGui::IsKeyDown(GLFW_KEY_B))
-        ui.held = &compares[1];
+    if (!io.KeyCtrl && is_held(ui, Key::a))
+        ui.held = &compare_a;
+    if (!io.KeyCtrl && is_held(ui, Key::b))
+        ui.held = &compare_b;
 }
 
 void picture_area(Ui& ui, const Rect& area) {
@@ -227,7 +230,7 @@ void picture_area(Ui& ui, const Rect& area) {
                       static_cast<int>((io.MousePos.y - area.y) * io.DisplayFramebufferScale.y)};
     const float line = area.x + state.split * area.width;
     const bool near_line =
-        state.compare == &compares[2] && std::abs(io.MousePos.x - line) < line_reach;
+        state.compare == &compare_split && std::abs(io.MousePos.x - line) < line_reach;
     if (ImGui::IsItemActivated())
         moves_line = near_line;
     if (ImGui::IsItemActive() && moves_line) {
@@ -310,4 +313,4 @@ Rect draw(Ui& ui) {
     return area;
 }
 
-} // namespace preview::ui
+} // namespace preview::panels

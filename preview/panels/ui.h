@@ -2,8 +2,9 @@
 // know no GPU object.
 #pragma once
 
-#include "preview/finish/probe.h"
+#include "preview/editor/keys.h"
 #include "preview/editor/model.h"
+#include "preview/finish/probe.h"
 
 #include <functional>
 #include <map>
@@ -11,7 +12,9 @@
 #include <string>
 #include <vector>
 
-namespace preview::ui {
+namespace preview::panels {
+
+using namespace editor;
 
 /// A part of the window, in its pixels.
 struct Rect {
@@ -46,9 +49,9 @@ struct Facts {
     std::string explanation; ///< a line for each pass, kept or left out, and why
 };
 
-/// A key of GLFW's that went down.
+/// A key that went down.
 struct KeyPress {
-    int key = 0;
+    Key key = Key::none;
     bool ctrl = false, shift = false;
 };
 
@@ -69,6 +72,7 @@ struct Ui {
     const Compare* held = nullptr;                  ///< shown instead while a key is held
     /// Since the last frame: no press is lost, however short.
     std::vector<KeyPress> pressed;
+    std::array<bool, key_count> down{}; ///< which keys are held
     /// Files to open as look or picture, for the program to take.
     std::vector<std::string> to_open;
     /// Waits for "replace?"; empty: nothing does.
@@ -116,4 +120,4 @@ void lines(const std::vector<std::string>& texts);
 /// Remembers where the last item is; the name without blanks.
 void mark(Ui& ui, std::string name);
 
-} // namespace preview::ui
+} // namespace preview::panels

@@ -1,10 +1,12 @@
 // What is compared, and how the picture is made.
 #include "preview/editor/commands.h"
+#include "preview/effects/effect.h"
+#include "preview/panels/parameter_control.h"
 #include "preview/panels/ui.h"
 
 #include <imgui.h>
 
-namespace preview::ui {
+namespace preview::panels {
 
 namespace {
 
@@ -12,17 +14,93 @@ std::string text_of(std::string_view view) {
     return std::string(view);
 }
 
-/// A list of a table's labels.
-template <class Rows, class Row>
-void row_choice(Ui& ui, const char* title, const Rows& rows, const Row*& chosen) {
-    const bool open = ImGui::BeginCombo(title, text_of(chosen->label).c_str());
-    mark(ui, title);
-    if (!open)
+void choice(Ui& ui, std::string_view flag) {
+    const ChoiceRow<PictureSettings>& row = picture_choice(flag);
+    PictureSettings& settings = ui.history.draft();
+    const std::vector<Option> options = row.options();
+    const std::size_t chosen = row.chosen(settings);
+    const bool open =
+        ImGui::BeginCombo(text_of(row.label).c_str(), text_of(options[chosen].text).c_str());
+    mark(ui, text_of(row.label));
+    if (!open) {
         return;
-    for (const Row& row : rows)
-        if (ImGui::Selectable(text_of(row.label).c_str(), &row == chosen))
-            chosen = &row;
+    }
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        if (ImGui::Selectable(text_of(options[i].text).c_str(), i == chosen)) {
+            row.choose(settings, i);
+        }
+    }
     ImGui::EndCombo();
+}
+
+/// A slider; true when it was moved. `value` is shown in place of the setting's own.
+bool slider(Ui& ui, std::string_view flag, float& value) {
+    const NumberRow<PictureSettings>& row = picture_number(flag);
+    const bool has_own_range = row.slider_min < row.slider_max;
+    const std::string label =
+        text_of(row.label) + (row.unit.empty() ? "" : " (" + text_of(row.unit) + ")");
+    const bool moved = ImGui::SliderFloat(
+        label.c_str(), &value, static_cast<float>(has_own_range ? row.slider_min : row.min),
+        static_cast<float>(has_own_range ? row.slider_max : row.max), "%.4g",
+        ImGuiSliderFlags_AlwaysClamp |
+            (row.is_logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None));
+    mark(ui, "setting." + text_of(row.flag));
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("%s", text_of(row.help).c_str());
+    }
+    return moved;
+}
+
+void number(Ui& ui, std::string_view flag) {
+    slider(ui, flag, picture_number(flag).of(ui.history.draft()));
+}
+
+void bloom_controls(Ui& ui) {
+    State& state = ui.history.draft();
+    choice(ui, "bloom");
+    if (state.bloom->strength <= 0) {
+        return;
+    }
+    float strength =
+        state.bloom_settings.strength < 0 ? state.bloom->strength : state.bloom_settings.strength;
+    if (slider(ui, "bloom-strength", strength)) {
+        state.bloom_settings.strength = strength;
+    }
+    for (const std::string_view flag : {"bloom-threshold", "bloom-knee", "bloom-radius"}) {
+        number(ui, flag);
+    }
+}
+
+/// A switch for every effect, with the parameters of those in use.
+void effect_controls(Ui& ui) {
+    EffectUses& uses = ui.history.draft().effects;
+    for (const PostEffect* effect : post_effects()) {
+        const std::string name(effect->name);
+        const EffectUse* const use = use_of(uses, *effect);
+        bool is_on = use != nullptr;
+        if (ImGui::Checkbox(text_of(effect->label).c_str(), &is_on)) {
+            is_on ? put_use(uses, usual_use(*effect)) : take_out(uses, *effect);
+        }
+        mark(ui, "effect." + name);
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("%s", text_of(effect->help).c_str());
+        }
+        if (!is_on || use == nullptr) {
+            continue;
+        }
+        ImGui::PushID(name.c_str());
+        EffectUse changed = *use;
+        bool is_changed = false;
+        for (std::size_t i = 0; i < changed.values.size(); ++i) {
+            const lutlib::Parameter& parameter = effect->parameters[i];
+            is_changed |= parameter_control(ui, parameter, changed.values[i],
+                                            "effect." + name + "." + text_of(parameter.name));
+        }
+        ImGui::PopID();
+        if (is_changed) {
+            put_use(uses, std::move(changed));
+        }
+    }
 }
 
 void side_controls(Ui& ui, Side& side, const std::string& name, const std::string& note) {
@@ -67,37 +145,27 @@ void side_controls(Ui& ui, Side& side, const std::string& name, const std::strin
 
 void view_panel(Ui& ui) {
     State& state = ui.history.draft();
-    row_choice(ui, "Compare", compares, state.compare);
+    choice(ui, "compare");
     side_controls(ui, state.sides[0], "A", ui.facts.look_notes[0]);
     side_controls(ui, state.sides[1], "B", ui.facts.look_notes[1]);
     if (state.compare == &compare_difference) {
-        ImGui::SliderFloat("Heat map to dE2000", &state.heat_scale, 4, 96, "%.0f",
-                           ImGuiSliderFlags_AlwaysClamp);
+        number(ui, "heat-scale");
         if (ui.facts.measured.figures)
             ImGui::Text("dE2000: mean %.3f, p95 %.3f, p99 %.3f, max %.3f",
                         ui.facts.measured.figures->mean, ui.facts.measured.figures->p95,
                         ui.facts.measured.figures->p99, ui.facts.measured.figures->max);
     } else {
-        ImGui::SliderFloat("Split", &state.split, 0, 1, "%.3f", ImGuiSliderFlags_AlwaysClamp);
+        number(ui, "split");
     }
     ImGui::Separator();
     ImGui::TextDisabled("%s on %s", ui.facts.input.c_str(), ui.facts.device.c_str());
-    ImGui::SliderFloat("Exposure (stops)", &state.exposure, -8, 8, "%.2f");
+    number(ui, "exposure");
     ImGui::BeginDisabled(ui.facts.display_encoded);
-    row_choice(ui, "Tone map", tonemaps(), state.tonemap);
-    row_choice(ui, "Bloom", blooms(), state.bloom);
-    if (state.bloom->strength > 0) {
-        float strength = state.bloom_settings.strength < 0 ? state.bloom->strength
-                                                           : state.bloom_settings.strength;
-        if (ImGui::SliderFloat("Bloom strength", &strength, 0, 1, "%.3f",
-                               ImGuiSliderFlags_AlwaysClamp))
-            state.bloom_settings.strength = strength;
-        ImGui::SliderFloat("Bloom threshold", &state.bloom_settings.threshold, 0, 16, "%.2f",
-                           ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
-        ImGui::SliderFloat("Bloom radius", &state.bloom_settings.radius, 0.05F, 8, "%.2f",
-                           ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
-    }
+    choice(ui, "tonemap");
+    bloom_controls(ui);
     ImGui::EndDisabled();
+    ImGui::Separator();
+    effect_controls(ui);
     if (ui.facts.is_scene) {
         ImGui::Separator();
         ImGui::SliderFloat("Azimuth", &state.orbit.azimuth, -180, 180, "%.1f");
@@ -108,4 +176,4 @@ void view_panel(Ui& ui) {
     }
 }
 
-} // namespace preview::ui
+} // namespace preview::panels

@@ -1,5 +1,7 @@
 #include "preview/passes/finish.h"
 
+#include "preview/look/gpu_look.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -34,12 +36,6 @@ struct Push {
     float exposure, strength, threshold, knee, split, heat_scale;
 };
 
-std::optional<gpu::Image> upload(const gpu::Device& device, const Texels& texels) {
-    if (texels.bytes.empty())
-        return std::nullopt;
-    return gpu::make_image(device, texels.desc, texels.bytes);
-}
-
 ImageHandle imported(Graph& graph, const std::string& name,
                      const std::optional<gpu::Image>& image) {
     return image ? graph.import(name, *image, image->desc()) : ImageHandle{};
@@ -73,23 +69,15 @@ bool is_shared(const GpuLook* look) {
 
 } // namespace
 
-GpuLook::GpuLook(const gpu::Device& device, const LookData& data)
-    : lookup(data.lookup), block(data.block), picture(upload(device, data.picture)),
-      volume(upload(device, data.volume)), shaper(upload(device, data.shaper)),
-      half_arithmetic(device.has_fast_half() &&
-                      data.lookup->interpolation == lutlib::Interpolation::tetrahedral),
-      groups(device.compute_units()) {
-    if (!data.nodes.empty())
-        nodes = gpu::make_buffer(device, std::as_bytes(std::span(data.nodes)));
-}
-
 void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing) {
     const auto& [picture, bloom, a, b, settings] = finishing;
     const BloomPlan& plan = bloom.plan;
     pass.read(picture);
     for (const ImageHandle layer : bloom.images)
         pass.sample(layer, Sampler::linear_clamp);
-    pass.uniform(graph.data_of("bloom final filter", filter_block(plan)));
+    // A frame may have both: one pass that composites the bloom, and one that finds it done.
+    pass.uniform(
+        graph.data_of(plan.empty() ? "no bloom filter" : "bloom final filter", filter_block(plan)));
     bind_look(graph, pass, "A", a);
     bind_look(graph, pass, "B", b);
     pass.storage(curve_of(graph, settings.tonemap));
@@ -102,7 +90,7 @@ void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing) {
         format == Format::rgba8 || format == Format::rgb10a2 || format == Format::rgba16;
     const int tonemap = settings.tonemap ? index_of(*settings.tonemap) : -1;
     pass.constants({static_cast<std::uint32_t>(tonemap), layers, taps, plan.threshold > 0,
-                    shader_of(a), shader_of(b), settings.compare->shader, unit});
+                    shader_of(a), shader_of(b), settings.compare->shader, unit, settings.has_line});
     pass.push(Push{std::exp2(settings.exposure), plan.strength, plan.threshold, plan.knee,
                    settings.split, settings.heat_scale});
 }
@@ -147,10 +135,6 @@ Finished add_finish(Graph& graph, const Finishing& finishing) {
         pass.dispatch_over(size.width, size.height, many_each);
     }
     return out;
-}
-
-Size picture_size(Size output, const Compare& compare) {
-    return &compare == &compare_side ? Size{std::max(output.width / 2, 1u), output.height} : output;
 }
 
 } // namespace preview

@@ -2,6 +2,7 @@
 // no memory and is not written.
 #pragma once
 
+#include "preview/passes/pass.h"
 #include "preview/scene/scene_data.h"
 
 namespace preview {

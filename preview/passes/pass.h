@@ -21,16 +21,12 @@
 // - The order of texels is rows from the top; texel centres are at half-integers.
 #pragma once
 
+#include "preview/gpu/size.h"
 #include "preview/graph/graph.h"
 
 #include <array>
 
 namespace preview {
-
-struct Size {
-    std::uint32_t width = 0, height = 0;
-    friend bool operator==(const Size&, const Size&) = default;
-};
 
 inline Size size_of(const Graph& graph, ImageHandle image) {
     const ImageDesc& desc = graph.image_desc(image);
@@ -45,10 +41,4 @@ constexpr std::uint32_t counting_groups(std::uint64_t texels) {
     const std::uint64_t groups = (texels + share - 1) / share;
     return static_cast<std::uint32_t>(groups < 1 ? 1 : groups > most ? most : groups);
 }
-
-/// Half of a size, rounded up: the next level of a pyramid.
-constexpr Size half(Size size) {
-    return {(size.width + 1) / 2, (size.height + 1) / 2};
-}
-
 } // namespace preview

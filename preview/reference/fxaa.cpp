@@ -84,12 +84,12 @@ class Fxaa {
 
 } // namespace
 
-Image fxaa(const Image& picture) {
+Image fxaa(const Image& picture, double strength) {
     Image out(picture.width, picture.height);
     const Fxaa pass(picture);
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x)
-            out.at(x, y) = pass.texel(x, y);
+            out.at(x, y) = picture.at(x, y) * (1 - strength) + pass.texel(x, y) * strength;
     return out;
 }
 

@@ -5,6 +5,7 @@
 
 namespace preview::reference {
 
-Image fxaa(const Image& picture);
+/// `strength` 0..1 scales how far a fetch is shifted.
+Image fxaa(const Image& picture, double strength = 1);
 
 } // namespace preview::reference

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "preview/gpu/memory.h"
+#include "preview/gpu/size.h"
 #include "preview/scene/scene_data.h"
 
 #include <span>

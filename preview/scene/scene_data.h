@@ -2,7 +2,7 @@
 // view the objects that it can see. Plain data.
 #pragma once
 
-#include "preview/passes/pass.h"
+#include "preview/graph/graph.h"
 #include "preview/scene/scene.h"
 
 #include <glm/mat4x4.hpp>

@@ -31,7 +31,7 @@ void print_validation(const gpu::Device& device) {
 
 class App {
   public:
-    explicit App(const Options& options);
+    explicit App(WindowSetup setup);
     void run();
 
   private:
@@ -40,21 +40,21 @@ class App {
     void make_screen();
     void follow_shown();
     void resize_if_asked();
-    void frame(const std::vector<ui::InputEvent>& events);
+    void frame(const std::vector<editor::InputEvent>& events);
     void request_looks();
     void take_looks();
-    void render(const ui::Rect& area);
+    void render(const panels::Rect& area);
     void write_places() const;
 
-    Options options_;
+    WindowSetup setup_;
     Window window_;
     WindowEvents events_{window_.handle()};
     std::optional<Gui> gui_;
     std::optional<Screen> screen_;
-    ui::Ui ui_;
-    ui::LookRequest requested_;
+    panels::Ui ui_;
+    editor::LookRequest requested_;
     bool baking_ = false;
-    ui::LookBaker baker_;
+    editor::LookBaker baker_;
     FrameReader reader_{frames_in_flight};
     /// Of the last frame; none when something that it reads has been written since.
     std::optional<Graph> drawn_;
@@ -62,10 +62,10 @@ class App {
     Recovery recovery_;
 };
 
-App::App(const Options& options)
-    : options_(options), window_(window_size(options)), ui_(opening_state(options)),
+App::App(WindowSetup setup)
+    : setup_(std::move(setup)), window_(setup_.size), ui_(setup_.state),
       baker_([] { glfwPostEmptyEvent(); }) {
-    gui_.emplace(window_.handle(), layout_path(), options_.font);
+    gui_.emplace(window_.handle(), layout_path(), setup_.font);
     if (!gui_->notice().empty())
         ui_.errors.push_back(gui_->notice());
     make_screen();
@@ -76,7 +76,7 @@ void App::make_screen() {
         print_validation(screen_->device);
     screen_.reset();
     drawn_.reset();
-    screen_.emplace(window_, options_);
+    screen_.emplace(window_, window_.device_options(setup_.device, setup_.validation));
     ui_.facts.device = screen_->device.name();
     events_.resized = true;
     baking_ = false; // the new screen has no looks
@@ -84,10 +84,10 @@ void App::make_screen() {
 }
 
 void App::open(const std::string& path) {
-    ui::State& state = ui_.history.draft();
+    editor::State& state = ui_.history.draft();
     if (!is_model_file(path)) {
         if (const auto look = lutlib::io::Look::open_if_look(path)) {
-            ui::open_look(state, *look);
+            editor::open_look(state, *look);
             return;
         }
     }
@@ -125,7 +125,7 @@ void App::run() {
             frames_due_ = 0;
             continue;
         }
-        const std::vector<ui::InputEvent> events = events_.input.next_frame();
+        const std::vector<editor::InputEvent> events = events_.input.next_frame();
         if (!events.empty() || !events_.dropped.empty() || events_.resized)
             wake();
         --frames_due_;
@@ -152,21 +152,24 @@ void App::resize_if_asked() {
     events_.resized = false;
 }
 
-void App::frame(const std::vector<ui::InputEvent>& events) {
+void App::frame(const std::vector<editor::InputEvent>& events) {
     resize_if_asked();
     std::vector<std::string> paths = std::exchange(ui_.to_open, {});
     for (std::string& path : std::exchange(events_.dropped, {}))
         paths.push_back(std::move(path));
     for (const std::string& path : paths)
-        ui::attempt(ui_, [&] { open(path); });
-    for (const ui::InputEvent& event : events)
-        if (event.kind == ui::InputEvent::Kind::key && event.down && !event.repeats)
-            ui_.pressed.push_back({event.code, (event.modifiers & GLFW_MOD_CONTROL) != 0,
+        panels::attempt(ui_, [&] { open(path); });
+    for (const editor::InputEvent& event : events)
+        if (event.kind == editor::InputEvent::Kind::key)
+            ui_.down[static_cast<std::size_t>(event.key)] = event.down;
+    for (const editor::InputEvent& event : events)
+        if (event.kind == editor::InputEvent::Kind::key && event.down && !event.repeats)
+            ui_.pressed.push_back({event.key, (event.modifiers & GLFW_MOD_CONTROL) != 0,
                                    (event.modifiers & GLFW_MOD_SHIFT) != 0});
     follow_shown();
     screen_->overlay.begin_frame();
     gui_->begin_frame(events);
-    const ui::Rect area = ui::draw(ui_);
+    const panels::Rect area = panels::draw(ui_);
     ImGui::Render();
     if (!ImGui::IsAnyItemActive())
         ui_.history.settle();
@@ -178,9 +181,9 @@ void App::frame(const std::vector<ui::InputEvent>& events) {
 }
 
 void App::request_looks() {
-    const ui::State& state = ui_.history.draft();
-    ui::LookRequest request{state.recipe, state.sides};
-    if (baking_ && ui::same(request, requested_))
+    const editor::State& state = ui_.history.draft();
+    editor::LookRequest request{state.recipe, state.sides};
+    if (baking_ && editor::same(request, requested_))
         return;
     requested_ = request;
     baking_ = true;
@@ -188,7 +191,7 @@ void App::request_looks() {
 }
 
 void App::take_looks() {
-    const std::optional<ui::BakedLooks> baked = baker_.take();
+    const std::optional<editor::BakedLooks> baked = baker_.take();
     if (!baked)
         return;
     ui_.facts.bake_milliseconds = baked->milliseconds;
@@ -205,13 +208,15 @@ void App::take_looks() {
     drawn_.reset();
 }
 
-void App::render(const ui::Rect& area) {
+void App::render(const panels::Rect& area) {
     Screen& screen = *screen_;
     const vk::Extent2D window = screen.swapchain.extent();
     const vk::Rect2D output = output_area(area, window);
     const ScopeAreas scope_places = scope_areas(ui_, window);
     FrameSettings settings =
-        window_settings(ui_, options_, screen.device, {output.extent.width, output.extent.height});
+        window_settings(ui_, setup_.frame, {output.extent.width, output.extent.height});
+    settings.raster =
+        setup_.raster->on(screen.device, picture_size(settings.output, *settings.compare));
     for (std::size_t i = 0; i < scopes.size(); ++i)
         settings.scope_sizes[i] = {scope_places[i].extent.width, scope_places[i].extent.height};
     const std::vector<PointLight>& lights = ui_.history.draft().lights;
@@ -255,7 +260,7 @@ void App::render(const ui::Rect& area) {
 }
 
 void App::write_places() const {
-    if (options_.places.empty())
+    if (setup_.places.empty())
         return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     std::string text = fmt::format("frame {} 0 0 0\n", ImGui::GetFrameCount());
@@ -264,13 +269,13 @@ void App::write_places() const {
     for (const auto& [name, place] : ui_.places)
         text += fmt::format("{} {:.0f} {:.0f} {:.0f} {:.0f}\n", name, place.x, place.y, place.width,
                             place.height);
-    lutlib::io::write_file(options_.places, text);
+    lutlib::io::write_file(setup_.places, text);
 }
 
 } // namespace
 
-void run_window(const Options& options) {
-    App app(options);
+void run_window(WindowSetup setup) {
+    App app(std::move(setup));
     app.run();
 }
 

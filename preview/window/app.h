@@ -1,12 +1,28 @@
 // The window: the scene or picture, two looks, and the panels to author one.
 #pragma once
 
-#include "preview/cli/options.h"
+#include "preview/editor/model.h"
+#include "preview/frame/settings.h"
+#include "preview/gpu/size.h"
+
+#include <string>
 
 namespace preview {
 
+/// What a window opens with, and what no panel changes.
+struct WindowSetup {
+    editor::State state;                             ///< with something to show
+    FrameSettings frame;                             ///< shadow maps, and what is left out
+    const RasterChoice* raster = &rasters().front(); ///< who rasterises
+    Size size{1600, 900};                            ///< of the window
+    std::string device;                              ///< as gpu::DeviceOptions::wanted
+    bool validation = false;                         ///< under Vulkan's validation layers
+    std::string font;                                ///< TrueType or OpenType file
+    std::string places; ///< file that tells where the controls are; empty: nobody asks
+};
+
 /// Runs until the window is closed. Redraws on input, on new looks and on nothing else. Throws
 /// lutlib::Error when no window can be had.
-void run_window(const Options& options);
+void run_window(WindowSetup setup);
 
 } // namespace preview

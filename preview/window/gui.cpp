@@ -51,8 +51,8 @@ Gui::~Gui() {
     ImGui::DestroyContext();
 }
 
-void Gui::feed(const ui::InputEvent& event) {
-    using Kind = ui::InputEvent::Kind;
+void Gui::feed(const editor::InputEvent& event) {
+    using Kind = editor::InputEvent::Kind;
     ImGuiIO& io = ImGui::GetIO();
     switch (event.kind) {
     case Kind::move:
@@ -77,8 +77,8 @@ void Gui::feed(const ui::InputEvent& event) {
     }
 }
 
-void Gui::begin_frame(const std::vector<ui::InputEvent>& events) {
-    for (const ui::InputEvent& event : events)
+void Gui::begin_frame(const std::vector<editor::InputEvent>& events) {
+    for (const editor::InputEvent& event : events)
         feed(event);
     ImGui_ImplGlfw_NewFrame();
     // The backend looks at where the mouse is now; the events tell where it was.

@@ -22,15 +22,16 @@ class Gui {
     Gui& operator=(const Gui&) = delete;
 
     /// With what happened since the last one.
-    void begin_frame(const std::vector<ui::InputEvent>& events);
+    void begin_frame(const std::vector<editor::InputEvent>& events);
     /// What a person should know of the set-up; empty when all is well.
     const std::string& notice() const { return notice_; }
 
   private:
-    void feed(const ui::InputEvent& event);
+    void feed(const editor::InputEvent& event);
 
     GLFWwindow* window_;
-    float mouse_x_ = ui::far_away, mouse_y_ = ui::far_away; ///< beyond the window when the mouse is
+    float mouse_x_ = editor::far_away,
+          mouse_y_ = editor::far_away; ///< beyond the window when the mouse is
     std::array<bool, 5> buttons_{};
     std::string layout_path_, notice_;
 };

@@ -4,8 +4,8 @@
 
 namespace preview {
 
-Screen::Screen(const Window& window, const Options& options)
-    : device(window.device_options(options)), swapchain(device, window.make_surface(device)),
+Screen::Screen(const Window& window, const gpu::DeviceOptions& device_options)
+    : device(device_options), swapchain(device, window.make_surface(device)),
       executor(device, frames_in_flight), looks{LookSlot(device), LookSlot(device)},
       overlay(device, swapchain.format()) {}
 

@@ -2,10 +2,10 @@
 // of it is made anew from what the program holds.
 #pragma once
 
-#include "preview/graph/execute.h"
-#include "preview/window/look_slot.h"
-#include "preview/window/overlay.h"
 #include "preview/frame/shown.h"
+#include "preview/graph/execute.h"
+#include "preview/look/look_slot.h"
+#include "preview/window/overlay.h"
 #include "preview/window/window.h"
 
 #include <array>
@@ -18,7 +18,7 @@ inline constexpr int frames_in_flight = 2;
 
 struct Screen {
     /// Shows nothing yet, and no looks. Throws lutlib::Error when the device cannot be had.
-    Screen(const Window& window, const Options& options);
+    Screen(const Window& window, const gpu::DeviceOptions& device_options);
     Screen(const Screen&) = delete;
     Screen& operator=(const Screen&) = delete;
 

@@ -50,10 +50,10 @@ Size Window::framebuffer_size() const {
     return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
 }
 
-gpu::DeviceOptions Window::device_options(const Options& options) const {
+gpu::DeviceOptions Window::device_options(const std::string& wanted, bool validation) const {
     gpu::DeviceOptions out;
-    out.wanted = options.device;
-    out.validation = options.validate;
+    out.wanted = wanted;
+    out.validation = validation;
     std::uint32_t count = 0;
     const char** const names = glfwGetRequiredInstanceExtensions(&count);
     out.instance_extensions.assign(names, names + count);
@@ -66,11 +66,6 @@ VkSurfaceKHR Window::make_surface(const gpu::Device& device) const {
     if (glfwCreateWindowSurface(*device.instance(), handle_, nullptr, &surface) != VK_SUCCESS)
         throw lutlib::Error("no Vulkan surface can be had for the window: " + glfw_error());
     return surface;
-}
-
-Size window_size(const Options& options) {
-    const Size given = settings_of(options, {}).output;
-    return options.size.empty() ? Size{1600, 900} : given;
 }
 
 } // namespace preview

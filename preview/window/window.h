@@ -2,8 +2,9 @@
 #pragma once
 
 #include "preview/gpu/device.h"
-#include "preview/cli/options.h"
-#include "preview/passes/pass.h"
+#include "preview/gpu/size.h"
+
+#include <string>
 
 struct GLFWwindow;
 
@@ -20,8 +21,8 @@ class Window {
     GLFWwindow* handle() const { return handle_; }
     /// In pixels; 0x0 while it is minimised.
     Size framebuffer_size() const;
-    /// A device that can draw in windows, as the options want it.
-    gpu::DeviceOptions device_options(const Options& options) const;
+    /// A device that can draw in windows: part of a name or a number, and whether under validation.
+    gpu::DeviceOptions device_options(const std::string& wanted, bool validation) const;
     /// To be owned by a swapchain. Throws lutlib::Error.
     VkSurfaceKHR make_surface(const gpu::Device& device) const;
 
@@ -35,8 +36,5 @@ class Window {
     Library library_;
     GLFWwindow* handle_ = nullptr;
 };
-
-/// The options' size, or that of a window nobody asked a size for.
-Size window_size(const Options& options);
 
 } // namespace preview

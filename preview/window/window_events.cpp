@@ -3,6 +3,9 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace preview {
 
 namespace {
@@ -11,19 +14,41 @@ WindowEvents& of(GLFWwindow* window) {
     return *static_cast<WindowEvents*>(glfwGetWindowUserPointer(window));
 }
 
+struct KeyName {
+    int glfw;
+    editor::Key key;
+};
+constexpr KeyName keys[] = {
+    {GLFW_KEY_F1, editor::Key::f1},     {GLFW_KEY_ESCAPE, editor::Key::escape},
+    {GLFW_KEY_A, editor::Key::a},       {GLFW_KEY_B, editor::Key::b},
+    {GLFW_KEY_Q, editor::Key::q},       {GLFW_KEY_R, editor::Key::r},
+    {GLFW_KEY_S, editor::Key::s},       {GLFW_KEY_Y, editor::Key::y},
+    {GLFW_KEY_Z, editor::Key::z},       {GLFW_KEY_1, editor::Key::digit_1},
+    {GLFW_KEY_2, editor::Key::digit_2}, {GLFW_KEY_3, editor::Key::digit_3},
+    {GLFW_KEY_4, editor::Key::digit_4}, {GLFW_KEY_5, editor::Key::digit_5},
+};
+
+editor::Key key_of(int glfw) {
+    if (glfw >= GLFW_KEY_LEFT_SHIFT && glfw <= GLFW_KEY_RIGHT_SUPER)
+        return editor::Key::modifier;
+    const auto* const row = std::find_if(std::begin(keys), std::end(keys),
+                                         [&](const KeyName& it) { return it.glfw == glfw; });
+    return row == std::end(keys) ? editor::Key::none : row->key;
+}
+
 } // namespace
 
 WindowEvents::WindowEvents(GLFWwindow* window) {
     glfwSetWindowUserPointer(window, this);
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { of(w).resized = true; });
-    using Kind = ui::InputEvent::Kind;
+    using Kind = editor::InputEvent::Kind;
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
         of(w).input.push({Kind::move, static_cast<float>(x), static_cast<float>(y)});
     });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
         // A drag goes on outside; its moves keep coming.
         if (entered == GLFW_FALSE && !ImGui::IsAnyMouseDown())
-            of(w).input.push({Kind::move, ui::far_away, ui::far_away});
+            of(w).input.push({Kind::move, editor::far_away, editor::far_away});
     });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
         of(w).input.push({Kind::wheel, static_cast<float>(x), static_cast<float>(y)});
@@ -33,7 +58,7 @@ WindowEvents::WindowEvents(GLFWwindow* window) {
     });
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
         of(w).input.push({Kind::key, 0, 0, key, scancode, modifiers, action != GLFW_RELEASE,
-                          action == GLFW_REPEAT});
+                          action == GLFW_REPEAT, key_of(key)});
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
         of(w).input.push({Kind::character, 0, 0, static_cast<int>(character)});

@@ -16,7 +16,7 @@ struct WindowEvents {
     WindowEvents(const WindowEvents&) = delete;
     WindowEvents& operator=(const WindowEvents&) = delete;
 
-    ui::InputQueue input;
+    editor::InputQueue input;
     std::vector<std::string> dropped;
     bool resized = true; ///< also before the first frame
 };

@@ -31,7 +31,7 @@ std::optional<DifferenceFigures> figures_of(const Executor& executor, Size pictu
 
 } // namespace
 
-vk::Rect2D output_area(const ui::Rect& area, vk::Extent2D window) {
+vk::Rect2D output_area(const panels::Rect& area, vk::Extent2D window) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     const auto x = std::min(static_cast<std::uint32_t>(area.x * scale.x), window.width - 2);
     const auto y = std::min(static_cast<std::uint32_t>(area.y * scale.y), window.height - 1);
@@ -41,11 +41,11 @@ vk::Rect2D output_area(const ui::Rect& area, vk::Extent2D window) {
             {std::min(width, (window.width - x) & ~1U), std::min(height, window.height - y)}};
 }
 
-ScopeAreas scope_areas(const ui::Ui& ui, vk::Extent2D window) {
+ScopeAreas scope_areas(const panels::Ui& ui, vk::Extent2D window) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     ScopeAreas areas;
     for (std::size_t i = 0; i < areas.size(); ++i) {
-        const ui::Rect& place = ui.scope_places[i];
+        const panels::Rect& place = ui.scope_places[i];
         const auto x = static_cast<std::uint32_t>(std::max(place.x * scale.x, 0.0F));
         const auto y = static_cast<std::uint32_t>(std::max(place.y * scale.y, 0.0F));
         const auto width = static_cast<std::uint32_t>(place.width * scale.x);
@@ -58,30 +58,19 @@ ScopeAreas scope_areas(const ui::Ui& ui, vk::Extent2D window) {
     return areas;
 }
 
-FrameSettings window_settings(const ui::Ui& ui, const Options& options, const gpu::Device& device,
-                              Size output) {
-    const ui::State& state = ui.history.draft();
-    const Shown& shown = *state.shown;
-    FrameSettings settings;
+FrameSettings window_settings(const panels::Ui& ui, FrameSettings given, Size output) {
+    const editor::State& state = ui.history.draft();
+    FrameSettings settings = std::move(given);
     settings.output = output;
     settings.orbit = state.orbit;
-    settings.exposure = state.exposure + (shown.scene ? shown.scene->exposure : 0);
-    settings.tonemap = shown.display_encoded() ? nullptr : state.tonemap;
-    settings.bloom = state.bloom;
-    settings.bloom_settings = state.bloom_settings;
+    static_cast<PictureSettings&>(settings) = state;
     settings.compare = ui.held != nullptr ? ui.held : state.compare;
-    settings.split = state.split;
-    settings.heat_scale = state.heat_scale;
-    settings.without = state.without;
     settings.scope_side = state.scopes_seen.side;
     settings.scope_logarithmic = state.scopes_seen.logarithmic;
     if (ui.pointer)
         settings.probe = {std::clamp(ui.pointer->x, 0, static_cast<int>(output.width) - 1),
                           std::clamp(ui.pointer->y, 0, static_cast<int>(output.height) - 1)};
     settings.axes = ui.shows_curves ? &state.recipe.input : nullptr;
-    settings.shadow_size = options.shadow_size;
-    settings.force_all = options.force_all;
-    settings.raster = raster_of(options, device, picture_size(output, *settings.compare));
     return settings;
 }
 
@@ -101,7 +90,7 @@ std::optional<float> FrameReader::hdr_maximum_for(const FrameSettings& settings,
 }
 
 bool FrameReader::read(Executor& executor, const Graph& graph, const FrameHandles& handles,
-                       ui::Ui& ui) {
+                       panels::Ui& ui) {
     ui.facts.explanation = explain(graph, executor.plan());
     if (ui.shows_passes) {
         ui.facts.passes.clear();
@@ -117,7 +106,7 @@ bool FrameReader::read(Executor& executor, const Graph& graph, const FrameHandle
             hdr_maximum_ = maximum;
         }
     }
-    ui::Measured measured;
+    panels::Measured measured;
     if (handles.figures)
         measured.figures = figures_of(executor, size_of(graph, handles.graded));
     if (handles.probe)

@@ -3,9 +3,8 @@
 #pragma once
 
 #include "preview/frame/frame.h"
-#include "preview/graph/execute.h"
-#include "preview/cli/options.h"
 #include "preview/frame/shown.h"
+#include "preview/graph/execute.h"
 #include "preview/panels/ui.h"
 
 #include <optional>
@@ -13,15 +12,14 @@
 namespace preview {
 
 /// The picture's part of a window of that size, in its pixels.
-vk::Rect2D output_area(const ui::Rect& area, vk::Extent2D window);
+vk::Rect2D output_area(const panels::Rect& area, vk::Extent2D window);
 
 using ScopeAreas = std::array<vk::Rect2D, scopes.size()>;
 /// The scopes' parts of a window of that size, in its pixels; empty for one that is not seen.
-ScopeAreas scope_areas(const ui::Ui& ui, vk::Extent2D window);
+ScopeAreas scope_areas(const panels::Ui& ui, vk::Extent2D window);
 
-/// The settings of a frame of that size, in which no scope has a size yet.
-FrameSettings window_settings(const ui::Ui& ui, const Options& options, const gpu::Device& device,
-                              Size output);
+/// `given` with what a person has chosen, for a frame of that size; no scope has a size yet.
+FrameSettings window_settings(const panels::Ui& ui, FrameSettings given, Size output);
 
 /// Reads measurements of finished frames, without waiting for any.
 class FrameReader {
@@ -37,7 +35,7 @@ class FrameReader {
                                          const std::vector<PointLight>& lights);
     /// After a frame was submitted, with the handles that build_frame() gave. Whether there are new
     /// measurements, which a further frame shows.
-    bool read(Executor& executor, const Graph& graph, const FrameHandles& handles, ui::Ui& ui);
+    bool read(Executor& executor, const Graph& graph, const FrameHandles& handles, panels::Ui& ui);
 
   private:
     int frames_in_flight_;

@@ -14,6 +14,7 @@ layout(constant_id = 4) const int lookup_a = 0;
 layout(constant_id = 5) const int lookup_b = 0;
 layout(constant_id = 6) const int compare = 0;
 layout(constant_id = 7) const bool unit_picture = false; // its format holds 0..1 only
+layout(constant_id = 8) const bool has_line = true;      // else shaders/split_line.comp draws it
 
 layout(binding = 0) uniform sampler2D picture;
 layout(binding = 1) uniform sampler2D layer_0;

@@ -1,6 +1,7 @@
 // The picture that finish.comp and finish_shared.comp make of common/finish.glsl's colours and of
 // graded_a() and graded_b(): one look, or the comparison of both.
 #include "common/difference.glsl"
+#include "common/split_line.glsl"
 
 const int compare_a = 0;
 const int compare_b = 1;
@@ -17,12 +18,6 @@ layout(binding = 16) buffer Figures {
 const uint figure_bins = 4096;
 const float bins_per_unit = 40.0;
 
-// A line two texels wide at 1080 lines, at least one.
-bool on_split_line(int x, ivec2 size) {
-    float half_width = max(float(size.y) / 1080.0, 0.5);
-    return abs(float(x) + 0.5 - push.split * float(size.x)) <= half_width;
-}
-
 // Shows the looks of the display-encoded colour `c`.
 void store_texel(ivec2 at, ivec2 size, vec3 c) {
     if (compare == compare_a) {
@@ -31,7 +26,7 @@ void store_texel(ivec2 at, ivec2 size, vec3 c) {
         imageStore(target, at, vec4(graded_b(c), 1.0));
     } else if (compare == compare_split) {
         vec3 side = float(at.x) + 0.5 < push.split * float(size.x) ? graded_a(c) : graded_b(c);
-        imageStore(target, at, vec4(on_split_line(at.x, size) ? vec3(1.0) : side, 1.0));
+        imageStore(target, at, vec4(has_line && on_line(at.x, size, push.split) ? vec3(1.0) : side, 1.0));
     } else if (compare == compare_side) {
         imageStore(target, at, vec4(graded_a(c), 1.0));
         imageStore(target, at + ivec2(size.x, 0), vec4(graded_b(c), 1.0));

@@ -6,6 +6,7 @@
 #include "preview/editor/commands.h"
 #include "preview/editor/knots.h"
 #include "preview/editor/look_baker.h"
+#include "preview/effects/effect.h"
 #include "preview/look/recipe_table.h"
 #include "preview/scene/light_controls.h"
 
@@ -14,7 +15,7 @@
 #include <chrono>
 #include <filesystem>
 
-namespace preview::ui {
+namespace preview::editor {
 namespace {
 
 namespace fs = std::filesystem;
@@ -58,6 +59,19 @@ TEST(History, undoes_and_redoes_a_change_of_every_operator_and_of_the_view) {
     for (const EffectInfo& row : effects) {
         history.draft().without.set(row.effect, true);
         EXPECT_TRUE(history.settle()) << row.name;
+        states.push_back(history.draft());
+    }
+    for (const NumberRow<PictureSettings>& row : picture_numbers()) {
+        row.of(history.draft()) = static_cast<float>(row.max);
+        EXPECT_TRUE(history.settle()) << row.flag;
+        states.push_back(history.draft());
+    }
+    for (const PostEffect* effect : post_effects()) {
+        put_use(history.draft().effects, usual_use(*effect));
+        EXPECT_TRUE(history.settle()) << effect->name;
+        states.push_back(history.draft());
+        history.draft().effects.back().values.front() = 0.5;
+        EXPECT_TRUE(history.settle()) << effect->name;
         states.push_back(history.draft());
     }
     for (const LightControl& control : light_controls()) {
@@ -370,4 +384,4 @@ TEST(Commands, make_an_exported_lut_the_base_of_a_new_recipe) {
 }
 
 } // namespace
-} // namespace preview::ui
+} // namespace preview::editor

@@ -33,7 +33,11 @@ Image padded_lights(int size) {
     return image;
 }
 
-BloomPlan plan_for(const Bloom& bloom, const Image& image, const BloomSettings& settings = {}) {
+/// What a display can show, light up to 1, does not bloom.
+constexpr BloomSettings above_one{-1, 1.25F, 0.25F, 1};
+
+BloomPlan plan_for(const Bloom& bloom, const Image& image,
+                   const BloomSettings& settings = above_one) {
     return bloom_plan(bloom, {image.width, image.height}, settings);
 }
 
@@ -70,7 +74,7 @@ TEST_P(EveryBloom, leaves_light_below_its_onset_alone) {
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         image.pixels[i] = {static_cast<double>(i) / 1199, 0.1, 0.99};
     const Image out = reference::with_bloom(plan_for(*GetParam(), image), image);
-    EXPECT_EQ(bloom_onset({}), 1);
+    EXPECT_EQ(bloom_onset(above_one), 1);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         ASSERT_EQ(out.pixels[i], image.pixels[i]);
 }
@@ -139,7 +143,8 @@ std::vector<const Bloom*> every_bloom() {
     return rows;
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, EveryBloom, testing::ValuesIn(every_bloom()), [](const auto& row) { return support::test_name(row.param->name); });
+INSTANTIATE_TEST_SUITE_P(Table, EveryBloom, testing::ValuesIn(every_bloom()),
+                         [](const auto& row) { return support::test_name(row.param->name); });
 
 double relative_error(const Image& a, const Image& b) {
     double error = 0, total = 0;

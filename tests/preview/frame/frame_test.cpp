@@ -2,8 +2,13 @@
 // steady frame costs nothing but its passes.
 #include "lutlib/error.h"
 #include "preview/cli/headless.h"
+#include "preview/effects/effect.h"
 #include "preview/finish/curve_counts.h"
+#include "preview/frame/frame.h"
+#include "preview/look/gpu_look.h"
 #include "preview/look/look_bake.h"
+#include "preview/passes/copy.h"
+#include "preview/scene/gpu_scene.h"
 #include "tests/preview/graph/gpu_test.h"
 
 #include <algorithm>
@@ -20,7 +25,8 @@ FrameSettings settings_for(const Scene& scene) {
     settings.orbit = scene.orbit;
     settings.tonemap = tonemap_named("agx");
     settings.bloom = bloom_named("glare");
-    settings.bloom_settings.knee = 0.2F;
+    settings.bloom_settings = {-1, 1.25F, 0.2F, 1};
+    set_usual(settings.effects, true);
     settings.shadow_size = 256;
     return settings;
 }
@@ -51,6 +57,18 @@ class FrameTest : public GpuTest {
         return rendered.explanation.find("kept      " + pass + " ") != std::string::npos;
     }
 };
+
+/// Whether some channel, alpha apart, has more than one value.
+bool has_contrast(const Rendered& rendered) {
+    for (std::size_t at = 4; at < rendered.rgba.size(); at += 4) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (rendered.rgba[at + c] != rendered.rgba[c]) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
 
 TEST_F(FrameTest, everything_forced_on_equals_the_automatic_frame_bit_for_bit) {
     for (const SceneInfo& info : scenes()) {
@@ -91,7 +109,7 @@ TEST_F(FrameTest, a_picture_leaves_out_all_that_comes_before_the_resolve) {
     FrameInputs inputs;
     inputs.picture = &picture;
     FrameSettings settings = settings_for({});
-    settings.without.set(Effect::fxaa, true);
+    settings.effects.clear();
     settings.keep_hdr = true;
     Executor executor(device());
     const Rendered rendered = render_frame(executor, inputs, settings);
@@ -125,9 +143,98 @@ TEST_F(FrameTest, every_effect_can_be_switched_off_and_is_said_to_be) {
     }
     for (const EffectInfo& row : effects)
         settings.without.set(row.effect, true);
+    settings.effects.clear();
     render_frame(executor, inputs, settings);
     // g-buffer, lighting, clear, resolve, finish
     EXPECT_EQ(executor.plan().steps.size(), 5U);
+}
+
+TEST_F(FrameTest, every_effect_changes_the_picture_is_shown_by_its_view_and_costs_nothing_at_0) {
+    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    FrameSettings settings = settings_for(loaded.scene);
+    settings.effects.clear();
+    Executor executor(device());
+    const Rendered plain = render_frame(executor, loaded.inputs(), settings);
+    const std::size_t steps = executor.plan().steps.size();
+    for (const PostEffect* effect : post_effects()) {
+        const std::string name(effect->name);
+        settings.effects = {usual_use(*effect)};
+        const Rendered whole = render_frame(executor, loaded.inputs(), settings);
+        EXPECT_NE(whole.rgba, plain.rgba) << name;
+        EXPECT_TRUE(kept(whole, name)) << whole.explanation;
+        settings.effect_view = effect;
+        const Rendered alone = render_frame(executor, loaded.inputs(), settings);
+        EXPECT_TRUE(has_contrast(alone)) << name;
+        EXPECT_TRUE(kept(alone, name)) << alone.explanation;
+        settings.effects.front().values.front() = 0.0;
+        EXPECT_THROW(render_frame(executor, loaded.inputs(), settings), lutlib::UsageError);
+        settings.effect_view = nullptr;
+        const Rendered without = render_frame(executor, loaded.inputs(), settings);
+        EXPECT_EQ(without.rgba, plain.rgba) << name;
+        EXPECT_EQ(executor.plan().steps.size(), steps) << name;
+        const std::size_t at = without.explanation.find("left out  " + name + " ");
+        ASSERT_NE(at, std::string::npos) << without.explanation;
+        const std::string line =
+            without.explanation.substr(at, without.explanation.find('\n', at) - at);
+        EXPECT_TRUE(line.ends_with("its strength is 0")) << line;
+    }
+}
+
+TEST_F(FrameTest, an_effect_between_bloom_and_tone_map_sees_the_light_with_its_bloom) {
+    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    // Twice itself: changes nothing but where the bloom is composited.
+    PostEffect nothing = *post_effect_named("vignette");
+    nothing.stage = Stage::before_tonemap;
+    nothing.add = [](Graph& graph, const EffectInput& in, const lutlib::Values&) {
+        return add_copy(graph, in.picture, Format::rgba16f);
+    };
+    FrameSettings settings = settings_for(loaded.scene);
+    settings.probe = {80, 45};
+    Executor executor(device());
+    const Rendered fused = render_frame(executor, loaded.inputs(), settings);
+    EXPECT_NE(fused.explanation.find("left out  bloom composite"), std::string::npos);
+    settings.effects.push_back(usual_use(nothing));
+    const Rendered apart = render_frame(executor, loaded.inputs(), settings);
+    EXPECT_TRUE(kept(apart, "bloom composite")) << apart.explanation;
+    int most = 0;
+    for (std::size_t at = 0; at < fused.rgba.size(); ++at) {
+        most = std::max(most, std::abs(int{fused.rgba[at]} - int{apart.rgba[at]}));
+    }
+    EXPECT_LE(most, 1); // the composite is rounded to half floats
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(apart.probe->before[c], fused.probe->before[c], 2e-3);
+    }
+}
+
+TEST_F(FrameTest, the_split_line_is_drawn_over_what_effects_make_of_the_picture) {
+    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    FrameSettings settings = settings_for(loaded.scene);
+    settings.compare = &compare_split;
+    Executor executor(device());
+    const Rendered smooth = render_frame(executor, loaded.inputs(), settings);
+    EXPECT_TRUE(kept(smooth, "split line")) << smooth.explanation;
+    settings.effects.clear();
+    const Rendered fused = render_frame(executor, loaded.inputs(), settings);
+    EXPECT_FALSE(kept(fused, "split line"));
+    EXPECT_NE(fused.explanation.find("left out  split line"), std::string::npos);
+    const auto is_white = [](const Rendered& rendered, std::size_t x, std::size_t y) {
+        const std::size_t at = 4 * (y * rendered.size.width + x);
+        return rendered.rgba[at] == 255 && rendered.rgba[at + 1] == 255 &&
+               rendered.rgba[at + 2] == 255;
+    };
+    for (std::size_t y = 0; y < size.height; ++y) {
+        EXPECT_TRUE(is_white(smooth, size.width / 2, y)) << y;
+        EXPECT_TRUE(is_white(fused, size.width / 2, y)) << y;
+    }
+    // Without a line to smooth, the antialiased sides are those of a picture without comparison.
+    settings = settings_for(loaded.scene);
+    const Rendered alone = render_frame(executor, loaded.inputs(), settings);
+    for (std::size_t at = 0; at < alone.rgba.size(); ++at) {
+        const std::size_t x = at / 4 % size.width;
+        if (x + 1 < size.width / 2 || x > size.width / 2) {
+            ASSERT_EQ(smooth.rgba[at], alone.rgba[at]) << at;
+        }
+    }
 }
 
 TEST_F(FrameTest, a_light_that_is_off_leaves_the_frame_with_its_shadow) {
@@ -152,8 +259,7 @@ TEST_F(FrameTest, every_debug_view_shows_something_and_runs_only_what_it_reads) 
     for (const DebugView& view : debug_views()) {
         settings.view = &view;
         const Rendered rendered = render_frame(executor, loaded.inputs(), settings);
-        const auto [low, high] = std::minmax_element(rendered.rgba.begin(), rendered.rgba.end());
-        EXPECT_NE(*low, *high) << view.name;
+        EXPECT_TRUE(has_contrast(rendered)) << view.name;
         EXPECT_LE(executor.plan().steps.size(), whole_steps) << view.name;
         EXPECT_EQ(kept(rendered, "finish"), view.name == "graded") << view.name;
     }
@@ -216,7 +322,7 @@ TEST_F(FrameTest, a_probe_tells_both_sides_of_the_same_texel_whatever_is_compare
     FrameInputs inputs = loaded.inputs();
     inputs.look_b = &look;
     FrameSettings settings = settings_for(loaded.scene);
-    settings.without.set(Effect::fxaa, true);
+    settings.effects.clear();
     Executor executor(device());
     const auto codes_at = [](const Rendered& rendered, std::int32_t x, std::int32_t y) {
         const std::size_t at =
@@ -339,7 +445,7 @@ TEST_F(FrameTest, a_look_reaches_its_own_side_only) {
     const GpuLook look(device(), look_for(inverting_look(), *gpu_lookup_named("tetrahedral")).data);
     FrameInputs inputs = loaded.inputs();
     FrameSettings settings = settings_for(loaded.scene);
-    settings.without.set(Effect::fxaa, true);
+    settings.effects.clear();
     Executor executor(device());
     const auto plain = render_frame(executor, inputs, settings).rgba;
     inputs.look_b = &look;

@@ -1,8 +1,11 @@
 // Every pass declares what its shader expects: bindings, specialisation constants, push constants.
 // And no shader is without a pass.
+#include "preview/effects/effect.h"
 #include "preview/frame/frame.h"
+#include "preview/look/gpu_look.h"
 #include "preview/look/look_bake.h"
 #include "preview/passes/copy.h"
+#include "preview/scene/gpu_scene.h"
 #include "tests/preview/frame/shader_interface.h"
 #include "tests/preview/graph/gpu_test.h"
 
@@ -144,6 +147,16 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
         changed.without.set(row.effect, true);
         check(inputs, changed);
     }
+    for (const PostEffect* effect : post_effects()) {
+        for (const Stage stage : {Stage::hdr, Stage::before_tonemap, Stage::after_look}) {
+            PostEffect placed = *effect;
+            placed.stage = stage;
+            FrameSettings changed = settings();
+            changed.compare = &compare_split;
+            changed.effects = {usual_use(placed)};
+            check(inputs, changed);
+        }
+    }
     FrameSettings instruments = settings();
     for (std::size_t i = 0; i < scopes.size(); ++i)
         instruments.scope_sizes[i] = {scopes[i].width, scopes[i].height};
@@ -177,7 +190,6 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
         FrameInputs shown;
         shown.picture = &picture;
         FrameSettings changed = settings();
-        changed.tonemap = nullptr;
         check(shown, changed);
         Graph copied;
         copied.present(add_copy(

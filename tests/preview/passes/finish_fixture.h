@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lutlib/metrics/samples.h"
+#include "preview/look/gpu_look.h"
 #include "preview/passes/finish.h"
 #include "preview/reference/image.h"
 #include "tests/preview/graph/gpu_test.h"

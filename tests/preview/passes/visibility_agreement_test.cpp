@@ -1,5 +1,7 @@
 // The compute rasteriser beside the GPU's own, and in a frame.
 #include "preview/cli/headless.h"
+#include "preview/frame/frame.h"
+#include "preview/scene/gpu_scene.h"
 #include "tests/preview/passes/visibility_fixture.h"
 
 #include <algorithm>
@@ -74,7 +76,7 @@ TEST_F(VisibilityTest, the_finished_frame_differs_at_edges_only) {
         settings.orbit = scene.orbit;
         settings.tonemap = tonemap_named("agx");
         settings.shadow_size = 256;
-        settings.without.set(Effect::fxaa, true);
+        settings.bloom = bloom_named("none");
         Executor executor(device());
         const auto expected = render_frame(executor, inputs, settings).rgba;
         settings.raster = Raster::compute;

@@ -1,8 +1,8 @@
 // The look of one side on the GPU, replaced while frames are in flight.
 #pragma once
 
+#include "preview/look/gpu_look.h"
 #include "preview/look/look_bake.h"
-#include "preview/passes/finish.h"
 
 namespace preview {
 

@@ -1,4 +1,4 @@
-#include "preview/window/look_slot.h"
+#include "preview/look/look_slot.h"
 
 #include "lutlib/error.h"
 

@@ -1,0 +1,179 @@
+#include "preview/cli/modes.h"
+
+#include "lutlib/error.h"
+#include "preview/cli/picture_file.h"
+#include "preview/frame/shown.h"
+#include "preview/look/gpu_look.h"
+#include "preview/look/look_file.h"
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+namespace preview {
+
+namespace {
+
+/// The lookup that the options name; null: the look's own.
+const GpuLookup* lookup_of(const Options& options) {
+    const GpuLookup* const lookup =
+        options.engine.empty() ? nullptr : gpu_lookup_named(options.engine);
+    if (lookup == nullptr && !options.engine.empty())
+        throw lutlib::UsageError("no lookup is named '" + options.engine + "'; --list names them");
+    return lookup;
+}
+
+std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& path,
+                                 const Options& options, std::string& notes, const char* side) {
+    const LoadedLook look = load_look(path, lookup_of(options));
+    for (const std::string& line : look.told) {
+        std::fprintf(stderr, "lutpreview: %s: %s\n", path.c_str(), line.c_str());
+        notes += "look " + std::string(side) + ": " + line + "\n";
+    }
+    if (!look.note.empty())
+        notes += "look " + std::string(side) + ": " + look.note + "\n";
+    if (look.skip_reason.empty() || (options.frame.force_all && path != "none" && !path.empty()))
+        return std::optional<GpuLook>(std::in_place, device, look.data);
+    if (path != "none" && !path.empty())
+        notes += "left out  look " + std::string(side) + ": " + look.skip_reason + "\n";
+    return std::nullopt;
+}
+
+/// What frames without a window are rendered from.
+struct Rendering {
+    explicit Rendering(const Options& options);
+    FrameInputs inputs() const;
+
+    gpu::Device device;
+    std::shared_ptr<const Shown> shown;
+    FrameSettings settings;
+    std::vector<PointLight> lights;
+    std::string notes; ///< lines of --explain: what the files have and the frame has not
+    std::optional<GpuLook> look_a, look_b;
+    GpuShown on_gpu;
+};
+
+gpu::DeviceOptions device_options_of(const Options& options) {
+    gpu::DeviceOptions out;
+    out.wanted = options.device;
+    out.validation = options.validate;
+    return out;
+}
+
+Rendering::Rendering(const Options& options)
+    : device(device_options_of(options)),
+      shown(std::make_shared<const Shown>(load_shown(options.input, options.seconds))),
+      settings(settings_of(options, shown->picture_size())),
+      lights(lights_of(options, shown->scene)), on_gpu(device, shown) {
+    for (const std::string& line : shown->left_out) {
+        notes += "left out  of " + shown->name + ": " + line + "\n";
+        if (!options.explain)
+            std::fprintf(stderr, "lutpreview: %s: left out: %s\n", shown->name.c_str(),
+                         line.c_str());
+    }
+    if (shown->scene)
+        settings.orbit = orbit_of(options, *shown->scene);
+    settings.raster = options.raster->on(device, picture_size(settings.output, *settings.compare));
+    settings.keep_hdr = holds_light(options.output);
+    look_a = load_side(device, options.look_a, options, notes, "A");
+    look_b = load_side(device, options.look_b, options, notes, "B");
+}
+
+FrameInputs Rendering::inputs() const {
+    FrameInputs out = on_gpu.inputs();
+    out.lights = &lights;
+    out.look_a = look_a ? &*look_a : nullptr;
+    out.look_b = look_b ? &*look_b : nullptr;
+    return out;
+}
+
+void write(const Options& options, const FrameSettings& settings, const Rendered& rendered) {
+    if (settings.keep_hdr && !settings.shows_intermediate() && settings.scope == nullptr)
+        write_light(options.output, rendered);
+    else
+        write_picture(options.output, rendered);
+}
+
+void render_once(const Options& options, const Rendering& rendering, Executor& executor) {
+    const FrameSettings& settings = rendering.settings;
+    const Rendered rendered = render_frame(executor, rendering.inputs(), settings);
+    if (options.explain)
+        std::printf("%s%s%s", rendered.explanation.c_str(), rendering.notes.c_str(),
+                    settings_text(settings).c_str());
+    if (rendered.probe)
+        std::fputs(options.json ? probe_json(*rendered.probe, *settings.probe).c_str()
+                                : probe_table(*rendered.probe, *settings.probe).c_str(),
+                   stdout);
+    if (rendered.figures)
+        std::printf("dE2000  mean %.3f  p95 %.3f  p99 %.3f  max %.3f\n", rendered.figures->mean,
+                    rendered.figures->p95, rendered.figures->p99, rendered.figures->max);
+    if (!options.output.empty())
+        write(options, settings, rendered);
+}
+
+void print_timings(const Options& options, const Rendering& rendering, Executor& executor) {
+    const Timings timings =
+        time_frames(executor, rendering.inputs(), rendering.settings, options.frames);
+    std::fputs(options.json
+                   ? to_json(timings, rendering.device.name(), rendering.settings.output).c_str()
+                   : to_table(timings).c_str(),
+               stdout);
+}
+
+} // namespace
+
+void print_list() {
+    std::fputs(listing().c_str(), stdout);
+    std::puts("Devices (--device)");
+    std::size_t number = 0;
+    for (const gpu::DeviceInfo& device : gpu::list_devices()) {
+        std::printf("  %-20zu %s, %s%s%s\n", number, device.name.c_str(), device.kind.c_str(),
+                    device.usable ? "" : "; lacks ", device.missing.c_str());
+        ++number;
+    }
+}
+
+void render_cube(const Options& options) {
+    if (options.output.empty())
+        throw lutlib::UsageError("--cube-view needs -o FILE");
+    const LoadedLook look =
+        load_look(options.cube_view == "a" ? options.look_a : options.look_b, lookup_of(options));
+    Rendered out;
+    out.size = settings_of(options, {}).output;
+    CubeDrawing drawing;
+    draw_cube(cube_nodes(look.table ? *look.table : lutlib::Lut{}, options.cube_nodes),
+              options.cube, static_cast<float>(out.size.width), static_cast<float>(out.size.height),
+              drawing);
+    out.rgba =
+        rasterised(drawing, static_cast<int>(out.size.width), static_cast<int>(out.size.height));
+    write_picture(options.output, out);
+}
+
+void render(const Options& options) {
+    const bool prints = options.explain || options.timings || !options.probe.empty();
+    if (options.output.empty() && !prints)
+        throw lutlib::UsageError("--headless needs -o FILE, --timings, --probe or --explain");
+    const Rendering rendering(options);
+    Executor executor(rendering.device);
+    if (!options.output.empty() || options.explain || rendering.settings.probe)
+        render_once(options, rendering, executor);
+    if (options.timings)
+        print_timings(options, rendering, executor);
+    for (const std::string& message : rendering.device.validation_messages())
+        std::fprintf(stderr, "lutpreview: %s\n", message.c_str());
+}
+
+void run(const Options& options) {
+    const bool has_result = options.headless || options.explain || options.timings ||
+                            !options.probe.empty() || !options.output.empty();
+    if (options.list)
+        print_list();
+    else if (!options.cube_view.empty())
+        render_cube(options);
+    else if (has_result)
+        render(options);
+    else
+        open_window(options);
+}
+
+} // namespace preview

@@ -1,0 +1,225 @@
+#include "preview/cli/option_rows.h"
+
+#include "preview/effects/effect.h"
+#include "preview/frame/frame.h"
+
+#include <algorithm>
+
+namespace preview {
+
+namespace {
+
+using O = Options;
+
+constexpr OptionRow rows[] = {
+    {.flag = "input",
+     .help = "A built-in scene (--list), a glTF 2.0 file (textures stand as their mean), or a "
+             "picture file, which stands for the scene",
+     .of = [](O& o) -> std::string& { return o.input; }},
+    {.flag = "--a",
+     .help = "Look of side A: none, or any LUT file or picture",
+     .of = [](O& o) -> std::string& { return o.look_a; },
+     .type = "LOOK"},
+    {.flag = "--b",
+     .help = "Look of side B",
+     .of = [](O& o) -> std::string& { return o.look_b; },
+     .type = "LOOK"},
+    {.flag = "--engine",
+     .help = "The lookup that reads the looks: an engine's or another of --list",
+     .of = [](O& o) -> std::string& { return o.engine; }},
+    {.flag = "--time",
+     .help = "The moment of the scene, in seconds",
+     .of = [](O& o) -> double& { return o.seconds; },
+     .min = -1e6,
+     .max = 1e6},
+    {.flag = "--azimuth",
+     .help = "Turns the camera to the right, degrees",
+     .of = [](O& o) -> float& { return o.azimuth; },
+     .min = -360,
+     .max = 360},
+    {.flag = "--elevation",
+     .help = "Raises the camera, degrees",
+     .of = [](O& o) -> float& { return o.elevation; },
+     .min = -180,
+     .max = 180},
+    {.flag = "--distance",
+     .help = "Moves the camera away, metres",
+     .of = [](O& o) -> float& { return o.distance; },
+     .min = -1000,
+     .max = 1000},
+    {.flag = "--fov",
+     .help = "Widens the field of view, degrees",
+     .of = [](O& o) -> float& { return o.field_of_view; },
+     .min = -120,
+     .max = 120},
+    {.flag = "--shadow-size",
+     .help = "Texels of a shadow map's side",
+     .of = [](O& o) -> std::uint32_t& { return o.frame.shadow_size; },
+     .min = 16,
+     .max = 8192},
+    {.flag = "--headless",
+     .help = "Render without a window",
+     .of = [](O& o) -> bool& { return o.headless; }},
+    {.flag = "--size",
+     .help = "Size of the output, within which a picture keeps its proportions; by default the "
+             "picture's own or 1280x720",
+     .of = [](O& o) -> std::string& { return o.size; },
+     .type = "WxH"},
+    {.flag = "-o,--output",
+     .help = "Picture file; .exr and .hdr get the light before tone mapping",
+     .of = [](O& o) -> std::string& { return o.output; }},
+    {.flag = "--cube-view",
+     .help = "Draw the look of side a or b as the cube of its nodes, without a GPU",
+     .of = [](O& o) -> std::string& { return o.cube_view; },
+     .one_of = {"a", "b"}},
+    {.flag = "--cube-nodes",
+     .help = "Nodes of an axis, at most",
+     .of = [](O& o) -> int& { return o.cube_nodes; },
+     .min = 2,
+     .max = 65},
+    {.flag = "--cube-turn",
+     .help = "Turns it about the neutral axis, degrees",
+     .of = [](O& o) -> float& { return o.cube.turn; }},
+    {.flag = "--cube-tilt",
+     .help = "Degrees; 90 looks down on white",
+     .of = [](O& o) -> float& { return o.cube.tilt; },
+     .min = -90,
+     .max = 90},
+    {.flag = "--cube-zoom",
+     .help = "Camera zoom of the cube view",
+     .of = [](O& o) -> float& { return o.cube.zoom; },
+     .min = 0.3,
+     .max = 8},
+    {.flag = "--cube-clamped",
+     .help = "Nodes where a display shows them, within 0 to 1",
+     .of = [](O& o) -> bool& { return o.cube.clamped; }},
+    {.flag = "--cube-by-input",
+     .help = "Dots in the colours that nodes stand for, not those they give",
+     .of = [](O& o) -> bool& { return o.cube.by_input; }},
+    {.flag = "--probe",
+     .help = "Print the colour of this texel before the looks and after each side's",
+     .of = [](O& o) -> std::string& { return o.probe; },
+     .type = "X,Y"},
+    {.flag = "--scope-size",
+     .help = "Size of the scope's picture",
+     .of = [](O& o) -> std::string& { return o.scope_size; },
+     .type = "WxH"},
+    {.flag = "--explain",
+     .help = "Print each pass: kept or left out, and why; and the settings",
+     .of = [](O& o) -> bool& { return o.explain; }},
+    {.flag = "--force-all",
+     .help = "Leave out nothing that could be done",
+     .of = [](O& o) -> bool& { return o.frame.force_all; }},
+    {.flag = "--timings",
+     .help = "Print the median GPU time of each pass",
+     .of = [](O& o) -> bool& { return o.timings; }},
+    {.flag = "--frames",
+     .help = "Frames that --timings measures",
+     .of = [](O& o) -> int& { return o.frames; },
+     .min = 1,
+     .max = 100000},
+    {.flag = "--json",
+     .help = "Timings and the probe as JSON",
+     .of = [](O& o) -> bool& { return o.json; }},
+    {.flag = "--list",
+     .help = "Print scenes, lookups, every choice and setting, effects, lights' controls, devices",
+     .of = [](O& o) -> bool& { return o.list; }},
+    {.flag = "--device",
+     .help = "Part of a GPU's name, or its number in --list",
+     .of = [](O& o) -> std::string& { return o.device; }},
+    {.flag = "--font",
+     .help = "The window's font, a TrueType or OpenType file",
+     .of = [](O& o) -> std::string& { return o.font; }},
+    {.flag = "--places",
+     .help = "Keep in this file where the window's controls are, for scripts: a line 'NAME X Y "
+             "WIDTH HEIGHT' for each, in pixels, after 'frame NUMBER' and where the mouse was last "
+             "seen, 'mouse X Y'; written when all that happened up to then is drawn",
+     .of = [](O& o) -> std::string& { return o.places; }},
+    {.flag = "--validate",
+     .help = "Run under Vulkan's validation layers",
+     .of = [](O& o) -> bool& { return o.validate; }},
+};
+
+std::span<const Scope> scope_rows() {
+    return scopes;
+}
+
+std::span<const ScopeSide> scope_side_rows() {
+    return scope_sides;
+}
+
+/// The intermediates, then what each effect makes.
+std::vector<Option> view_options() {
+    std::vector<Option> out;
+    for (const DebugView& view : debug_views()) {
+        out.push_back({view.name, view.help});
+    }
+    for (const PostEffect* effect : post_effects()) {
+        out.push_back({effect->name, "what this effect makes of the picture"});
+    }
+    return out;
+}
+
+template <class Row>
+void choose(const Row*& member, std::span<const Row> table, std::size_t option) {
+    member = &table[option];
+}
+
+constexpr ChoiceRow<Options> choices[] = {
+    {.flag = "raster",
+     .label = "Rasteriser",
+     .kind = "rasteriser",
+     .title = "Rasterisers",
+     .help = "Rasteriser: hardware or compute (see --list)",
+     .options = [] { return options_of(rasters()); },
+     .choose = [](O& o, std::size_t i) { choose(o.raster, rasters(), i); }},
+    {.flag = "debug-view",
+     .label = "View",
+     .kind = "debug view",
+     .title = "Views",
+     .help = "Show an intermediate, from --list",
+     .options = view_options,
+     .choose =
+         [](O& o, std::size_t i) {
+             const std::size_t views = debug_views().size();
+             o.frame.view = i < views ? &debug_views()[i] : nullptr;
+             o.frame.effect_view = i < views ? nullptr : post_effects()[i - views];
+         }},
+    {.flag = "scope",
+     .label = "Scope",
+     .kind = "scope",
+     .title = "Scopes",
+     .help = "Show the finished picture on this instrument, from --list",
+     .options = [] { return options_of(scope_rows()); },
+     .choose = [](O& o, std::size_t i) { choose(o.frame.scope, scope_rows(), i); }},
+    {.flag = "scope-side",
+     .label = "Side of the scope",
+     .kind = "side of a scope",
+     .title = "Sides of a scope",
+     .help = "shown, a or b: what it looks at",
+     .options = [] { return options_of(scope_side_rows()); },
+     .choose = [](O& o, std::size_t i) { choose(o.frame.scope_side, scope_side_rows(), i); }},
+    {.flag = "scope-scale",
+     .label = "Scale of the scope",
+     .kind = "scale of a scope",
+     .title = "Scales of a scope",
+     .help = "log or linear: how counts become brightness or height; by default its own",
+     .options =
+         [] {
+             return std::vector<Option>{{"log", "by the logarithm of the counts"},
+                                        {"linear", "in proportion to the counts"}};
+         },
+     .choose = [](O& o, std::size_t i) { o.frame.scope_logarithmic = i == 0; }},
+};
+
+} // namespace
+
+std::span<const OptionRow> option_rows() {
+    return rows;
+}
+
+std::span<const ChoiceRow<Options>> option_choices() {
+    return choices;
+}
+
+} // namespace preview

@@ -1,0 +1,64 @@
+#include "lutlib/io/look.h"
+#include "preview/cli/modes.h"
+#include "preview/editor/commands.h"
+#include "preview/frame/shown.h"
+#include "preview/window/app.h"
+#include "preview/window/opening.h"
+
+namespace preview {
+
+namespace {
+
+void open_looks(editor::State& state, const Options& options) {
+    const std::string& on_recipe = options.look_b.empty() ? options.look_a : options.look_b;
+    if (on_recipe != "none")
+        editor::open_look(state, lutlib::io::Look::open(on_recipe));
+    if (!options.look_b.empty() && options.look_a != "none")
+        editor::open_side(state.sides[0], lutlib::io::Look::open(options.look_a));
+}
+
+editor::State opening_state(const Options& options, const FrameSettings& given,
+                            const std::shared_ptr<const Shown>& shown) {
+    editor::State state = editor::initial_state();
+    const Compare* const usual = state.compare;
+    static_cast<PictureSettings&>(state) = given;
+    if (!options.is_compare_given) {
+        state.compare = usual;
+    }
+    if (given.scope != nullptr)
+        state.scopes_seen.seen[index_of(*given.scope)] = true;
+    state.scopes_seen.side = given.scope_side;
+    state.scopes_seen.logarithmic = given.scope_logarithmic;
+    take_shown(state, shown);
+    state.effects = given.effects;
+    state.lights = lights_of(options, shown->scene);
+    if (shown->scene)
+        state.orbit = orbit_of(options, *shown->scene);
+    for (const GpuLookup* row : editor::engine_lookups())
+        if (row->name == options.engine)
+            for (editor::Side& side : state.sides)
+                side.engine = row;
+    open_looks(state, options);
+    return state;
+}
+
+} // namespace
+
+void open_window(const Options& options) {
+    const auto shown = std::make_shared<const Shown>(load_shown(options.input, options.seconds));
+    WindowSetup setup;
+    const FrameSettings given = settings_of(options, shown->picture_size());
+    setup.frame.shadow_size = given.shadow_size;
+    setup.frame.force_all = given.force_all;
+    setup.state = opening_state(options, given, shown);
+    setup.raster = options.raster;
+    if (!options.size.empty())
+        setup.size = settings_of(options, {}).output;
+    setup.device = options.device;
+    setup.validation = options.validate;
+    setup.font = options.font;
+    setup.places = options.places;
+    run_window(std::move(setup));
+}
+
+} // namespace preview

@@ -1,0 +1,77 @@
+// Post effects: what may be laid over a frame beside what every frame has, as a table of rows. A
+// row is a file preview/effects/NAME.cpp with a shader shaders/NAME.comp and a line in effects.cpp;
+// the command line, the panel, undo, --explain, --list, the debug views and the timings follow it.
+//
+// An effect is opted into. Its first parameter is its strength, from 0: at 0 it is left out and
+// costs nothing.
+#pragma once
+
+#include "lutlib/ops/op.h"
+#include "preview/finish/effect_use.h"
+#include "preview/graph/graph.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace preview {
+
+/// Where in the frame an effect stands, and so what its picture holds.
+enum class Stage : std::uint8_t {
+    hdr,            ///< exposed light, 0..65504, before bloom
+    before_tonemap, ///< the same with its bloom
+    after_look,     ///< display-encoded colours, 0..1, before the split line
+};
+
+struct StageInfo {
+    Stage stage;
+    std::string_view name;
+    std::string_view help;
+};
+
+/// In the order of the enumeration, which is that of the frame.
+std::span<const StageInfo> stages();
+
+/// What an effect is laid over.
+struct EffectInput {
+    ImageHandle picture;
+    /// Columns of one side's picture: side by side, B starts this far to the right.
+    std::uint32_t width = 0;
+};
+
+struct PostEffect {
+    std::string_view name; ///< also of its pass, or the beginning of its passes' names
+    std::string_view label;
+    std::string_view help;
+    std::string_view reference; ///< where the formula is published, or the formula
+    Stage stage = Stage::after_look;
+    /// Numbers and toggles; the first is `strength`, whose fallback is that of an effect in use.
+    std::span<const lutlib::Parameter> parameters;
+    bool usual_for_scenes = false; ///< in use for scenes, unless it is taken out
+    /// Declares its passes. Returns a picture of the same size and format; values are in range.
+    ImageHandle (*add)(Graph& graph, const EffectInput& in, const lutlib::Values& values) = nullptr;
+};
+
+/// Every effect; of one stage they are laid over in the order in which they are used.
+std::span<const PostEffect* const> post_effects();
+const PostEffect* post_effect_named(std::string_view name);
+
+/// With every parameter at its fallback.
+EffectUse usual_use(const PostEffect& effect);
+double strength_of(const EffectUse& use);
+
+/// The use of an effect; null when there is none.
+const EffectUse* use_of(const EffectUses& uses, const PostEffect& effect);
+/// Replaces the use of that effect, or adds one behind the others.
+void put_use(EffectUses& uses, EffectUse use);
+void take_out(EffectUses& uses, const PostEffect& effect);
+/// Puts in the effects that are usual for scenes, in front of the others, or takes them out.
+void set_usual(EffectUses& uses, bool is_scene);
+
+/// NAME or NAME:PARAMETER=VALUE,... as on the command line; what is not named is at its fallback.
+/// Throws lutlib::UsageError.
+EffectUse parse_use(const std::string& text);
+/// The same the other way round, with every parameter.
+std::string use_text(const EffectUse& use);
+
+} // namespace preview

@@ -1,0 +1,105 @@
+#include "preview/finish/picture_settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace preview {
+
+namespace {
+
+using S = PictureSettings;
+
+std::span<const Compare> compare_rows() {
+    return compares;
+}
+
+constexpr NumberRow<S> numbers[] = {
+    {.flag = "exposure",
+     .label = "Exposure",
+     .unit = "stops",
+     .help = "Stops, added to the scene's",
+     .min = -20,
+     .max = 20,
+     .slider_min = -8,
+     .slider_max = 8,
+     .of = [](S& s) -> float& { return s.exposure; }},
+    {.flag = "bloom-strength",
+     .label = "Bloom strength",
+     .help = "Share of the light that blooms; by default the method's own",
+     .of = [](S& s) -> float& { return s.bloom_settings.strength; }},
+    {.flag = "bloom-threshold",
+     .label = "Bloom threshold",
+     .help = "Brightness above which light blooms; 0: all light",
+     .max = 65504,
+     .slider_max = 16,
+     .is_logarithmic = true,
+     .of = [](S& s) -> float& { return s.bloom_settings.threshold; }},
+    {.flag = "bloom-knee",
+     .label = "Bloom knee",
+     .help = "Half width of the soft step about the threshold",
+     .max = 65504,
+     .slider_max = 4,
+     .of = [](S& s) -> float& { return s.bloom_settings.knee; }},
+    {.flag = "bloom-radius",
+     .label = "Bloom radius",
+     .help = "Scales the bloom's width",
+     .min = 0.05,
+     .max = 8,
+     .is_logarithmic = true,
+     .of = [](S& s) -> float& { return s.bloom_settings.radius; }},
+    {.flag = "split",
+     .label = "Split",
+     .help = "Where the line stands, of the width",
+     .of = [](S& s) -> float& { return s.split; }},
+    {.flag = "heat-scale",
+     .label = "Heat map to dE2000",
+     .help = "dE2000 at the end of the heat map",
+     .min = 4,
+     .max = 96,
+     .of = [](S& s) -> float& { return s.heat_scale; }},
+};
+
+constexpr ChoiceRow<S> choices[] = {
+    choice_of<S, &S::tonemap, tonemaps>("tonemap", "Tone map", "tone map", "Tone maps",
+                                        "Tone map, from --list"),
+    choice_of<S, &S::bloom, blooms>("bloom", "Bloom", "bloom", "Blooms", "Bloom, from --list"),
+    choice_of<S, &S::compare, compare_rows>(
+        "compare", "Compare", "comparison", "Comparisons",
+        "a, b, split, side or diff; by default a, or split when --b is given"),
+};
+
+} // namespace
+
+std::span<const NumberRow<S>> picture_numbers() {
+    return numbers;
+}
+
+std::span<const ChoiceRow<S>> picture_choices() {
+    return choices;
+}
+
+const NumberRow<S>& picture_number(std::string_view flag) {
+    return *std::find_if(std::begin(numbers), std::end(numbers),
+                         [&](const auto& row) { return row.flag == flag; });
+}
+
+const ChoiceRow<S>& picture_choice(std::string_view flag) {
+    return *std::find_if(std::begin(choices), std::end(choices),
+                         [&](const auto& row) { return row.flag == flag; });
+}
+
+std::string settings_text(const PictureSettings& settings) {
+    std::string out;
+    for (const ChoiceRow<S>& row : choices) {
+        out += fmt::format("setting   {} {}\n", row.flag, row.options()[row.chosen(settings)].name);
+    }
+    for (const NumberRow<S>& row : numbers) {
+        out += fmt::format("setting   {} {}{}{}\n", row.flag, row.value(settings),
+                           row.unit.empty() ? "" : " ", row.unit);
+    }
+    return out;
+}
+
+} // namespace preview

@@ -1,0 +1,86 @@
+// What a frame is asked for, what there is to render, and what it has made. Plain: no Vulkan
+// header.
+#pragma once
+
+#include "lutlib/color/encoding.h"
+#include "preview/finish/picture_settings.h"
+#include "preview/finish/probe.h"
+#include "preview/finish/scopes.h"
+#include "preview/frame/rasters.h"
+#include "preview/passes/gbuffer.h"
+#include "preview/passes/visibility.h"
+#include "preview/scene/scene.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace preview {
+
+struct DebugView;
+struct GpuLook;
+struct GpuPicture;
+struct GpuScene;
+
+/// What a person chooses, and what the program adds.
+struct FrameSettings : PictureSettings {
+    Size output{1280, 720};
+    Orbit orbit;
+    std::uint32_t shadow_size = 1024;
+    Raster raster = Raster::hardware;
+    VisibilityLimits visibility; ///< of Raster::compute
+    /// Show this intermediate and nothing else.
+    const DebugView* view = nullptr;
+    /// Show what this effect has made and nothing else.
+    const PostEffect* effect_view = nullptr;
+    /// Show this scope and nothing else, in its size of scope_sizes.
+    const Scope* scope = nullptr;
+    /// Of each row of scopes; {}: nobody looks at it.
+    std::array<Size, scopes.size()> scope_sizes{};
+    const ScopeSide* scope_side = &scope_side_shown;
+    std::optional<bool> scope_logarithmic; ///< empty: each scope's own
+    /// Tell the colour of this place of the output, before the looks and after each.
+    std::optional<ProbePlace> probe;
+    /// Count the colours before the looks along the curves' axes, their codes read in this
+    /// encoding.
+    const lutlib::Encoding* axes = nullptr;
+    /// Present the HDR result before tone mapping too.
+    bool keep_hdr = false;
+    /// Leave out nothing that could be done: every skip that measures or looks at the scene is off.
+    bool force_all = false;
+
+    bool shows_intermediate() const { return view != nullptr || effect_view != nullptr; }
+};
+
+/// What there is to render. Either a scene with its GPU part, or a picture.
+struct FrameInputs {
+    const Scene* scene = nullptr;
+    const GpuScene* gpu_scene = nullptr;
+    const std::vector<PointLight>* lights = nullptr; ///< null: the scene's own
+    const GpuPicture* picture = nullptr;
+    const GpuLook* look_a = nullptr; ///< null: no look
+    const GpuLook* look_b = nullptr;
+    /// The largest value of the HDR picture, measured in an earlier frame of the same scene, view
+    /// and exposure; empty while it is not known.
+    std::optional<float> hdr_maximum;
+};
+
+/// What an effect has made.
+struct EffectPicture {
+    const PostEffect* effect = nullptr;
+    ImageHandle picture;
+};
+
+/// Every intermediate of the frame; empty where it is withheld.
+struct FrameHandles {
+    GBuffer surfaces;
+    BufferHandle materials; ///< the scene's buffer
+    ImageHandle shadow_maps, lit, hdr, bloom, graded;
+    BufferHandle hdr_maximum, figures;
+    std::array<ImageHandle, scopes.size()> scope_pictures; ///< of those looked at, presented
+    BufferHandle probe, axis_counts;
+    std::vector<EffectPicture> effects; ///< of those drawn, in the order of the frame
+    ImageHandle output;                 ///< rgba8, presented
+};
+
+} // namespace preview

@@ -1,0 +1,24 @@
+// A look on the GPU: what its lookup reads, as images and buffers.
+#pragma once
+
+#include "preview/gpu/memory.h"
+#include "preview/look/look_texels.h"
+
+#include <optional>
+
+namespace preview {
+
+struct GpuLook {
+    GpuLook(const gpu::Device& device, const LookData& data);
+
+    const GpuLookup* lookup;
+    LookBlock block;
+    std::optional<gpu::Image> picture, volume, shaper;
+    std::optional<gpu::Buffer> nodes; ///< of a shared lookup
+    /// Whether a tetrahedral shared lookup into 8 bits computes in half floats, and how many
+    /// workgroups a shared one gets.
+    bool half_arithmetic;
+    std::uint32_t groups;
+};
+
+} // namespace preview

@@ -1,0 +1,45 @@
+#include "preview/panels/parameter_control.h"
+
+#include <imgui.h>
+
+namespace preview::panels {
+
+bool parameter_control(Ui& ui, const lutlib::Parameter& parameter, lutlib::Value& value,
+                       const std::string& place) {
+    const std::string label =
+        std::string(parameter.label) +
+        (parameter.unit.empty() ? "" : " (" + std::string(parameter.unit) + ")");
+    bool changed = false;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x * 0.55F);
+    switch (parameter.kind) {
+    case lutlib::ParameterKind::number: {
+        double number = std::get<double>(value);
+        changed = ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, &number, &parameter.min,
+                                      &parameter.max, "%.5g", ImGuiSliderFlags_AlwaysClamp);
+        value = number;
+        break;
+    }
+    case lutlib::ParameterKind::toggle: {
+        bool on = std::get<double>(value) != 0;
+        changed = ImGui::Checkbox(label.c_str(), &on);
+        value = on ? 1.0 : 0.0;
+        break;
+    }
+    case lutlib::ParameterKind::rgb: {
+        const lutlib::RgbD color = std::get<lutlib::RgbD>(value);
+        double channels[3] = {color.r, color.g, color.b};
+        const auto speed = static_cast<float>((parameter.max - parameter.min) / 1000);
+        changed = ImGui::DragScalarN(label.c_str(), ImGuiDataType_Double, channels, 3, speed,
+                                     &parameter.min, &parameter.max, "%.5g",
+                                     ImGuiSliderFlags_AlwaysClamp);
+        value = lutlib::RgbD{channels[0], channels[1], channels[2]};
+        break;
+    }
+    case lutlib::ParameterKind::curve:
+        return curve_editor(ui, parameter, std::get<lutlib::Knots>(value), place);
+    }
+    mark(ui, place);
+    return changed;
+}
+
+} // namespace preview::panels

@@ -1,0 +1,201 @@
+// The command line as settings of the frame, and what it lists.
+#include "lutlib/error.h"
+#include "preview/cli/option_rows.h"
+#include "preview/effects/effect.h"
+#include "preview/frame/frame.h"
+#include "preview/look/gpu_lookups.h"
+#include "preview/scene/light_controls.h"
+
+#include <CLI/CLI.hpp>
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace preview {
+namespace {
+
+Options parsed(const std::string& arguments) {
+    CLI::App app;
+    Options options;
+    declare(app, options);
+    app.parse(arguments);
+    return options;
+}
+
+FrameSettings settings(const std::string& arguments, Size input = {}) {
+    return settings_of(parsed(arguments), input);
+}
+
+constexpr Size picture{400, 200};
+
+TEST(Options, without_any_are_the_settings_defaults_with_the_usual_effects) {
+    const FrameSettings usual = settings("");
+    PictureSettings expected;
+    set_usual(expected.effects, true);
+    EXPECT_TRUE(static_cast<const PictureSettings&>(usual) == expected);
+    EXPECT_EQ(usual.output, (Size{1280, 720}));
+    EXPECT_EQ(usual.shadow_size, 1024U);
+    EXPECT_FALSE(usual.shows_intermediate());
+}
+
+TEST(Options, set_every_number_and_every_choice) {
+    for (const NumberRow<PictureSettings>& row : picture_numbers()) {
+        const std::string flag(row.flag);
+        EXPECT_EQ(row.value(settings("--" + flag + " " + std::to_string(row.max))),
+                  static_cast<float>(row.max))
+            << flag;
+        EXPECT_THROW(settings("--" + flag + " nan"), CLI::ValidationError) << flag;
+        EXPECT_THROW(settings("--" + flag + "=" + std::to_string(row.max + 1)),
+                     CLI::ValidationError)
+            << flag;
+    }
+    for (const ChoiceRow<PictureSettings>& row : picture_choices()) {
+        const std::vector<Option> options = row.options();
+        for (std::size_t i = 0; i < options.size(); ++i) {
+            const FrameSettings chosen =
+                settings("--" + std::string(row.flag) + " " + std::string(options[i].name));
+            EXPECT_EQ(row.chosen(chosen), i) << row.flag;
+        }
+    }
+}
+
+TEST(Options, refuse_a_name_that_no_table_has_with_those_that_it_has) {
+    for (const char* flag : {"compare", "tonemap", "bloom", "raster", "debug-view", "scope",
+                             "scope-side", "scope-scale", "effect", "without"}) {
+        try {
+            settings(std::string("--") + flag + " nonsense");
+            ADD_FAILURE() << flag;
+        } catch (const lutlib::UsageError& error) {
+            EXPECT_NE(std::string(error.what()).find("'nonsense'; there are "), std::string::npos)
+                << error.what();
+        }
+    }
+}
+
+TEST(Options, compare_a_alone_until_there_is_a_look_for_b) {
+    EXPECT_EQ(settings("").compare, &compare_a);
+    EXPECT_EQ(settings("--b look.cube").compare, &compare_split);
+    EXPECT_EQ(settings("--b look.cube --compare diff").compare, &compare_difference);
+}
+
+TEST(Options, antialias_scenes_and_leave_pictures_alone_unless_told_otherwise) {
+    const PostEffect& fxaa = *post_effect_named("fxaa");
+    const auto has_fxaa = [&](const std::string& arguments, Size input) {
+        return use_of(settings(arguments, input).effects, fxaa) != nullptr;
+    };
+    EXPECT_TRUE(has_fxaa("", {}));
+    EXPECT_FALSE(has_fxaa("", picture));
+    EXPECT_TRUE(has_fxaa("--fxaa", picture));
+    EXPECT_FALSE(has_fxaa("--no-fxaa", {}));
+    EXPECT_FALSE(has_fxaa("--without fxaa", {}));
+    EXPECT_TRUE(has_fxaa("--effect fxaa:strength=0.5", picture));
+}
+
+TEST(Options, lay_effects_over_the_picture_in_their_order) {
+    const FrameSettings given =
+        settings("--effect vignette:strength=0.5,angle=90 --effect fxaa:strength=0.25");
+    ASSERT_EQ(given.effects.size(), 2U);
+    EXPECT_EQ(use_text(given.effects[0]), "fxaa:strength=0.25");
+    EXPECT_EQ(use_text(given.effects[1]), "vignette:strength=0.5,angle=90");
+}
+
+TEST(Options, switch_off_every_part_of_the_frame) {
+    for (const EffectInfo& row : effects) {
+        const FrameSettings given = settings("--without shadows," + std::string(row.name));
+        EXPECT_TRUE(given.without.has(row.effect)) << row.name;
+        EXPECT_TRUE(given.without.has(Effect::shadows)) << row.name;
+    }
+}
+
+TEST(Options, show_every_intermediate_and_every_effect) {
+    for (const DebugView& view : debug_views()) {
+        EXPECT_EQ(settings("--debug-view " + std::string(view.name)).view, &view);
+    }
+    for (const PostEffect* effect : post_effects()) {
+        const FrameSettings given = settings("--debug-view " + std::string(effect->name));
+        EXPECT_EQ(given.effect_view, effect);
+        EXPECT_EQ(given.view, nullptr);
+    }
+    EXPECT_THROW(settings("--debug-view depth --probe 1,1"), lutlib::UsageError);
+}
+
+TEST(Options, show_a_scope_in_its_own_size_or_the_one_given) {
+    const FrameSettings own = settings("--scope vectorscope --scope-side b --scope-scale linear");
+    ASSERT_NE(own.scope, nullptr);
+    EXPECT_EQ(own.scope_sizes[index_of(*own.scope)], (Size{own.scope->width, own.scope->height}));
+    EXPECT_EQ(own.scope_side->name, "b");
+    EXPECT_EQ(own.scope_logarithmic, false);
+    const FrameSettings given = settings("--scope parade --scope-size 30x20");
+    EXPECT_EQ(given.scope_sizes[index_of(*given.scope)], (Size{30, 20}));
+}
+
+TEST(Options, give_a_picture_its_own_size_or_its_proportions_within_the_one_given) {
+    EXPECT_EQ(settings("", picture).output, picture);
+    EXPECT_EQ(settings("--compare side", picture).output, (Size{800, 200}));
+    EXPECT_EQ(settings("--size 100x100", picture).output, (Size{100, 50}));
+    EXPECT_EQ(settings("--size 100x100 --compare side", picture).output, (Size{100, 25}));
+    EXPECT_EQ(settings("--size 100x90").output, (Size{100, 90}));
+}
+
+TEST(Options, read_sizes_and_places_and_nothing_like_them) {
+    EXPECT_EQ(parse_size("--size", "640x360"), (Size{640, 360}));
+    for (const char* text : {"", "640", "640x", "x360", "0x1", "1x16385", "-1x5", "6x4x", "6,4"}) {
+        EXPECT_THROW(parse_size("--size", text), lutlib::UsageError) << text;
+    }
+    const ProbePlace place = parse_place("--probe", "3,4", {10, 10});
+    EXPECT_EQ(place.x, 3);
+    EXPECT_EQ(place.y, 4);
+    for (const char* text : {"", "3", "3,", ",4", "3,4,", "10,0", "0,10", "-1,0", "3x4"}) {
+        EXPECT_THROW(parse_place("--probe", text, {10, 10}), lutlib::UsageError) << text;
+    }
+}
+
+TEST(Options, every_row_sets_a_member_of_its_own) {
+    Options options;
+    std::set<const void*> members;
+    for (const OptionRow& row : option_rows()) {
+        std::visit([&](auto of) { EXPECT_TRUE(members.insert(&of(options)).second) << row.flag; },
+                   row.of);
+    }
+}
+
+TEST(Listing, names_every_row_of_every_table) {
+    const std::string text = listing();
+    const auto expect = [&](std::string_view name) {
+        EXPECT_NE(text.find("  " + std::string(name) + " "), std::string::npos) << name;
+    };
+    for (const auto& row : picture_choices()) {
+        for (const Option& option : row.options()) {
+            expect(option.name);
+        }
+    }
+    for (const auto& row : option_choices()) {
+        for (const Option& option : row.options()) {
+            expect(option.name);
+        }
+    }
+    for (const NumberRow<PictureSettings>& row : picture_numbers()) {
+        expect("--" + std::string(row.flag));
+    }
+    for (const PostEffect* effect : post_effects()) {
+        expect(effect->name);
+        for (const lutlib::Parameter& parameter : effect->parameters) {
+            expect("  " + std::string(parameter.name));
+        }
+    }
+    for (const SceneInfo& row : scenes()) {
+        expect(row.name);
+    }
+    for (const GpuLookup& row : gpu_lookups()) {
+        expect(row.name);
+    }
+    for (const EffectInfo& row : effects) {
+        expect(row.name);
+    }
+    for (const LightControl& row : light_controls()) {
+        expect(row.name);
+    }
+}
+
+} // namespace
+} // namespace preview

@@ -1,0 +1,56 @@
+// The rows of the settings: each has a member of its own, a default within its range, and shows.
+#include "preview/finish/picture_settings.h"
+
+#include <gtest/gtest.h>
+
+namespace preview {
+namespace {
+
+TEST(PictureSettings, have_a_row_for_every_number_that_changes_it_alone) {
+    for (const NumberRow<PictureSettings>& row : picture_numbers()) {
+        PictureSettings changed;
+        row.of(changed) = static_cast<float>(row.max);
+        EXPECT_FALSE(changed == PictureSettings{}) << row.flag;
+        for (const NumberRow<PictureSettings>& other : picture_numbers()) {
+            if (&other != &row) {
+                EXPECT_EQ(other.value(changed), other.value({})) << row.flag << ' ' << other.flag;
+            }
+        }
+        EXPECT_EQ(&picture_number(row.flag), &row);
+    }
+}
+
+TEST(PictureSettings, have_defaults_within_their_ranges) {
+    for (const NumberRow<PictureSettings>& row : picture_numbers()) {
+        const double value = static_cast<double>(row.value({}));
+        // A negative strength is the method's own.
+        EXPECT_TRUE(value >= row.min || row.flag == "bloom-strength") << row.flag;
+        EXPECT_LE(value, row.max) << row.flag;
+        EXPECT_FALSE(row.help.empty()) << row.flag;
+    }
+}
+
+TEST(PictureSettings, choose_every_row_of_every_table) {
+    for (const ChoiceRow<PictureSettings>& row : picture_choices()) {
+        const std::vector<Option> options = row.options();
+        EXPECT_GT(options.size(), 1U);
+        for (std::size_t i = 0; i < options.size(); ++i) {
+            PictureSettings settings;
+            row.choose(settings, i);
+            EXPECT_EQ(row.chosen(settings), i) << row.flag;
+        }
+        EXPECT_EQ(&picture_choice(row.flag), &row);
+    }
+}
+
+TEST(PictureSettings, are_told_with_their_units) {
+    PictureSettings settings;
+    settings.exposure = -1.5F;
+    settings.tonemap = tonemap_named("none");
+    const std::string text = settings_text(settings);
+    EXPECT_NE(text.find("setting   exposure -1.5 stops\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("setting   tonemap none\n"), std::string::npos) << text;
+}
+
+} // namespace
+} // namespace preview

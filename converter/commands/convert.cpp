@@ -126,7 +126,6 @@ int run(const Options& o) {
     }
     const io::Look look =
         io::Look::open(o.input, {.format = o.from, .row = o.row, .layout = layout_option()});
-    tell_remarks(look);
     const io::LookTable table = look.table(o.save.size);
     lutlib::Lut lut = *table.lut;
     const std::optional<Explanation> explanation = leave_out(lut, o);
@@ -137,7 +136,7 @@ int run(const Options& o) {
     std::vector<std::string> notes;
     for (const io::LookFile& read : look.files()) {
         losses.insert(losses.end(), read.losses.begin(), read.losses.end());
-        notes.insert(notes.end(), read.notes.begin(), read.notes.end());
+        notes.insert(notes.end(), read.remarks.begin(), read.remarks.end());
         for (const std::string& keyword : read.keywords) {
             notes.push_back("not acted on: " + keyword);
         }

@@ -71,7 +71,8 @@ const std::vector<Part>& parts() {
           "lutlib/resample", "lutlib/verify"},
          no_big_library,
          "lutlib/io/formats"},
-        {"lutlib/io/ocio", {"lutlib", "lutlib/interpolation", "lutlib/io", "lutlib/metrics"}},
+        {"lutlib/io/ocio",
+         {"lutlib", "lutlib/interpolation", "lutlib/io", "lutlib/metrics", "lutlib/resample"}},
         {"lutlib/io/oiio", {"lutlib", "lutlib/io"}},
         {"lutlib/plot", {"lutlib"}, no_big_library},
 

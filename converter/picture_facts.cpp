@@ -72,7 +72,7 @@ std::optional<PictureFacts> picture_facts(const std::string& bytes, const std::s
     const std::vector<std::string_view> chunks = colour_chunks(image);
     PictureFacts out;
     out.text =
-        fmt::format("  picture: {}x{} pixels, {}{}\n  layout: {}, {} nodes a side{}\n",
+        fmt::format("  picture: {}x{} pixels, {}{}\n  layout: {}, {} nodes per axis{}\n",
                     picture.picture.width, picture.picture.height, storage(picture, image),
                     png ? ", colour chunks: " + listed(chunks) : "", found.layout->name, found.size,
                     found.rows > 1 ? fmt::format(", {} stacked", found.rows) : "");

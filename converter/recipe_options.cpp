@@ -97,8 +97,8 @@ std::vector<Operation> OperatorFlags::operations() const {
 void SamplingOptions::declare(CLI::App& app, bool recipe) {
     recipe_ = recipe;
     app.add_option("--size", size_,
-                   recipe ? "nodes a side of the result, which is then a cube"
-                          : "nodes a side of the result; of curves, which stay curves, entries")
+                   recipe ? "nodes per axis of the result, which is then a cube"
+                          : "nodes per axis of the result; of curves, which stay curves, entries")
         ->check(recipe ? cube_sizes() : shaper_sizes());
     app.add_option("--domain", domain_, "input range of the result: minimum and maximum")
         ->expected(2);
@@ -148,7 +148,7 @@ lutlib::Sampling SamplingOptions::sampling_of(const std::vector<const lutlib::Lu
     lutlib::Sampling out = sampling();
     if (size_ > lutlib::limits::max_cube_size && !make_curve(looks, out)) {
         throw lutlib::UsageError(fmt::format("--size {} is for curves; this makes a cube, which "
-                                             "takes {} to {} nodes a side",
+                                             "takes {} to {} nodes per axis",
                                              size_, lutlib::limits::min_cube_size,
                                              lutlib::limits::max_cube_size));
     }
@@ -177,9 +177,10 @@ void NewLutOptions::declare(CLI::App& app) {
     sampling.declare(app, false);
     method.declare(app);
     app.add_option("--encoding", encoding,
-                   std::string("what the results are, for colour differences: ") + encoding_help)
+                   std::string("encoding of the looks' outputs, for colour differences: ") +
+                       encoding_help)
         ->capture_default_str();
-    app.add_flag("--json", json, "print the figures as JSON");
+    app.add_flag("--json", json, "print the results as JSON");
 }
 
 lutlib::Encoding NewLutOptions::results() const {

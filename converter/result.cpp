@@ -30,7 +30,7 @@ std::string tables_text(const lutlib::Lut& lut) {
         return fmt::format("a 1D table of {} entries, input {}: the channels do not mix",
                            lut.shaper->size(), lutlib::io::domain_text(lut.domain()));
     }
-    std::string out = fmt::format("{} nodes a side, input {}", lut.cube->size,
+    std::string out = fmt::format("{} nodes per axis, input {}", lut.cube->size,
                                   lutlib::io::domain_text(lut.domain()));
     if (lut.shaper) {
         out += fmt::format(", a 1D table of {} before them", lut.shaper->size());

@@ -65,21 +65,21 @@ lutlib::Domain domain_of(const std::vector<float>& ends) {
 void require_png_name(const std::string& path, const std::string& what) {
     const std::string extension = lutlib::io::extension_of(path);
     if (path != lutlib::io::standard_stream && !extension.empty() && extension != "png") {
-        throw UsageError(what + " writes a PNG, which -o '" + path +
-                         "' does not say; convert writes other files");
+        throw UsageError(what + " writes PNG, but -o names '" + path +
+                         "'; use a .png name, or convert for other formats");
     }
 }
 
 void require_one_standard_input(std::span<const std::string> inputs) {
     if (standard_streams(inputs) > 1) {
-        throw UsageError("only one input can be standard input; name files for the rest");
+        throw UsageError("only one input can come from standard input; name files for the others");
     }
 }
 
 std::string standard_output_of(std::span<const std::string> outputs) {
     const auto count = standard_streams(outputs);
     if (count > 1) {
-        throw UsageError("only one output can be standard output; name files for the rest");
+        throw UsageError("only one output can go to standard output; name files for the others");
     }
     return count > 0 ? std::string(lutlib::io::standard_stream) : std::string();
 }

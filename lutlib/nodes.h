@@ -3,7 +3,7 @@
 
 namespace lutlib {
 
-/// visit(r, g, b) for every node of a lattice of so many nodes a side, in their order in memory:
+/// visit(r, g, b) for every node of a lattice of so many nodes per axis, in their order in memory:
 /// red fastest.
 template <class F>
 void for_each_node(int size, F&& visit) {

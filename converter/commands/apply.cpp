@@ -140,7 +140,7 @@ Run declare_apply(CLI::App& app) {
                    "uint8, uint16, half or float, as far as the file type holds it (default: the "
                    "nearest to the picture's own)");
     o->interpolation.declare(app, "of the LUT's cube");
-    app.add_flag("--json", o->json, "print the figures as JSON");
+    app.add_flag("--json", o->json, "print the results as JSON");
     return [o] { return run(*o); };
 }
 

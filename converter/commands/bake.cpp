@@ -62,16 +62,15 @@ std::string fit_text(const FilledBake& filled) {
 
 std::string budget_text(const Options& o, const BudgetBake& found) {
     const Bake& bake = found.filled.bake;
-    return fmt::format(
-        "  {} the promise of dE2000 {:g}: {} nodes, {} bits, {}, {} bytes of codes, {} tried{}\n"
-        "    on the {} colours it was chosen on: {}\n"
-        "    on {} others, and uphill from the worst of them: {}\n",
-        found.kept ? "keeps" : "NOTHING KEEPS", o.max_delta_e, bake.size, bake.picture.depth.bits,
-        found.filled.fitted ? "fitted" : "point-sampled",
-        lutlib::lattice_bytes(bake.size, bake.picture.depth.bits), found.tried,
-        found.kept ? "" : "; this comes nearest", found.chosen_on.delta_e.count,
-        to_text(found.chosen_on.delta_e), found.checked_on.delta_e.count,
-        to_text(found.checked_on.delta_e));
+    return fmt::format("  {} dE2000 {:g}{} {} nodes, {} bits, {}, {} bytes of codes, {} tried\n"
+                       "    on the {} colours it was chosen on: {}\n"
+                       "    on {} others, and uphill from the worst of them: {}\n",
+                       found.kept ? "stays within" : "no combination stays within", o.max_delta_e,
+                       found.kept ? ":" : "; the closest is", bake.size, bake.picture.depth.bits,
+                       found.filled.fitted ? "fitted" : "point-sampled",
+                       lutlib::lattice_bytes(bake.size, bake.picture.depth.bits), found.tried,
+                       found.chosen_on.delta_e.count, to_text(found.chosen_on.delta_e),
+                       found.checked_on.delta_e.count, to_text(found.checked_on.delta_e));
 }
 
 nlohmann::ordered_json as_json(const Options& o, const FilledBake& filled, const Domain& domain,
@@ -163,7 +162,8 @@ BakeReport make_report(const Options& o) {
     if (o.explain) {
         // What changes less than half a code is not seen in the picture.
         out.explanation = explain(*look.table().lut, 0.5 / out.filled.bake.picture.depth.maximum());
-        out.explanation->kept = "the engine reads a lattice of this size whatever the look is";
+        out.explanation->kept =
+            "the engine reads a lattice of this size, so there is nothing to leave out";
     }
     return out;
 }
@@ -238,22 +238,24 @@ Run declare_bake(CLI::App& app) {
     app.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input")->required();
     app.add_option("-o,--output", o->output, "the PNG, or - for standard output")->required();
     o->engine.declare(app, "piccolo");
-    app.add_option("--size", o->size, "nodes a side (default: the engine's)")->check(cube_sizes());
-    app.add_option("--bits", o->bits, "8 or 16 bits a sample (default: the engine's)")
+    app.add_option("--size", o->size, "lattice size: nodes per axis (default: the engine's)")
+        ->check(cube_sizes());
+    app.add_option("--bits", o->bits, "bits per sample: 8 or 16 (default: the engine's)")
         ->check(picture_bits());
-    o->interpolation.declare(app, "how the look is read between its own nodes");
+    o->interpolation.declare(app, "how to interpolate the look between its own nodes");
     app.add_flag("--fit", o->fit,
                  fmt::format("choose the nodes so that the engine's lookup comes nearest to the "
                              "look between them; keeps point samples where that does not help, "
-                             "and beyond {} nodes a side",
+                             "and beyond {} nodes per axis",
                              lutlib::largest_fitted_size));
     app.add_option(
            "--max-delta-e", o->max_delta_e,
            "take the smallest combination of size, bits and fit that the engine accepts and "
            "that stays within this dE2000; writes nothing, with exit code 1, when none does")
         ->check(above_zero());
-    app.add_flag("--explain", o->explain, "say what of the look no picture would need");
-    app.add_flag("--json", o->json, "print the figures as JSON");
+    app.add_flag("--explain", o->explain,
+                 "list the parts of the look that a shader could do without a LUT");
+    app.add_flag("--json", o->json, "print the results as JSON");
     return [o] { return run(*o); };
 }
 

@@ -119,11 +119,11 @@ nlohmann::ordered_json repair_json(const lutlib::Repaired& repaired) {
 
 int run(const Options& o) {
     if (o.repairs.clamp && !o.repair) {
-        throw lutlib::UsageError("--clamp is a part of --repair");
+        throw lutlib::UsageError("--clamp works with --repair only; add --repair, or drop --clamp");
     }
     if (o.repair == o.output.empty()) {
         throw lutlib::UsageError(o.repair ? "--repair needs -o LUT, the file to write"
-                                          : "-o is for what --repair makes");
+                                          : "-o names the repaired LUT; add --repair, or drop -o");
     }
     const lutlib::Lut lut = read_to_check(o.input);
     lutlib::Health health = examine(lut);
@@ -174,16 +174,17 @@ std::string check_list() {
 Run declare_check(CLI::App& app) {
     const auto o = std::make_shared<Options>();
     app.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input")->required();
-    app.add_flag("--strict", o->strict, "exit with 1 when there is a fault (left)");
-    app.add_flag("--repair", o->repair, "repair what can be repaired, into -o");
+    app.add_flag("--strict", o->strict, "exit with status 1 if a fault remains");
+    app.add_flag("--repair", o->repair, "repair what can be repaired and write the result to -o");
     app.add_flag("--clamp", o->repairs.clamp, "with --repair: clamp outputs to 0..1");
     app.add_option("-o,--output", o->output, "the repaired LUT, or - for standard output");
-    app.add_flag("--explain", o->explain, "say what the look does not need; convert leaves it out");
+    app.add_flag("--explain", o->explain,
+                 "list the parts that the look does not need; convert --explain drops them");
     app.add_option("--tolerance", o->tolerance,
                    "with --explain: the largest difference of a channel that counts as none")
         ->check(zero_or_more())
         ->capture_default_str();
-    app.add_flag("--json", o->json, "print the figures as JSON");
+    app.add_flag("--json", o->json, "print the results as JSON");
     app.footer(check_list());
     return [o] { return run(*o); };
 }

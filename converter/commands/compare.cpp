@@ -84,14 +84,15 @@ Run declare_compare(CLI::App& app) {
     app.add_option("B", o->b, "the other, or the word identity")->required();
     o->interpolation.declare(app, "how LUTs are read between their nodes");
     app.add_option("--encoding", o->encoding,
-                   std::string("what the results are, for colour differences: ") + encoding_help)
+                   std::string("encoding of the looks' outputs, for colour differences: ") +
+                       encoding_help)
         ->capture_default_str();
     app.add_option("--samples", o->samples, "colours spread over the domain, besides a lattice")
         ->capture_default_str();
     app.add_option("--domain", o->domain,
                    "inputs to compare on: minimum and maximum (default: both looks' domains)")
         ->expected(2);
-    app.add_flag("--json", o->json, "print the figures as JSON");
+    app.add_flag("--json", o->json, "print the results as JSON");
     return [o] { return run(*o); };
 }
 

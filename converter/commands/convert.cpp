@@ -182,20 +182,21 @@ Run declare_convert(CLI::App& app) {
         ->capture_default_str();
     app.add_option("--format", o->format, "the output's format (default: by its extension)");
     app.add_option("--size", o->save.size,
-                   "nodes a side of the cube (default: the input's, or 65 where one is made)")
+                   "lattice size: nodes per axis (default: the input's, or 65 for a new cube)")
         ->check(cube_sizes());
-    app.add_option("--bits", o->save.bits, "8 or 16 bits a sample of a picture")
+    app.add_option("--bits", o->save.bits, "bits per sample of a picture: 8 or 16")
         ->check(picture_bits())
         ->capture_default_str();
     app.add_option("--title", o->save.title, "title to write instead of the input's");
-    app.add_flag("--strict", o->strict, "write nothing when anything would be lost");
+    app.add_flag("--strict", o->strict,
+                 "write nothing, and exit with status 2, if anything would be lost");
     app.add_flag("--explain", o->explain,
-                 "leave out what the look does not need, and say what and within which bound");
+                 "drop what the look does not need, and list it with the error bound");
     app.add_flag("--strip-tags", o->strip_tags,
                  "only rewrite a PNG without its chunks sRGB, gAMA, cHRM and iCCP, by which some "
                  "engines convert the codes; every texel stays as it is")
         ->excludes("--from", "--row", "--format", "--size", "--title", "--explain");
-    app.add_flag("--json", o->json, "print the figures as JSON");
+    app.add_flag("--json", o->json, "print the results as JSON");
     app.footer(format_list());
     return [o] { return run(*o); };
 }

@@ -182,7 +182,7 @@ Run declare_edit(CLI::App& app) {
                    "between the whites of different gamuts: bradford (default) or cat02");
     o->config.declare(app);
     o->sampling.declare(app, true);
-    app.add_flag("--json", o->json, "print the figures as JSON");
+    app.add_flag("--json", o->json, "print the results as JSON");
     o->operators.declare(app);
     app.footer("Operators apply in the order in which their flags are given, after the recipe's.");
     return [o] { return run(*o); };

@@ -55,8 +55,9 @@ std::vector<Rgb> from_arguments(const std::vector<std::string>& words) {
         }
     }
     if (words.size() % 3 != 0) {
-        throw lutlib::UsageError("colours are given as R G B; " + std::to_string(words.size()) +
-                                 " numbers are no whole number of colours");
+        throw lutlib::UsageError(
+            "colours are given as R G B; " + std::to_string(words.size()) +
+            " numbers do not make whole colours; give three numbers, R G B, for each");
     }
     std::vector<Rgb> out;
     for (std::size_t i = 0; i < words.size(); i += 3) {

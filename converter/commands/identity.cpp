@@ -46,9 +46,10 @@ Run declare_identity(CLI::App& app) {
     app.add_option("-o,--output", o->output,
                    "a LUT file of any extension, or - for a .cube to standard output")
         ->required();
-    app.add_option("--size", o->size, "nodes a side (default: the engine's, or 33)")
+    app.add_option("--size", o->size, "lattice size: nodes per axis (default: the engine's, or 33)")
         ->check(cube_sizes());
-    app.add_option("--bits", o->bits, "8 or 16 bits a sample of a picture")->check(picture_bits());
+    app.add_option("--bits", o->bits, "bits per sample of a picture: 8 or 16")
+        ->check(picture_bits());
     o->engine.declare(app, "");
     return [o] {
         lutlib::io::write_file(o->output, bytes_of(*o));

@@ -62,7 +62,7 @@ std::string table_text(const char* what, int size, const lutlib::Domain& d,
     const Extent e = extent_of(values);
     return fmt::format("  {}: {} {}, input {}, output {:.6g}..{:.6g}, {:.6g}..{:.6g}, "
                        "{:.6g}..{:.6g}{}\n",
-                       what, size, what[0] == 's' ? "entries" : "nodes a side",
+                       what, size, what[0] == 's' ? "entries" : "nodes per axis",
                        lutlib::io::domain_text(d), e.low.r, e.high.r, e.low.g, e.high.g, e.low.b,
                        e.high.b,
                        e.outside ? fmt::format(", {} values outside 0..1", e.outside) : "");

@@ -59,12 +59,14 @@ std::string region_text(const char* what, const char* extent, const lutlib::Inve
 }
 
 std::string cube_text(const lutlib::Inversion& inversion) {
-    return fmt::format("  {} nodes a side, input {}\n", inversion.lut.cube->size,
+    return fmt::format("  {} nodes per axis, input {}\n", inversion.lut.cube->size,
                        lutlib::io::domain_text(inversion.lut.domain())) +
-           region_text("no input gives these, so they got the nearest that can be given",
+           region_text("outside the look's gamut: no input gives these colours, so the nearest "
+                       "that can be reached stands in",
                        "distance", inversion.out_of_gamut, inversion.nodes) +
-           region_text("folded: several inputs give these, so they got the nearest of them",
-                       "the inputs lie apart by", inversion.folded, inversion.nodes);
+           region_text(
+               "folded: several inputs give these colours, so the nearest of them stands in",
+               "the inputs differ by", inversion.folded, inversion.nodes);
 }
 
 using Channels = std::array<lutlib::CurveInversion::Channel, 3>;
@@ -134,7 +136,7 @@ int run(const Options& o) {
     const auto look = read_table(o.input);
     if (look->cube && o.size > lutlib::limits::max_cube_size) {
         throw lutlib::UsageError(fmt::format(
-            "--size {} is for curves; the inverse of a cube takes {} to {} nodes a side", o.size,
+            "--size {} is for curves; the inverse of a cube takes {} to {} nodes per axis", o.size,
             lutlib::limits::min_cube_size, lutlib::limits::max_cube_size));
     }
     const lutlib::Inversion inversion = invert(*look, options);
@@ -162,7 +164,8 @@ Run declare_invert(CLI::App& app) {
     app.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input")->required();
     app.add_option("-o,--output", o->output, "the inverse, or - for standard output")->required();
     app.add_option("--size", o->size,
-                   "nodes a side of the inverse (default: the look's); of a curve, which stays a "
+                   "lattice size of the inverse: nodes per axis (default: the look's); of a curve, "
+                   "which stays a "
                    "curve, entries (default: as many as it needs)")
         ->check(shaper_sizes());
     app.add_option(
@@ -170,7 +173,7 @@ Run declare_invert(CLI::App& app) {
            "colours to invert: minimum and maximum (default: 0..1, widened to the look's; of "
            "a curve its own)")
         ->expected(2);
-    app.add_flag("--json", o->json, "print the figures as JSON");
+    app.add_flag("--json", o->json, "print the results as JSON");
     return [o] { return run(*o); };
 }
 

@@ -135,7 +135,7 @@ Run declare_report(CLI::App& app) {
     app.add_option("--sizes", o->sizes,
                    "only these lattice sizes (default: 8 16 17 25 32 33 49 64 65)")
         ->check(cube_sizes());
-    app.add_option("--max-delta-e", o->promise, "what the recommendation must keep, in dE2000")
+    app.add_option("--max-delta-e", o->promise, "largest dE2000 that the recommendation may have")
         ->check(above_zero())
         ->capture_default_str();
     app.add_option("--input-encoding", o->input_encoding,

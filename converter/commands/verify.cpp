@@ -115,7 +115,8 @@ std::string texels_text(const lutlib::TexelCheck& t) {
 
 std::string diagnosis_text(const lutlib::Verification& result) {
     if (!result.diagnosis) {
-        return fmt::format("  why: no known mistake explains it; is it a bake of another look? "
+        return fmt::format("  why: no known mistake explains it; check that --against names the "
+                           "look it was baked from "
                            "(nearest: {}, {:.1f} % of the texels)\n",
                            result.nearest.words, 100 * result.nearest.explained);
     }
@@ -165,7 +166,7 @@ bool is_a_matter_of_tags(const Subject& s, const Verdict& v) {
 
 std::string as_text(const Options& o, const Subject& s, const Verdict& v) {
     std::string out = fmt::format("{} against {} by {}\n", o.picture, o.against, v.oracle);
-    out += fmt::format("  layout {}, {}x{}, {} nodes a side, {} bits: {}\n", s.engine->layout,
+    out += fmt::format("  layout {}, {}x{}, {} nodes per axis, {} bits: {}\n", s.engine->layout,
                        s.codes.width, s.codes.height, s.size, s.codes.depth.bits, s.engine->label);
     if (!v.refusal.empty()) {
         out += "  OpenColorIO evaluates what lutlib read of the look: " + v.refusal + "\n";
@@ -273,7 +274,7 @@ Run declare_verify(CLI::App& app) {
                                   "in the picture)");
     app.add_option("--samples", o->samples, "random colours for the lookup's error")
         ->capture_default_str();
-    app.add_flag("--json", o->json, "print the figures as JSON");
+    app.add_flag("--json", o->json, "print the results as JSON");
     return [o] { return run(*o); };
 }
 

@@ -10,7 +10,7 @@
 
 namespace lutlib {
 
-/// Lattices of more nodes a side keep their point samples: their cells are so small that rounding
+/// Lattices of more nodes per axis keep their point samples: their cells are so small that rounding
 /// rules the error, and a fit's memory grows with its nodes, beyond 10 GB at 256 a side.
 inline constexpr int largest_fitted_size = 33;
 /// That, as a clause for reports.

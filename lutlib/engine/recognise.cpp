@@ -31,7 +31,7 @@ constexpr double grey_axis_missed = 0.6;
 constexpr double clearly_own = 0.1, overruling_own = 0.3;
 constexpr double tone_slack = 0.02;
 
-// What a lattice of n nodes a side cannot fall below while it moves at all: an identity's.
+// What a lattice of n nodes per axis cannot fall below while it moves at all: an identity's.
 double roughness_of_identity(int n) {
     return 2.0 / ((n - 1.0) * (n + 1.0));
 }

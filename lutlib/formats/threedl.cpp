@@ -149,7 +149,7 @@ class ThreedlReader {
         if (numbers.size() < 3) {
             fail(rows_.empty() && mesh_.empty()
                      ? "a .3dl begins with its mesh line or a row of 3 numbers; if this is the "
-                       "number of nodes a side, delete the line"
+                       "number of nodes per axis, delete the line"
                      : "a row needs 3 numbers, this one has " + std::to_string(numbers.size()),
                  line);
         }
@@ -172,7 +172,7 @@ class ThreedlReader {
                             " rows, which is no cube of any size; the file is cut off or damaged" +
                             (mesh_.empty()
                                  ? ""
-                                 : " (" + std::to_string(mesh_.size()) + " nodes a side need " +
+                                 : " (" + std::to_string(mesh_.size()) + " nodes per axis need " +
                                        std::to_string(mesh_.size() * mesh_.size() * mesh_.size()) +
                                        ")"),
                         {file_, lines_.line_number(), {}});

@@ -4,7 +4,7 @@
 //   line    = blank | comment | keyword | mesh | row
 //   comment = "#" text                    "Output bit depth" n and "Input bit depth" n in one
 //   declare keyword = "3DMESH"                    Lustre
-//           | "Mesh" a b                  Lustre: 2^a + 1 nodes a side, codes of b bits
+//           | "Mesh" a b                  Lustre: 2^a + 1 nodes per axis, codes of b bits
 //           | "LUT8" | "gamma" number     Lustre's trailer
 //           | other                       kept, not acted on
 //   mesh    = number number number number { number }   the input codes of the nodes, of any depth

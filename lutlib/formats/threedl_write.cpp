@@ -68,7 +68,8 @@ const Lut3D& cube_of(const Lut& lut) {
     if (!lut.cube || lut.shaper || !lut.cube->domain.is_unit() ||
         lut.cube->size < min_threedl_size || lut.cube->size > max_threedl_size) {
         throw Error("a .3dl holds one cube of " + std::to_string(min_threedl_size) + " to " +
-                    std::to_string(max_threedl_size) + " nodes a side over 0..1 and nothing else");
+                    std::to_string(max_threedl_size) +
+                    " nodes per axis over 0..1 and nothing else");
     }
     return *lut.cube;
 }

@@ -19,8 +19,8 @@ struct AxisCell {
 
 using AxisCells = std::vector<AxisCell>;
 
-/// Of each channel, for a cube of `size` nodes a side. Without a shaper every cell is reached with
-/// a slope of 1.
+/// Of each channel, for a cube of `size` nodes per axis. Without a shaper every cell is reached
+/// with a slope of 1.
 std::array<AxisCells, 3> cells_of_axes(const Lut& lut, int size, const Domain& cube_domain);
 
 /// Of each channel and node, the lowest input of the look that reaches the node of its cube; where

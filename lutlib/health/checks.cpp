@@ -91,11 +91,11 @@ Finding table_falls(const Health& h) {
     const std::size_t c = largest_of(h.shaper_fall);
     const Extreme& most = h.shaper_fall[c];
     if (most.value <= 0) {
-        return {Severity::good, 0, "the 1D table, if any, never turns back", {}};
+        return {Severity::good, 0, "the 1D table, if any, is monotonic", {}};
     }
     return {Severity::fault, most.value,
-            text("the 1D table of %s turns back by %.3g from one entry to the next", channels[c],
-                 most.value),
+            text("the 1D table of %s is not monotonic: it falls by %.3g from one entry to the next",
+                 channels[c], most.value),
             most.in};
 }
 
@@ -165,24 +165,24 @@ Finding clipping(const Health& h) {
     const bool top = h.clipped_high[high].value >= h.clipped_low[low].value;
     const Extreme& most = top ? h.clipped_high[high] : h.clipped_low[low];
     if (most.value <= 0) {
-        return {Severity::good, 0, "no channel stands at its end", {}};
+        return {Severity::good, 0, "no channel is clipped", {}};
     }
     return {most.value > clipped_warning ? Severity::warning : Severity::note, most.value,
-            text("%s stands at its %s in %.3g %% of the cells", channels[top ? high : low],
+            text("%s is clipped at its %s in %.3g %% of the cells", channels[top ? high : low],
                  top ? "highest" : "lowest", 100 * most.value),
             most.in};
 }
 
 Finding plateau(const Health& h) {
     if (h.plateau.value <= 0) {
-        return {Severity::good, 0, "no channel stands still between its ends", {}};
+        return {Severity::good, 0, "no channel is flat between its ends", {}};
     }
-    return {graded(h.plateau.value, plateau_warning) == Severity::good ? Severity::note
-                                                                       : Severity::warning,
-            h.plateau.value,
-            text("a channel stands still between its ends in %.3g %% of the cells",
-                 100 * h.plateau.value),
-            h.plateau.in};
+    return {
+        graded(h.plateau.value, plateau_warning) == Severity::good ? Severity::note
+                                                                   : Severity::warning,
+        h.plateau.value,
+        text("a channel is flat between its ends in %.3g %% of the cells", 100 * h.plateau.value),
+        h.plateau.in};
 }
 
 Finding neutral_axis(const Health& h) {
@@ -219,9 +219,10 @@ Finding invertible(const Health& h) {
                                                           : Severity::good;
     return {severity,
             part,
-            part > 0 ? text("%.4g %% of the input's volume can be undone: neither flat nor folded",
-                            100 * part)
-                     : "nothing can be undone: every tetrahedron is flat",
+            part > 0
+                ? text("%.4g %% of the input's volume can be inverted: neither flat nor folded",
+                       100 * part)
+                : "nothing can be inverted: every tetrahedron is flat",
             {}};
 }
 
@@ -239,7 +240,7 @@ Finding cut_off(const Health& h) {
 constexpr std::array<HealthCheck, 16> table{{
     {"non-finite", "values", "values that are no numbers", non_finite},
     {"range", "beyond 0..1", "the outputs' range", range},
-    {"1d-table", "fall", "a 1D table that turns back", table_falls},
+    {"1d-table", "fall", "a 1D table that is not monotonic", table_falls},
     {"cut-off", "values", "a 1D table that leaves the cube's domain", cut_off},
     {"fold-over", "share", "sign of the Jacobian in every tetrahedron", folds},
     {"neutral-axis", "fall", "neutrals that rise stay in order", neutral_axis},
@@ -248,11 +249,11 @@ constexpr std::array<HealthCheck, 16> table{{
     {"second-difference", "output", "largest bend between neighbouring nodes", second_difference},
     {"banding", "codes of 8 bits", "largest step of an 8-bit ramp", banding},
     {"noise-near-black", "times", "what small noise becomes in the dark", noise},
-    {"error-at-16", "output", "expected of a lattice of 16 nodes a side", expected_16},
-    {"error-at-33", "output", "expected of a lattice of 33 nodes a side", expected_33},
+    {"error-at-16", "output", "expected of a lattice of 16 nodes per axis", expected_16},
+    {"error-at-33", "output", "expected of a lattice of 33 nodes per axis", expected_33},
     {"clipping", "share of cells", "channels at their lowest or highest", clipping},
-    {"plateaus", "share of cells", "channels that stand still in between", plateau},
-    {"invertible", "share of volume", "what can be undone", invertible},
+    {"plateaus", "share of cells", "channels that are flat in between", plateau},
+    {"invertible", "share of volume", "what can be inverted", invertible},
 }};
 
 } // namespace

@@ -148,7 +148,7 @@ std::string fill_non_finite(Lut& lut, const RepairOptions&) {
         fill(*lut.cube);
         done = true;
     }
-    return done ? "values that were no numbers are filled from their neighbours" : "";
+    return done ? "values that were not numbers are filled from their neighbours" : "";
 }
 
 // The closest sequence that does not fall, by least squares (pool adjacent violators: Ayer et al.,
@@ -194,7 +194,7 @@ std::string straighten_table(Lut& lut, const RepairOptions&) {
             e[i][c] = static_cast<float>(sense * straight[i]);
         }
     }
-    return done ? "the 1D table no longer turns back" : "";
+    return done ? "the 1D table is monotonic" : "";
 }
 
 // A spike stands out of all lines through it by far more than the lines beside it bend.
@@ -324,8 +324,8 @@ std::string clamp_outputs(Lut& lut, const RepairOptions& options) {
 }
 
 constexpr std::array<RepairInfo, 5> table{{
-    {"non-finite", "fills values that are no numbers from their neighbours", fill_non_finite},
-    {"1d-table", "makes a 1D table that turns back stand still instead", straighten_table},
+    {"non-finite", "fills values that are not numbers from their neighbours", fill_non_finite},
+    {"1d-table", "flattens a 1D table where it is not monotonic", straighten_table},
     {"spikes", "levels single nodes that stand out", level_spikes},
     {"neutral-axis", "stops brighter neutrals from becoming darker", straighten_neutrals},
     {"clamp", "clamps outputs to 0..1, when asked to", clamp_outputs},

@@ -59,7 +59,7 @@ std::string bake_report(const std::string& input, const std::string& output, con
                         const Domain& domain, const LookupError& error) {
     const Engine& engine = *bake.engine;
     std::string out = fmt::format(
-        "{} -> {}\n  {}x{} pixels, {} nodes a side, {} bits, layout {}, {} sRGB tag: {}\n", input,
+        "{} -> {}\n  {}x{} pixels, {} nodes per axis, {} bits, layout {}, {} sRGB tag: {}\n", input,
         output, bake.picture.width, bake.picture.height, bake.size, bake.picture.depth.bits,
         engine.layout, engine.srgb_tag == SrgbTag::present ? "with" : "no", engine.label);
     out += fmt::format("  input: {}\n  import: {}\n", engine.input, engine.import);

@@ -20,7 +20,7 @@ std::string shape_of(const Lut& lut) {
     const std::string curve =
         lut.shaper ? "a curve of " + std::to_string(lut.shaper->size()) + " entries" : "";
     const std::string cube =
-        lut.cube ? "a cube of " + std::to_string(lut.cube->size) + " nodes a side" : "";
+        lut.cube ? "a cube of " + std::to_string(lut.cube->size) + " nodes per axis" : "";
     return curve.empty() && cube.empty()
                ? "no table"
                : curve + (curve.empty() || cube.empty() ? "" : " and ") + cube;

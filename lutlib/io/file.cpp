@@ -217,7 +217,7 @@ PendingFile::PendingFile(const std::string& target)
     struct stat info {};
     const bool exists = ::stat(target_.c_str(), &info) == 0;
     if (exists && S_ISDIR(info.st_mode)) {
-        throw Error("this is a directory; name a file to write", {target, 0, {}});
+        throw Error("this is a directory; name a file in it", {target, 0, {}});
     }
     // A rename would pass over the target's own write protection.
     if (exists && ::access(target_.c_str(), W_OK) != 0) {

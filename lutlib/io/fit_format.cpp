@@ -219,7 +219,7 @@ int cube_size_for(const Lut& lut, const Domain& domain, const Holds& holds, int 
         check_cube_size(wanted);
         if (wanted < holds.min_cube_size || wanted > holds.max_cube_size) {
             throw Error("the format holds " + std::to_string(holds.min_cube_size) + " to " +
-                        std::to_string(holds.max_cube_size) + " nodes a side, not " +
+                        std::to_string(holds.max_cube_size) + " nodes per axis, not " +
                         std::to_string(wanted));
         }
         return wanted;

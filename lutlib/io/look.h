@@ -98,7 +98,7 @@ class Look {
     /// A recipe or a table in double; what no table holds in OpenColorIO's evaluation.
     Transform exact() const;
 
-    /// `size`: nodes a side of a cube that has to be sampled; 0: the look's own choice. What is
+    /// `size`: nodes per axis of a cube that has to be sampled; 0: the look's own choice. What is
     /// sampled is measured against exact().
     LookTable table(int size = 0) const;
 

@@ -33,7 +33,7 @@ void* module_symbol(const std::string& name, const char* symbol) {
     void* const address = module ? ::dlsym(module, symbol) : nullptr;
     if (!address) {
         const char* const reason = ::dlerror();
-        throw Error("cannot load " + file + ", which belongs into ../lib beside the program (" +
+        throw Error("cannot load " + file + ", which must stand in ../lib beside the program (" +
                     (reason ? reason : "unknown reason") + ")");
     }
     return address;

@@ -11,7 +11,7 @@
 //     "adaptation": "bradford",    between the whites of different gamuts; or cat02
 //     "base": "look.cube",         applied first; "input" is then the encoding of its output
 //     "bake": {
-//       "size": 33,                nodes a side; default: the base's, else 33
+//       "size": 33,                nodes per axis; default: the base's, else 33
 //       "domain": [0, 1],          numbers, or [r, g, b] each; default: the base's, else 0..1
 //       "shaper": "none",          none, base, tone, or an encoding; see bake_recipe.h
 //       "shaper_size": 4096

@@ -40,7 +40,7 @@ void check_invertible(const Lut1D& curve) {
             const float a = curve.entries[i][c], b = curve.entries[i + 1][c];
             if (!(rises ? a < b : a > b)) {
                 throw Error(std::string("the 1D table of channel ") + "rgb"[c] +
-                            " is flat or turns back at entry " + std::to_string(i + 1) +
+                            " is flat or not monotonic at entry " + std::to_string(i + 1) +
                             ", so it has no inverse");
             }
         }
@@ -197,7 +197,7 @@ Inversion invert(const Lut& lut, const InvertOptions& options) {
     const Lut3D cube = lut.cube ? *lut.cube : identity_cube(2, output_range(lut));
     if (cube.size > largest_size) {
         throw Error("a cube of " + std::to_string(cube.size) +
-                    " nodes a side is too large to "
+                    " nodes per axis is too large to "
                     "invert; resample it to at most " +
                     std::to_string(largest_size));
     }

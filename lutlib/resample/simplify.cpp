@@ -218,7 +218,7 @@ Omission drop_cube_nodes(Lut& lut, double tolerance) {
             }
         }
         if (bound <= tolerance) {
-            const std::string words = std::to_string(fine.size) + " nodes a side become " +
+            const std::string words = std::to_string(fine.size) + " nodes per axis become " +
                                       std::to_string(coarse.size) +
                                       ": interpolation gives the others";
             lut.cube = std::move(coarse);

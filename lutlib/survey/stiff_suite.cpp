@@ -161,13 +161,13 @@ constexpr std::array<StiffLook, 33> table{{
      }},
     {"denormal", "the input times 1e-40, below the smallest normal float", 1e-40,
      [] { return look_of(17, [](RgbD c) { return 1e-40 * c; }); }},
-    {"size_2", "two nodes a side, corners swapped and mixed", 1,
+    {"size_2", "two nodes per axis, corners swapped and mixed", 1,
      [] {
          return look_of(2, [](RgbD c) {
              return RgbD{c.r * (1 - c.g), c.g + c.b - c.g * c.b, c.r * c.b};
          });
      }},
-    {"size_129", "129 nodes a side, a smooth contrast", 1.49991,
+    {"size_129", "129 nodes per axis, a smooth contrast", 1.49991,
      [] { return look_of(129, each_channel(smooth)); }},
     {"domain_narrow", "a smooth contrast over 0..1e-6", 1.49854,
      [] {

@@ -102,7 +102,7 @@ std::vector<std::uint8_t> codes_of(const std::vector<float>& texels) {
 
 double median(std::vector<double> values) {
     if (values.empty())
-        throw lutlib::Error("this device has no timestamps");
+        throw lutlib::Error("this device cannot time passes: it has no timestamps");
     std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2),
                      values.end());
     return values[values.size() / 2];

@@ -68,8 +68,8 @@ Rendering::Rendering(const Options& options)
     for (const std::string& line : shown->left_out) {
         notes += "left out  of " + shown->name + ": " + line + "\n";
         if (!options.explain)
-            std::fprintf(stderr, "lutpreview: %s: left out: %s\n", shown->name.c_str(),
-                         line.c_str());
+            std::fprintf(stderr, "lutpreview: %s: not supported, left out: %s\n",
+                         shown->name.c_str(), line.c_str());
     }
     if (shown->scene)
         settings.orbit = orbit_of(options, *shown->scene);

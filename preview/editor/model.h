@@ -33,7 +33,7 @@ struct SideSourceInfo {
 inline constexpr std::array<SideSourceInfo, 5> side_sources{{
     {SideSource::none, "none", "no look"},
     {SideSource::source, "source", "the LUT that the recipe starts from"},
-    {SideSource::recipe, "recipe", "the recipe itself, as a float table whose error is told"},
+    {SideSource::recipe, "recipe", "the recipe itself, as a float table with its error stated"},
     {SideSource::baked, "baked", "the recipe's strip as that engine reads it"},
     {SideSource::file, "file", "another LUT file"},
 }};

@@ -24,7 +24,7 @@ inline constexpr std::array<EffectInfo, 6> effects{{
     {Effect::shadows, "shadows", "Shadows", "lights shine through everything"},
     {Effect::environment, "environment", "Surroundings", "the surroundings are black"},
     {Effect::bloom, "bloom", "Bloom", "bright light does not spread"},
-    {Effect::tonemap, "tonemap", "Tone map", "light above 1 is cut off"},
+    {Effect::tonemap, "tonemap", "Tone map", "light above 1 is clipped"},
     {Effect::looks, "looks", "Looks", "both sides show the picture without a LUT"},
 }};
 

@@ -18,11 +18,11 @@ void add_scopes(Graph& graph, const FrameSettings& settings, FrameHandles& handl
                                           size.width, size.height);
     for (std::size_t i = 0; i < scopes.size(); ++i) {
         if (settings.scope_sizes[i] == Size{}) {
-            graph.withhold(scopes[i].name, "nobody looks at it");
+            graph.withhold(scopes[i].name, "it is not shown");
         } else if (range.count == 0) {
             graph.withhold(scopes[i].name, settings.compare == &compare_difference
-                                               ? "a heat map has no levels"
-                                               : "nothing of its side is shown");
+                                               ? "a heat map has no code values to count"
+                                               : "its side is not shown");
         } else {
             handles.scope_pictures[i] =
                 add_scope(graph, handles.output, scopes[i], range, settings.scope_sizes[i],
@@ -58,13 +58,13 @@ void add_instruments(Graph& graph, const FrameSettings& settings, const Finishin
             before_comparison(*settings.probe, settings, size_of(graph, finishing.picture)));
         graph.present(handles.probe);
     } else {
-        graph.withhold("probe", "nobody points at the picture");
+        graph.withhold("probe", "the mouse is not over the picture");
     }
     if (settings.axes != nullptr) {
         handles.axis_counts = add_axes(graph, finishing, *settings.axes);
         graph.present(handles.axis_counts);
     } else {
-        graph.withhold("count along axes", "no curve is seen");
+        graph.withhold("count along axes", "no curve editor is open");
     }
 }
 

@@ -46,7 +46,8 @@ struct FrameSettings : PictureSettings {
     const lutlib::Encoding* axes = nullptr;
     /// Present the HDR result before tone mapping too.
     bool keep_hdr = false;
-    /// Leave out nothing that could be done: every skip that measures or looks at the scene is off.
+    /// Run every pass, even those that this scene does not need: every skip that measures or looks
+    /// at the scene is off.
     bool force_all = false;
 
     bool shows_intermediate() const { return view != nullptr || effect_view != nullptr; }

@@ -74,7 +74,7 @@ const vk::raii::ShaderModule& Pipelines::module_of(const std::string& shader) {
     const auto found = std::find_if(all.begin(), all.end(),
                                     [&](const ShaderCode& code) { return code.name == shader; });
     if (found == all.end())
-        throw std::logic_error("no shader is named '" + shader + "'");
+        throw std::logic_error("internal error: no shader is named '" + shader + "'");
     const vk::ShaderModuleCreateInfo info({}, found->words.size_bytes(), found->words.data());
     return modules_.emplace(shader, vk::raii::ShaderModule(device_.vk(), info)).first->second;
 }

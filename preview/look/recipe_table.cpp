@@ -75,7 +75,7 @@ std::optional<RecipeTable> measured_table(const lutlib::Recipe& recipe,
 LoadedLook measured_look(const RecipeTable& table, const GpuLookup& lookup) {
     LoadedLook look = look_for(std::make_shared<const lutlib::Lut>(table.lut), lookup);
     look.note =
-        fmt::format("{} nodes a side, within dE2000 {:.2f} of the recipe, {:.3f} on average",
+        fmt::format("{} nodes per axis, within dE2000 {:.2f} of the recipe, {:.3f} on average",
                     table.nodes, table.max_error, table.mean_error);
     return look;
 }

@@ -27,8 +27,8 @@ lutlib::Lut quick_table(const lutlib::Recipe& recipe);
 std::optional<RecipeTable> measured_table(
     const lutlib::Recipe& recipe, const std::function<bool()>& stop = [] { return false; });
 
-/// The table for a lookup that reads tables, with a note as "65 nodes a side, within dE2000 0.41 of
-/// the recipe, 0.020 on average".
+/// The table for a lookup that reads tables, with a note as "65 nodes per axis, within dE2000 0.41
+/// of the recipe, 0.020 on average".
 LoadedLook measured_look(const RecipeTable& table, const GpuLookup& lookup);
 
 } // namespace preview

@@ -115,8 +115,8 @@ void cube_panel(Ui& ui) {
         put(list, corner, line);
     list.PopClipRect();
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-    ImGui::TextDisabled("%zu nodes in %.2f ms; drag to turn, wheel to come nearer",
-                        nodes.outputs.size(), took.count());
+    ImGui::TextDisabled("%zu nodes in %.2f ms; drag to turn, wheel to zoom", nodes.outputs.size(),
+                        took.count());
 }
 
 } // namespace preview::panels

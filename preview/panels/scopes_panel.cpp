@@ -101,7 +101,7 @@ void scope_strip(Ui& ui, const Rect& area) {
     }
     if (ui.history.draft().compare == &compare_difference) {
         ImGui::SetCursorScreenPos({area.x + 12, area.y + 8});
-        ImGui::TextDisabled("a heat map has no levels");
+        ImGui::TextDisabled("a heat map has no code values to count");
     }
     ImGui::End();
 }

@@ -79,7 +79,7 @@ constexpr const char* mouse_help[][2] = {
     {"hold A, hold B", "that side alone, while held"},
     {"drag the line", "move the split"},
     {"drag the picture", "turn the camera"},
-    {"wheel", "nearer, farther"},
+    {"wheel", "zoom"},
     {"point at the picture", "its colour before and after the looks, in the line below"},
     {"drag the cube", "turn it"},
 };

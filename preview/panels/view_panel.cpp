@@ -134,7 +134,7 @@ void side_controls(Ui& ui, Side& side, const std::string& name, const std::strin
             ImGui::EndCombo();
         }
         const lutlib::Engine& engine = *side.engine->engine;
-        ImGui::TextDisabled("%d nodes a side, %d bits",
+        ImGui::TextDisabled("%d nodes per axis, %d bits",
                             side.size > 0 ? side.size : engine.default_size,
                             side.bits > 0 ? side.bits : engine.default_bits);
     }

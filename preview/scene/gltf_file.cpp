@@ -37,7 +37,7 @@ json parsed(std::string_view text, const std::string& path) {
     try {
         return json::parse(text, limit_depth);
     } catch (const json::exception& error) {
-        throw Error(fmt::format("it is no glTF, whose parts are JSON: {}", error.what()),
+        throw Error(fmt::format("not a glTF file: its JSON cannot be read: {}", error.what()),
                     {path, 0, {}});
     }
 }
@@ -45,7 +45,7 @@ json parsed(std::string_view text, const std::string& path) {
 void check_version(const json& root, const std::string& path) {
     const json::json_pointer at("/asset/version");
     if (!root.is_object() || !root.contains(at) || !root[at].is_string())
-        throw Error("it is no glTF: it has no asset.version", {path, 0, {}});
+        throw Error("not a glTF file: asset.version is missing", {path, 0, {}});
     const std::string version = root[at].get<std::string>();
     if (version.compare(0, 2, "2.") != 0)
         throw Error("it is glTF " + version + "; convert it to glTF 2.0", {path, 0, {}});
@@ -61,7 +61,7 @@ GltfFile::GltfFile(const std::string& bytes, const std::string& path)
         const bool has_json = bytes.size() >= start && word(bytes, 16) == json_chunk &&
                               word(bytes, 12) <= bytes.size() - start;
         if (!has_json)
-            throw Error("the file is cut short, or no binary glTF", {path, 0, {}});
+            throw Error("not a binary glTF file, or cut short", {path, 0, {}});
         text = std::string_view(bytes).substr(start, word(bytes, 12));
         body = bytes.substr(start + text.size());
     }
@@ -95,10 +95,11 @@ const json& gltf_list(const json& object, const char* key, const std::string& pa
     if (found == object.end())
         return none;
     if (!found->is_array())
-        throw Error(fmt::format("'{}' is no list", key), {path, 0, {}});
+        throw Error(fmt::format("'{}' is not a list", key), {path, 0, {}});
     for (const json& row : *found)
         if (!row.is_object())
-            throw Error(fmt::format("'{}' holds something that is no object", key), {path, 0, {}});
+            throw Error(fmt::format("'{}' holds something that is not an object", key),
+                        {path, 0, {}});
     return *found;
 }
 

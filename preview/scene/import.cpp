@@ -83,14 +83,14 @@ class MeshImport {
   private:
     void add(const aiFace& face) {
         if (face.mNumIndices != 3) {
-            left_out_.add("faces that are no triangles");
+            left_out_.add("faces that are not triangles");
             return;
         }
         glm::vec3 corners[3];
         for (unsigned i = 0; i < 3; ++i) {
             const unsigned index = face.mIndices[i];
             if (index >= given_.mNumVertices || !is_usable(given_.mVertices[index])) {
-                left_out_.add("triangles with a vertex that is not there, or not finite");
+                left_out_.add("triangles with a missing or non-finite vertex");
                 return;
             }
             corners[i] = vector(given_.mVertices[index]);
@@ -186,7 +186,7 @@ glm::mat4 fit_of(const Scene& scene, const std::string& path) {
     const glm::vec3 size = box.max - box.min;
     const float radius = glm::length(size) / 2;
     if (box.empty() || !(radius > 0) || !(radius < most_coordinate))
-        throw Error("there is no triangle in it to see", {path, 0, {}});
+        throw Error("it holds no triangles to show", {path, 0, {}});
     const float scale = fit_radius / radius;
     glm::mat4 fit(scale);
     fit[3] = glm::vec4(fit_centre - scale * (box.min + size / 2.0F), 1);
@@ -217,7 +217,7 @@ ImportedScene import_scene(const std::string& path) {
     importer.SetIOHandler(new ReducedFile(path, gltf.to_bytes())); // which owns it
     const aiScene* const file = importer.ReadFile(path, 0);
     if (file == nullptr || file->mRootNode == nullptr)
-        throw Error(fmt::format("it is no usable glTF: {}", importer.GetErrorString()),
+        throw Error(fmt::format("not a usable glTF file: {}", importer.GetErrorString()),
                     {path, 0, {}});
 
     ImportedScene out;

@@ -21,7 +21,7 @@ std::size_t number(const json& object, const char* key, std::size_t usual,
     if (found == object.end())
         return usual;
     if (!found->is_number_unsigned())
-        throw Error(fmt::format("'{}' is no count or number of something", key),
+        throw Error(fmt::format("'{}' is not a valid count or index", key),
                     {path, 0, found->dump().substr(0, 80)});
     return found->get<std::size_t>();
 }
@@ -33,7 +33,7 @@ const json* named_row(const json& object, const char* key, const json& rows,
         return nullptr;
     const std::size_t index = number(object, key, 0, path);
     if (index >= rows.size())
-        throw Error(fmt::format("'{}' names something that is not there", key),
+        throw Error(fmt::format("'{}' names something that does not exist", key),
                     {path, 0, std::to_string(index)});
     return &rows[index];
 }
@@ -152,9 +152,9 @@ void check_nodes(const json& root, const std::string& path) {
             const std::size_t index =
                 child.is_number_unsigned() ? child.get<std::size_t>() : nodes.size();
             if (index >= nodes.size())
-                throw Error("a node names a child that is not there", {path, 0, {}});
+                throw Error("a node names a child that does not exist", {path, 0, {}});
             if (parents[index] != no_parent)
-                throw Error("a node is the child of two", {path, 0, {}});
+                throw Error("a node has two parents", {path, 0, {}});
             parents[index] = i;
         }
     }
@@ -162,7 +162,7 @@ void check_nodes(const json& root, const std::string& path) {
         int depth = 0;
         for (std::size_t at = i; at != no_parent; at = parents[at])
             if (++depth > import_limits.depth)
-                throw Error(fmt::format("its nodes go round in a ring, or deeper than {}",
+                throw Error(fmt::format("its node tree has a cycle, or is deeper than {}",
                                         import_limits.depth),
                             {path, 0, {}});
     }

@@ -40,7 +40,7 @@ const LightControl rows[] = {
     {"position", "Position", "metres", Kind::point, -farthest, farthest, false,
      [](const PointLight& light) { return light.position; },
      [](PointLight& light, glm::vec3 v) { light.position = v; }},
-    {"shadow", "Casts a shadow", "whether things stand in its way", Kind::flag, 0, 1, false,
+    {"shadow", "Casts a shadow", "whether objects block its light", Kind::flag, 0, 1, false,
      [](const PointLight& light) { return glm::vec3(light.casts_shadow ? 1 : 0, 0, 0); },
      [](PointLight& light, glm::vec3 v) { light.casts_shadow = v.x != 0; }},
     {"aim", "Shadow's aim", "the middle of what its shadow map sees, metres", Kind::point,

@@ -40,8 +40,9 @@ Gui::Gui(GLFWwindow* window, std::string layout_path, const std::string& font)
     if (!is_font(font) ||
         io.Fonts->AddFontFromFileTTF(font.c_str(), font_size * scale) == nullptr) {
         io.Fonts->AddFontDefault();
-        notice_ = "the font " + font +
-                  " is missing or no font (Debian: fonts-dejavu-core); a built-in one stands in";
+        notice_ =
+            "the font " + font +
+            " is missing or is not a font (Debian: fonts-dejavu-core); using the built-in font";
     }
     ImGui_ImplGlfw_InitForVulkan(window, false);
 }

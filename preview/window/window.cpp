@@ -19,7 +19,7 @@ std::string glfw_error() {
 
 Window::Library::Library() {
     if (glfwInit() != GLFW_TRUE)
-        throw lutlib::Error("a window was asked for and none can be had: " + glfw_error() +
+        throw lutlib::Error("cannot open a window: " + glfw_error() +
                             "; --headless -o FILE renders without one");
     if (glfwVulkanSupported() != GLFW_TRUE) {
         glfwTerminate();
@@ -37,7 +37,7 @@ Window::Window(Size size) {
     handle_ = glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height),
                                "lutpreview", nullptr, nullptr);
     if (handle_ == nullptr)
-        throw lutlib::Error("a window was asked for and none can be had: " + glfw_error());
+        throw lutlib::Error("cannot open a window: " + glfw_error());
 }
 
 Window::~Window() {
@@ -64,7 +64,7 @@ gpu::DeviceOptions Window::device_options(const std::string& wanted, bool valida
 VkSurfaceKHR Window::make_surface(const gpu::Device& device) const {
     VkSurfaceKHR surface = VK_NULL_HANDLE;
     if (glfwCreateWindowSurface(*device.instance(), handle_, nullptr, &surface) != VK_SUCCESS)
-        throw lutlib::Error("no Vulkan surface can be had for the window: " + glfw_error());
+        throw lutlib::Error("cannot draw in the window: no Vulkan surface: " + glfw_error());
     return surface;
 }
 

@@ -79,7 +79,7 @@ TEST(Info, says_what_a_picture_is_and_which_engines_take_it) {
     const std::string picture = folder.path("strip.png");
     ASSERT_EQ(lutconv({"bake", look, "-o", picture, "--engine", "unreal"}).exit_code, 0);
     const std::string text = lutconv({"info", picture}).out;
-    EXPECT_NE(text.find("layout: strip, 16 nodes a side"), std::string::npos) << text;
+    EXPECT_NE(text.find("layout: strip, 16 nodes per axis"), std::string::npos) << text;
     EXPECT_NE(text.find("take it as it is: piccolo, unreal"), std::string::npos) << text;
     const auto facts = nlohmann::json::parse(lutconv({"info", picture, "--json"}).out);
     EXPECT_EQ(facts["picture"]["layout"], "strip");

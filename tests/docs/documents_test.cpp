@@ -47,7 +47,7 @@ constexpr Promise promises[] = {
     {"--explain -o x.png", 0, "shadow"},
     {"--timings", 0, "ms"},
     {"--list", 0, "piccolo"},
-    {"lutconv info", 0, "nodes a side"},
+    {"lutconv info", 0, "nodes per axis"},
     {"lutconv eval look.cube 0.18 0.18 0.18", 0, "0.2055"},
 };
 

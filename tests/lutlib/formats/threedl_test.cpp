@@ -88,7 +88,7 @@ void refused(const std::string& text, const char* reason, std::size_t line) {
 }
 
 TEST(Threedl, refuses_what_is_none_with_the_line) {
-    refused("5\n" + rows(5, 4095), "if this is the number of nodes a side, delete the line", 1);
+    refused("5\n" + rows(5, 4095), "if this is the number of nodes per axis, delete the line", 1);
     refused(mesh + "0 0 0\n1 2\n", "this one has 2", 3);
     refused(mesh + "0 0 0.5\n", "whole numbers", 2);
     refused(mesh + mesh, "a second mesh line", 2);

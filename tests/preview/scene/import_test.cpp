@@ -283,14 +283,14 @@ constexpr Damage damages[] = {
          g.root["accessors"][0].erase("bufferView");
          g.root["accessors"][0]["count"] = 4'000'000'000U;
      }},
-    {"a negative count", "is no count",
+    {"a negative count", "is not a valid count",
      [](GltfWriter& g) { g.root["accessors"][0]["count"] = -1; }},
     {"a sparse accessor", "sparse",
      [](GltfWriter& g) {
          g.root["accessors"][0]["sparse"] = {{"count", 1}};
      }},
-    {"a node above itself", "ring", [](GltfWriter& g) { g.root["nodes"][0]["children"] = {0}; }},
-    {"a child that is not there", "not there",
+    {"a node above itself", "cycle", [](GltfWriter& g) { g.root["nodes"][0]["children"] = {0}; }},
+    {"a child that does not exist", "does not exist",
      [](GltfWriter& g) { g.root["nodes"][0]["children"] = {5}; }},
     {"a mesh that is not there", "", [](GltfWriter& g) { g.root["nodes"][0]["mesh"] = 5; }},
     {"compressed meshes", "compressed",

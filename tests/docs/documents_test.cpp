@@ -41,7 +41,7 @@ constexpr Promise promises[] = {
     {"verify strip.png --against look.json", 0, "passed as"},
     {"-o look.spi3d --strict", 2, "--strict: not written"},
     {"--repair", 0, "repair"},
-    {"--max-delta-e 1", 0, "keeps the promise of dE2000 1"},
+    {"--max-delta-e 1", 0, "stays within dE2000 1"},
     {"--compare diff", 0, "dE2000"},
     {"--probe", 0, "dE2000"},
     {"--explain -o x.png", 0, "shadow"},

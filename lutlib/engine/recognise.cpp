@@ -153,8 +153,8 @@ std::string listed(std::span<const Recognition> readings) {
         (any_smooth ? "the content does not tell in which layout to read this picture"
                     : "in no layout of its dimensions is the content of this picture a "
                       "look: neighbouring nodes differ as if they were shuffled") +
-            std::string("; name it ('lutconv convert --from LAYOUT'), or the engine that it was "
-                        "made for (--engine). It could be: ") +
+            std::string("; name it (lutconv's --layout), or the engine that it was made for "
+                        "(--engine). It could be: ") +
             listed(readings),
         {file, 0, {}});
 }

@@ -124,15 +124,16 @@ TEST(PictureFormat, reads_pictures_of_other_types_and_depths_and_with_alpha) {
         bool alpha;
         float tolerance;
     };
-    for (const Kind& kind : {Kind{"tga", Depth::uint8, false, 0},
-                             {"tga", Depth::uint8, true, 0},
-                             {"tif", Depth::uint8, false, 0},
-                             {"tif", Depth::uint16, true, 0},
-                             {"bmp", Depth::uint8, false, 0},
-                             {"exr", Depth::half, false, 3e-4F},
-                             {"exr", Depth::float32, true, 0},
-                             {"png", Depth::uint16, true, 0},
-                             {"jpg", Depth::uint8, false, 0.15F}}) {
+    for (const Kind& kind :
+         {Kind{"tga", Depth::uint8, false, 0},
+          {"tga", Depth::uint8, true, 0},
+          {"tif", Depth::uint8, false, 0},
+          {"tif", Depth::uint16, true, 0},
+          {"bmp", Depth::uint8, false, 0},
+          {"exr", Depth::half, false, 3e-4F},
+          {"exr", Depth::float32, true, 0},
+          {"png", Depth::uint16, true, 0},
+          {"jpg", Depth::uint8, false, 0.25F}}) { // colour at half resolution blurs slices together
         const std::string path = folder.file(std::string("strip.") + kind.extension);
         write_image(path, image, {.depth = kind.depth, .alpha = kind.alpha, .text = {}});
         const Lut read = read_lut(path).lut;

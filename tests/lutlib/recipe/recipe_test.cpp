@@ -101,8 +101,8 @@ const BadRecipe bad_recipes[] = {
      "bake.size must be a whole number from 2 to 256"},
     {"inverted_domain", R"({"schema_version": 1, "bake": {"domain": [1, 0]}})",
      "bake.domain cannot be"},
-    {"unknown_shaper", R"({"schema_version": 1, "bake": {"shaper": "log"}})",
-     "bake.shaper is 'log'; there are tone, none"},
+    {"unknown_shaper", R"({"schema_version": 1, "bake": {"shaper": "steep"}})",
+     "bake.shaper is 'steep'; there are tone, none"},
     {"huge_number", R"({"schema_version": 1, "operators": [{"op": "exposure", "stops": 1e999}]})",
      "r.json: this JSON cannot be read"},
 };

@@ -96,8 +96,9 @@ TEST(Check, needs_repair_and_an_output_together) {
 // The looks of the repository, and further ones where they are named.
 std::vector<std::string> real_looks() {
     std::vector<std::string> out;
-    for (const std::string& folder : {std::string(SAMPLE_LOOKS), std::string(EXTRA_DATA)}) {
-        if (folder.empty()) {
+    for (const std::filesystem::path& folder :
+         {std::filesystem::path(SAMPLE_LOOKS), std::filesystem::path(EXTRA_DATA) / "luts"}) {
+        if (!std::filesystem::is_directory(folder)) {
             continue;
         }
         for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {

@@ -59,7 +59,7 @@ std::string square_glb() {
 
 /// One picture below the other, as often as `count`.
 std::string stacked(const std::string& png, int count) {
-    lutlib::io::CodeImage image = lutlib::io::read_png(png, "strip.png");
+    lutlib::io::PngImage image = lutlib::io::read_png(png, "strip.png");
     const std::vector<std::uint16_t> one = image.samples;
     image.text.clear();
     for (int i = 1; i < count; ++i) {

@@ -177,10 +177,11 @@ TEST(ReadFiles, takes_of_an_inverse_table_every_input_that_the_table_has) {
 }
 
 TEST(ReadFiles, tells_of_several_corrections_with_and_without_ids) {
-    for (const char* id : {"", " id=\"a\""}) {
+    for (const bool has_ids : {false, true}) {
         std::string cdl = "<ColorDecisionList xmlns=\"urn:ASC:CDL:v1.01\">\n";
         for (int i = 0; i < 2; ++i) {
-            cdl += std::string("<ColorDecision><ColorCorrection") + id +
+            const std::string id = has_ids ? " id=\"" + std::to_string(i) + "\"" : "";
+            cdl += "<ColorDecision><ColorCorrection" + id +
                    "><SOPNode><Slope>1 1 1</Slope><Offset>0 0 0</Offset><Power>1 1 1</Power>"
                    "</SOPNode></ColorCorrection></ColorDecision>\n";
         }
@@ -189,7 +190,7 @@ TEST(ReadFiles, tells_of_several_corrections_with_and_without_ids) {
             std::any_of(reading.losses.begin(), reading.losses.end(), [](const Loss& loss) {
                 return loss.unit == "corrections" && loss.figure == 2;
             });
-        EXPECT_TRUE(told) << id;
+        EXPECT_TRUE(told) << has_ids;
     }
 }
 

@@ -37,7 +37,8 @@ struct Report {
 };
 
 // The depth that was asked for, which the file type must hold, else the nearest to the picture's.
-io::Depth choose_depth(const std::string& name, std::span<const io::Depth> held, io::Depth usual) {
+io::Depth choose_depth(const Options& o, std::span<const io::Depth> held, io::Depth usual) {
+    const std::string& name = o.depth;
     if (name.empty()) {
         return io::nearest_depth(usual, held);
     }
@@ -45,7 +46,11 @@ io::Depth choose_depth(const std::string& name, std::span<const io::Depth> held,
     for (const io::Depth depth : held) {
         rows.push_back(&io::info_of(depth));
     }
-    return lutlib::require_named(rows, "--depth of this type of file", name).depth;
+    if (const auto* const row = lutlib::find_named(rows, name)) {
+        return row->depth;
+    }
+    throw lutlib::UsageError('.' + io::extension_of(o.output) + " files cannot store --depth " +
+                             name + "; they store " + lutlib::names_of(rows));
 }
 
 // What no table holds, colour by colour.
@@ -115,10 +120,10 @@ void print_report(const Options& o, const Report& r) {
 int run(const Options& o) {
     require_one_standard_input(std::array{o.lut, o.picture});
     const std::vector<io::Depth> held = io::depths_of(o.output);
-    choose_depth(o.depth, held, held.front());
+    choose_depth(o, held, held.front());
     const io::Look look = open_look(o.lut, {.interpolation = o.interpolation.get()});
     io::FloatImage image = io::read_image(o.picture);
-    const io::Depth depth = choose_depth(o.depth, held, image.depth);
+    const io::Depth depth = choose_depth(o, held, image.depth);
     const Report report = apply(look, image, depth);
     io::write_image(o.output, image, {depth, image.alpha, {{"Source", io::input_name(o.picture)}}});
     print_report(o, report);

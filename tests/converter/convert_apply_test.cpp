@@ -234,9 +234,9 @@ TEST(Apply, writes_a_depth_that_the_file_type_holds_and_says_the_truth_of_it) {
     EXPECT_EQ(depth_said(codes, "x.hdr", ""), "float");
     EXPECT_EQ(depth_said(codes, "x.exr", ""), "half");
     EXPECT_EQ(depth_said(floats, "x.png", "uint8"), "uint8");
-    EXPECT_EQ(depth_said(floats, "x.png", "half"), "3; it holds uint8, uint16\n");
-    EXPECT_EQ(depth_said(codes, "x.exr", "uint8"), "3; it holds half, float\n");
-    EXPECT_EQ(depth_said(codes, "x.jpg", "float"), "3; it holds uint8\n");
+    EXPECT_EQ(depth_said(floats, "x.png", "half"), "3; they store uint8, uint16\n");
+    EXPECT_EQ(depth_said(codes, "x.exr", "uint8"), "3; they store half, float\n");
+    EXPECT_EQ(depth_said(codes, "x.jpg", "float"), "3; they store uint8\n");
     EXPECT_EQ(depth_said(codes, "x.xyz", "").substr(0, 1), "3");
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.cube", "a.exr", "a.png"}));
 }

@@ -135,7 +135,7 @@ TEST_F(Unnamed, fails_when_it_is_not_opaque) {
     EXPECT_NE(result.out.find("1 texels are not opaque"), std::string::npos) << result.out;
 }
 
-TEST_F(Unnamed, fails_with_primaries_that_a_loader_may_convert_by) {
+TEST_F(Unnamed, tells_of_primaries_that_other_loaders_convert_by) {
     std::string bytes = write_png(baked({}));
     constexpr std::size_t behind_header = 33;
     const std::string chrm(
@@ -144,7 +144,7 @@ TEST_F(Unnamed, fails_with_primaries_that_a_loader_may_convert_by) {
         44);
     bytes.insert(behind_header, chrm);
     const Result result = verified(bytes);
-    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_EQ(result.exit_code, 0);
     EXPECT_NE(result.out.find("cHRM"), std::string::npos) << result.out;
 }
 
@@ -154,7 +154,7 @@ TEST_F(Unnamed, is_told_to_name_what_cannot_be_told_from_content) {
     const PngImage mono = baked({});
     const Result untold = verified(mono);
     EXPECT_EQ(untold.exit_code, 2);
-    EXPECT_NE(untold.err.find("verify --engine"), std::string::npos) << untold.err;
+    EXPECT_NE(untold.err.find("--engine"), std::string::npos) << untold.err;
     PngImage named = mono;
     named.text = {{"Engine", "piccolo"}};
     const Result told = verified(named);

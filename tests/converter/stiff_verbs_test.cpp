@@ -43,6 +43,8 @@ Runs runs_of(const std::string& verb, const std::string& look, const Folder& fol
         {"info", {{look}, {look, "--json"}}},
         {"eval", {{look, "0.5", "0.25", "1", "nan", "inf", "-inf", "-0", "1e30", "1e-45"}}},
         {"identity", {{"--size", "5", "-o", cube}}},
+        {"engines", {{}, {"--json"}}},
+        {"encodings", {{}}},
         {"report", {{look, "--sizes", "2", "3", "-o", folder.path("report.html")}}},
     };
     const auto row = rows.find(verb);

@@ -51,7 +51,7 @@ const std::vector<Row>& rows() {
         {{"identity", "-o", "OUT.cube", "--bits", "9"}, "--bits: 9 not in {8,16}"},
         {{"identity", "-o", "OUT.cube", "--bits", "8"}, "--bits is of pictures"},
         {{"identity", "-o", "OUT.cube", "--size", "0"}, "--size: Value 0 not in range"},
-        {{"identity", "-o", "OUT.cube", "--engine", "unity"}, "--engine writes a PNG, which -o "},
+        {{"identity", "-o", "OUT.cube", "--engine", "unity"}, "--engine writes PNG, but -o names "},
         {{"compose", "-", "LOOK", "-", "-o", "OUT.cube"},
          "only one input can come from standard input"},
         {{"blend", "-", "-", "-o", "OUT.cube"}, "only one input can come from standard input"},

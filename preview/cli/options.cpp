@@ -69,8 +69,9 @@ void declare(CLI::App& app, const ChoiceRow<S>& row, S& settings) {
 }
 
 void declare_effects(CLI::App& app, Options& options) {
-    app.add_flag("--fxaa,!--no-fxaa", options.fxaa,
-                 "Antialiasing; by default on for scenes and off for pictures");
+    app.add_flag_function(
+        "--fxaa,!--no-fxaa", [&options](std::int64_t count) { options.fxaa = count > 0; },
+        "Antialiasing; by default on for scenes and off for pictures");
     app.add_option_function<std::vector<std::string>>(
            "--effect",
            [&options](const std::vector<std::string>& texts) {

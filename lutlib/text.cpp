@@ -193,9 +193,9 @@ std::optional<std::string> utf8_of_utf16(std::string_view bytes) {
         return std::nullopt;
     }
     const auto unit = [&](std::size_t i) -> char32_t {
-        const auto a = static_cast<unsigned char>(bytes[2 * i]);
-        const auto b = static_cast<unsigned char>(bytes[2 * i + 1]);
-        return order == ByteOrder::little ? a | b << 8U : a << 8U | b;
+        const char32_t a = static_cast<unsigned char>(bytes[2 * i]);
+        const char32_t b = static_cast<unsigned char>(bytes[2 * i + 1]);
+        return order == ByteOrder::little ? (a | b << 8U) : (a << 8U | b);
     };
     constexpr char32_t mark = 0xFEFF, replacement = 0xFFFD;
     const std::size_t units = bytes.size() / 2;

@@ -15,7 +15,7 @@ namespace {
 using nlohmann::ordered_json;
 
 std::string line(std::string_view name, std::string_view label, std::string_view source) {
-    return fmt::format("  {:22}{:46}{}\n", name, label, source);
+    return fmt::format("  {:21} {:47} {}\n", name, label, source);
 }
 
 std::string as_text() {

@@ -166,7 +166,7 @@ TEST(Png, reads_interlaced_16_bit_pictures_in_the_right_order) {
     for (int y = 0; y < image.height; ++y) {
         auto& row = rows.emplace_back();
         for (int i = 0; i < image.width * 3; ++i) {
-            const unsigned code = image.at({i / 3, y}, i % 3);
+            const unsigned code = image.at({i / 3, y}, static_cast<std::size_t>(i % 3));
             row.push_back(static_cast<png_byte>(code >> 8));
             row.push_back(static_cast<png_byte>(code & 255));
         }

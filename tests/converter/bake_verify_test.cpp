@@ -89,7 +89,7 @@ TEST(Verify, finds_the_damage_in_a_fitted_lattice) {
     const std::string picture = folder.path("strip.png");
     ASSERT_EQ(lutconv({"bake", look, "-o", picture, "--size", "9", "--fit"}).exit_code, 0);
     lutlib::io::PngImage image = lutlib::io::read_png(contents(picture), "strip.png");
-    for (int c = 0; c < 3; ++c) {
+    for (std::size_t c = 0; c < 3; ++c) {
         image.at({40, 4}, c) = c == 1 ? 0 : 255;
     }
     folder.write("strip.png", write_png(image));

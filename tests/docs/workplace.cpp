@@ -100,6 +100,10 @@ void fill_workplace(const fs::path& folder) {
     make(folder, "lutconv bake look.cube -o strip.png");
     make(folder, "lutconv convert look.cube -o look.3dl --size 17");
     make(folder, "lutconv bake look.cube --engine reshade -o one.png");
+    make(folder, "lutconv identity -o identity.cube");
+    make(folder, "lutconv apply identity.cube strip.png -o strip.tif");
+    make(folder, "lutconv edit identity --saturation 0 -o grey.cube");
+    make(folder, "lutconv bake grey.cube --engine unity -o grey.png");
     write(folder / "multi.png", stacked(contents(folder / "one.png"), 4));
     make(folder, "lutconv edit identity --saturation 0.8 --domain 0 4 -o wide.cube");
     make(folder, "lutconv apply look.cube luts/warm_teal.png -o picture.exr");

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <functional>
-#include <memory>
 #include <numbers>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -50,6 +50,19 @@ inline RgbD turned_in_hsv(RgbD c, double degrees) {
         return high - span * std::clamp(std::min(k, 4 - k), 0.0, 1.0);
     };
     return {channel(5), channel(3), channel(1)};
+}
+
+/// In 0..1, evenly spread, of the colour and a seed alone: looks are sampled by several threads, in
+/// no order (splitmix64's finisher).
+inline double noise_of(RgbD c, std::uint64_t seed) {
+    std::uint64_t h = seed;
+    for (const double v : {c.r, c.g, c.b}) {
+        h += std::bit_cast<std::uint64_t>(v) + 0x9e3779b97f4a7c15u;
+        h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
+        h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
+        h ^= h >> 31;
+    }
+    return static_cast<double>(h >> 11) * 0x1p-53;
 }
 
 inline std::vector<RudeLook> rude_looks() {
@@ -156,15 +169,16 @@ inline std::vector<RudeLook> rude_looks() {
          },
          false},
         {"noise",
-         [random = std::make_shared<std::mt19937>(7)](RgbD) {
-             std::uniform_real_distribution<double> any(0, 1);
-             return RgbD{any(*random), any(*random), any(*random)};
+         [](RgbD c) {
+             return RgbD{noise_of(c, 1), noise_of(c, 2), noise_of(c, 3)};
          },
          false},
         {"noisy identity",
-         [random = std::make_shared<std::mt19937>(8)](RgbD c) {
-             std::normal_distribution<double> some(0, 0.04);
-             return saturate(RgbD{c.r + some(*random), c.g + some(*random), c.b + some(*random)});
+         [](RgbD c) {
+             const auto some = [&](std::uint64_t seed) {
+                 return 0.14 * (noise_of(c, seed) - 0.5);
+             };
+             return saturate(RgbD{c.r + some(4), c.g + some(5), c.b + some(6)});
          }},
     };
     for (int degrees = 30; degrees < 360; degrees += 30) {

@@ -35,6 +35,7 @@ struct Holds {
     bool per_channel_domain = false; ///< the interval may differ between channels
     bool title = false;
     bool keywords = false;      ///< Lut::keywords
+    bool encodings = false;     ///< Lut::encodings
     bool interpolation = false; ///< Lut::interpolation, trilinear or tetrahedral
     int min_cube_size = limits::min_cube_size;
     int max_cube_size = limits::max_cube_size;

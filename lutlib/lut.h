@@ -48,6 +48,15 @@ struct Lut3D {
 /// How a cube is read between its nodes.
 enum class Interpolation { nearest, trilinear, tetrahedral };
 
+/// What a look's code values are, before it and after it: names as of encoding_named(), such as
+/// "slog3/sgamut3.cine"; empty where it is not known.
+struct EncodingNames {
+    std::string input, output;
+
+    bool any() const { return !input.empty() || !output.empty(); }
+    friend bool operator==(const EncodingNames&, const EncodingNames&) = default;
+};
+
 /// A look: first the shaper, then the cube. At least one of the two is present in anything read
 /// from a file; with neither, the look is the identity.
 struct Lut {
@@ -56,6 +65,8 @@ struct Lut {
     /// What the file asks the cube to be read by. Unset, as in most formats: tetrahedral.
     std::optional<Interpolation> interpolation;
     std::string title;
+    /// As the file says, known to encoding_named() or not.
+    EncodingNames encodings;
     /// Comment lines of the file, without their marker, in order.
     std::vector<std::string> comments;
     /// Lines of a .cube whose keyword is none of ours, such as LUT_IN_VIDEO_RANGE: kept as they

@@ -3,6 +3,8 @@
 #include "converter/command.h"
 #include "converter/look_files.h"
 #include "converter/options.h"
+#include "converter/placing.h"
+#include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
@@ -24,8 +26,9 @@ namespace {
 namespace io = lutlib::io;
 
 struct Options {
-    std::string lut, picture, output, depth;
+    std::string lut, picture, output, depth, picture_encoding, output_encoding;
     InterpolationOption interpolation;
+    PlacingOptions placing;
     bool json = false;
 };
 
@@ -34,7 +37,36 @@ struct Report {
     std::size_t outside_domain = 0; ///< pixels whose input was clamped to the LUT's domain
     std::size_t clamped = 0;        ///< pixels whose output an integer file clamps to 0..1
     const io::DepthInfo* depth = nullptr;
+    lutlib::LookPlace place;
 };
+
+// Where a look keeps its encoding, the result goes back to the picture's; one that changes it, as
+// camera LUTs do, is left to say what comes out.
+lutlib::LookPlace place_of(const Options& o, const lutlib::LookEncodings& look) {
+    lutlib::LookPlace place{look, {}, {}, o.placing.convert()};
+    if (!o.picture_encoding.empty()) {
+        place.given = encoding_of(o.picture_encoding, "--picture-encoding");
+    }
+    if (!o.output_encoding.empty()) {
+        place.wanted = encoding_of(o.output_encoding, "--output-encoding");
+    } else if (look.input && look.input == look.output) {
+        place.wanted = place.given;
+    }
+    return place;
+}
+
+std::string encodings_text(const lutlib::LookPlace& place) {
+    if (place.given || place.wanted) {
+        return sentence_of(place, "the picture");
+    }
+    return place.look.input
+               ? "the picture's encoding is not known and taken for the look's input, " +
+                     place.look.input->name() +
+                     ": if it is another, name it with "
+                     "--picture-encoding"
+               : "neither the picture's nor the look's are known; the codes are looked up as they "
+                 "are";
+}
 
 // The depth that was asked for, which the file type must hold, else the nearest to the picture's.
 io::Depth choose_depth(const Options& o, std::span<const io::Depth> held, io::Depth usual) {
@@ -72,10 +104,15 @@ void apply_exactly(const lutlib::Transform& look, float* rgba, std::size_t pixel
     }
 }
 
-Report apply(const io::Look& look, io::FloatImage& image, io::Depth depth) {
+Report apply(const io::Look& look, const lutlib::LookPlace& place, io::FloatImage& image,
+             io::Depth depth) {
     const std::size_t pixels = image.rgba.size() / 4;
     float* const rgba = image.rgba.data();
-    Report report{image.width, image.height, 0, 0, &io::info_of(depth)};
+    Report report{image.width, image.height, 0, 0, &io::info_of(depth), place};
+    const lutlib::Placement placement = place.applied();
+    if (placement.before) {
+        apply_exactly(conversion(*placement.before), rgba, pixels);
+    }
     if (const std::optional<lutlib::Domain> domain = look.clamps_to()) {
         report.outside_domain = lutlib::pixels_outside(*domain, rgba, pixels, 4);
     }
@@ -84,6 +121,9 @@ Report apply(const io::Look& look, io::FloatImage& image, io::Depth depth) {
                       rgba, rgba, pixels, 4);
     } else {
         apply_exactly(look.exact(), rgba, pixels);
+    }
+    if (placement.after) {
+        apply_exactly(conversion(*placement.after), rgba, pixels);
     }
     report.clamped = report.depth->integer ? lutlib::pixels_outside({}, rgba, pixels, 4) : 0;
     return report;
@@ -99,12 +139,14 @@ void print_report(const Options& o, const Report& r) {
                                      {"height", r.height},
                                      {"depth", r.depth->name},
                                      {"pixels_outside_domain", r.outside_domain},
-                                     {"pixels_clamped", r.clamped}},
+                                     {"pixels_clamped", r.clamped},
+                                     {"encodings", to_json(r.place)}},
               o.output);
         return;
     }
     std::string text = fmt::format("{} -> {}\n  {}x{} pixels, {}\n", input_text(o.picture),
                                    output_text(o.output), r.width, r.height, r.depth->name);
+    text += "  encodings: " + encodings_text(r.place) + '\n';
     const auto share = [&](std::size_t count, const char* what) {
         return count == 0
                    ? ""
@@ -121,10 +163,12 @@ int run(const Options& o) {
     require_one_standard_input(std::array{o.lut, o.picture});
     const std::vector<io::Depth> held = io::depths_of(o.output);
     choose_depth(o, held, held.front());
-    const io::Look look = open_look(o.lut, {.interpolation = o.interpolation.get()});
+    const io::Look look =
+        open_look(o.lut, {.interpolation = o.interpolation.get(), .encodings = o.placing.look()});
+    const lutlib::LookPlace place = place_of(o, look.encodings());
     io::FloatImage image = io::read_image(o.picture);
     const io::Depth depth = choose_depth(o, held, image.depth);
-    const Report report = apply(look, image, depth);
+    const Report report = apply(look, place, image, depth);
     io::write_image(o.output, image, {depth, image.alpha, {{"Source", io::input_name(o.picture)}}});
     print_report(o, report);
     return ok;
@@ -145,6 +189,12 @@ Run declare_apply(CLI::App& app) {
                    "uint8, uint16, half or float, as far as the file type holds it (default: the "
                    "nearest to the picture's own)");
     o->interpolation.declare(app, "of the LUT's cube");
+    app.add_option("--picture-encoding", o->picture_encoding,
+                   std::string("what the picture's codes are: ") + encoding_help);
+    app.add_option("--output-encoding", o->output_encoding,
+                   "what the written picture's codes are to be (default: the picture's own where "
+                   "the look keeps its encoding, else what the look gives)");
+    o->placing.declare(app);
     app.add_flag("--json", o->json, "print the results as JSON");
     return [o] { return run(*o); };
 }

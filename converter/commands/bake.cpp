@@ -4,6 +4,7 @@
 #include "converter/explain.h"
 #include "converter/look_files.h"
 #include "converter/options.h"
+#include "converter/placing.h"
 #include "converter/report.h"
 #include "converter/usage.h"
 #include "lutlib/bake/budget.h"
@@ -11,6 +12,8 @@
 #include "lutlib/io/bake_report.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/lut_picture.h"
+#include "lutlib/resample/resample.h"
+#include "lutlib/resample/sample_lut.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -27,15 +30,14 @@ using lutlib::Domain;
 using lutlib::FilledBake;
 using lutlib::LookupError;
 using lutlib::io::bake_report;
-using lutlib::io::clamped_share;
 using lutlib::io::measure_bake;
-using lutlib::io::reachable_share;
 
 struct Options {
     std::string input, output;
     EngineOption engine;
     int size = 0, bits = 0;
     InterpolationOption interpolation;
+    PlacingOptions placing;
     double max_delta_e = 0;
     bool fit = false, explain = false, json = false;
 };
@@ -74,8 +76,9 @@ std::string budget_text(const Options& o, const BudgetBake& found) {
 }
 
 nlohmann::ordered_json as_json(const Options& o, const FilledBake& filled, const Domain& domain,
-                               const LookupError& error) {
+                               const lutlib::LookPlace& place, const LookupError& error) {
     const Bake& bake = filled.bake;
+    const lutlib::io::Reach reach = lutlib::io::reach_of(domain, place.applied());
     return {{"input", o.input},
             {"output", o.output},
             {"engine", bake.engine->name},
@@ -85,11 +88,12 @@ nlohmann::ordered_json as_json(const Options& o, const FilledBake& filled, const
             {"size", bake.size},
             {"bits", bake.picture.depth.bits},
             {"srgb_tag", bake.engine->srgb_tag == lutlib::SrgbTag::present},
+            {"encodings", to_json(place)},
             {"loss",
              {{"clamped_values", bake.loss.clamped_values},
               {"most_clamped", bake.loss.most_clamped},
-              {"reachable_domain_share", reachable_share(domain)},
-              {"clamped_input_share", clamped_share(domain)},
+              {"reachable_domain_share", reach.reached},
+              {"clamped_input_share", reach.clamped},
               {"max_rounding", bake.loss.max_rounding},
               {"mean_rounding", bake.loss.mean_rounding}}},
             {"fitted", filled.fitted},
@@ -137,17 +141,32 @@ struct BakeReport {
     std::string title;
     lutlib::Interpolation interpolation; ///< how the look was read
     Domain domain;
+    lutlib::LookPlace place;
     LookupError error;
     std::optional<Explanation> explanation;
 
     bool is_kept() const { return !budgeted || budgeted->kept; }
 };
 
+// The look as the engine is to see it.
+lutlib::Lut table_to_explain(const lutlib::io::Look& look, const lutlib::Transform& placed,
+                             const lutlib::Placement& placement) {
+    if (!placement.converts()) {
+        return *look.table().lut;
+    }
+    lutlib::Lut out;
+    out.cube = lutlib::sample_cube(placed, {}, lutlib::usual_cube_size);
+    return out;
+}
+
 BakeReport make_report(const Options& o) {
     const lutlib::Engine& engine = o.engine.get();
-    const lutlib::io::Look look = open_look(o.input, {.interpolation = o.interpolation.get()});
-    const lutlib::Transform exact = look.exact();
+    const lutlib::io::Look look =
+        open_look(o.input, {.interpolation = o.interpolation.get(), .encodings = o.placing.look()});
     BakeReport out;
+    out.place = lutlib::io::place_in(engine, look.encodings(), o.placing.convert());
+    const lutlib::Placement placement = out.place.applied();
+    const lutlib::Transform exact = placement.around(look.exact());
     out.title = look.title();
     out.interpolation = look.interpolation();
     out.domain = look.domain();
@@ -161,7 +180,8 @@ BakeReport make_report(const Options& o) {
     out.error = measure_bake(out.filled.bake, exact);
     if (o.explain) {
         // What changes less than half a code is not seen in the picture.
-        out.explanation = explain(*look.table().lut, 0.5 / out.filled.bake.picture.depth.maximum());
+        out.explanation = explain(table_to_explain(look, exact, placement),
+                                  0.5 / out.filled.bake.picture.depth.maximum());
         out.explanation->kept =
             "the engine reads a lattice of this size, so there is nothing to leave out";
     }
@@ -171,12 +191,17 @@ BakeReport make_report(const Options& o) {
 void write_picture(const Options& o, const BakeReport& report) {
     lutlib::io::write_file(
         o.output, lutlib::io::picture_bytes(report.filled.bake,
-                                            {lutlib::io::input_name(o.input), report.title,
-                                             name_of(report.interpolation), report.filled.fitted}));
+                                            {.source = lutlib::io::input_name(o.input),
+                                             .title = report.title,
+                                             .interpolation = name_of(report.interpolation),
+                                             .fitted = report.filled.fitted,
+                                             .encodings = names_of(report.place.shown()),
+                                             .look = names_of(report.place.look)}));
 }
 
 nlohmann::ordered_json report_json(const Options& o, const BakeReport& report) {
-    nlohmann::ordered_json json = as_json(o, report.filled, report.domain, report.error);
+    nlohmann::ordered_json json =
+        as_json(o, report.filled, report.domain, report.place, report.error);
     if (report.filled.result.count > 0) {
         json["fit"] = fit_json(report.filled);
     }
@@ -194,7 +219,7 @@ nlohmann::ordered_json report_json(const Options& o, const BakeReport& report) {
 
 std::string report_text(const Options& o, const BakeReport& report) {
     std::string out = bake_report(input_text(o.input), output_text(o.output), report.filled.bake,
-                                  report.domain, report.error);
+                                  report.domain, report.place, report.error);
     if (report.filled.result.count > 0) {
         out += fit_text(report.filled);
     }
@@ -243,6 +268,7 @@ Run declare_bake(CLI::App& app) {
     app.add_option("--bits", o->bits, "bits per sample: 8 or 16 (default: the engine's)")
         ->check(picture_bits());
     o->interpolation.declare(app, "how to interpolate the look between its own nodes");
+    o->placing.declare(app);
     app.add_flag("--fit", o->fit,
                  fmt::format("choose the nodes so that the engine's lookup comes nearest to the "
                              "look between them; keeps point samples where that does not help, "

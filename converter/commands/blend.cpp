@@ -36,7 +36,8 @@ int run(const Options& o) {
         return name == "identity" ? std::make_shared<const lutlib::Lut>() : read_table(name);
     };
     const auto a = opened(o.a), b = opened(o.b);
-    const lutlib::Lut lut = blend(*a, *b, o.amount, o.made.sampling.sampling_of({a.get(), b.get()}), method);
+    const lutlib::Lut lut =
+        blend(*a, *b, o.amount, o.made.sampling.sampling_of({a.get(), b.get()}), method);
     const std::string made_of =
         fmt::format("{} and {:.4g} of {}", input_text(o.a), o.amount, input_text(o.b));
     write_and_report({lut,

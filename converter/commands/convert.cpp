@@ -2,6 +2,7 @@
 #include "converter/command.h"
 #include "converter/explain.h"
 #include "converter/look_files.h"
+#include "converter/placing.h"
 #include "converter/report.h"
 #include "converter/subject.h"
 #include "converter/usage.h"
@@ -11,8 +12,10 @@
 #include "lutlib/io/file.h"
 #include "lutlib/io/fit_format.h"
 #include "lutlib/io/formats.h"
+#include "lutlib/io/formats/picture.h"
 #include "lutlib/io/look.h"
 #include "lutlib/limits.h"
+#include "lutlib/resample/sample_lut.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -28,6 +31,7 @@ namespace io = lutlib::io;
 struct Options {
     std::string input, output, from, format;
     lutlib::WriteOptions save;
+    PlacingOptions placing;
     int row = 0;
     bool strict = false, explain = false, json = false, strip_tags = false;
 };
@@ -42,6 +46,39 @@ std::string format_list() {
     return out;
 }
 
+const lutlib::FileFormat& target_of(const Options& o, const lutlib::Lut& lut) {
+    return o.format.empty() ? io::format_for_writing(o.output, lut)
+                            : io::require_file_format(o.format);
+}
+
+// A name that nobody knows here is kept.
+void take_names(const lutlib::LookPlace& place, lutlib::EncodingNames& names) {
+    const lutlib::EncodingNames known = names_of(place.shown());
+    names.input = known.input.empty() ? names.input : known.input;
+    names.output = known.output.empty() ? names.output : known.output;
+}
+
+// What is known of the look's encodings goes into the file. A LUT picture is read by engines, which
+// feed it what their rows say.
+lutlib::LookPlace put_in_place(const Options& o, const io::Look& look, lutlib::Lut& lut) {
+    lutlib::LookPlace place{look.encodings(), {}, {}, o.placing.convert()};
+    take_names(place, lut.encodings);
+    const lutlib::FileFormat& format = target_of(o, lut);
+    if (!format.layout) {
+        return place;
+    }
+    place.given = place.wanted = lutlib::encoding_named(encoding_fed_through(*format.layout));
+    const lutlib::Placement placement = place.applied();
+    if (placement.converts()) {
+        const int size = lutlib::formats::picture_cube_size(*format.layout, lut, o.save.size);
+        lut.cube = lutlib::sample_cube(placement.around(look.exact()), {}, size);
+        lut.shaper.reset();
+        lut.interpolation.reset();
+        take_names(place, lut.encodings);
+    }
+    return place;
+}
+
 // The look without what it does not need, where the format can hold that as it is; a file needs a
 // table even of an identity. Returns what was left out.
 std::optional<Explanation> leave_out(lutlib::Lut& lut, const Options& o) {
@@ -53,8 +90,7 @@ std::optional<Explanation> leave_out(lutlib::Lut& lut, const Options& o) {
     if (!less.shaper && !less.cube) {
         less.cube = lutlib::identity_cube(lutlib::limits::min_cube_size, lut.domain());
     }
-    const lutlib::FileFormat& format = o.format.empty() ? io::format_for_writing(o.output, less)
-                                                        : io::require_file_format(o.format);
+    const lutlib::FileFormat& format = target_of(o, less);
     if (io::can_hold(less, format.holds)) {
         lut = std::move(less);
         out.left_out = true;
@@ -124,13 +160,14 @@ int run(const Options& o) {
     if (o.strip_tags) {
         return strip_tags(o);
     }
-    const io::Look look =
-        io::Look::open(o.input, {.format = o.from, .row = o.row, .layout = layout_option()});
+    const io::Look look = io::Look::open(
+        o.input,
+        {.format = o.from, .row = o.row, .layout = layout_option(), .encodings = o.placing.look()});
     const io::LookTable table = look.table(o.save.size);
     lutlib::Lut lut = *table.lut;
+    const lutlib::LookPlace place = put_in_place(o, look, lut);
     const std::optional<Explanation> explanation = leave_out(lut, o);
-    const lutlib::FileFormat& format = o.format.empty() ? io::format_for_writing(o.output, lut)
-                                                        : io::require_file_format(o.format);
+    const lutlib::FileFormat& format = target_of(o, lut);
     io::Encoded file = io::encode_lut(lut, format, o.save);
     std::vector<lutlib::Loss> losses;
     std::vector<std::string> notes;
@@ -142,6 +179,10 @@ int run(const Options& o) {
         }
     }
     notes.insert(notes.end(), file.readers.begin(), file.readers.end());
+    if (const std::string said = sentence_of(place, "an engine that reads this layout");
+        !said.empty()) {
+        notes.push_back("encodings: " + said);
+    }
     losses.insert(losses.end(), table.losses.begin(), table.losses.end());
     file.losses.insert(file.losses.begin(), losses.begin(), losses.end());
     if (o.strict && !file.losses.empty()) {
@@ -155,6 +196,7 @@ int run(const Options& o) {
     if (o.json) {
         nlohmann::ordered_json json = as_json(o, format, file);
         json["notes"] = notes;
+        json["encodings"] = to_json(place);
         if (explanation) {
             json["explanation"] = to_json(*explanation);
         }
@@ -187,6 +229,7 @@ Run declare_convert(CLI::App& app) {
     app.add_option("--bits", o->save.bits, "bits per sample of a picture: 8 or 16")
         ->check(picture_bits())
         ->capture_default_str();
+    o->placing.declare(app);
     app.add_option("--title", o->save.title, "title to write instead of the input's");
     app.add_flag("--strict", o->strict,
                  "write nothing, and exit with status 2, if anything would be lost");

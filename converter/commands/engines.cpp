@@ -51,6 +51,7 @@ nlohmann::ordered_json as_json(const Engine& e) {
             {"bits", e.default_bits},
             {"accepted_bits", e.bits},
             {"srgb_tag", e.srgb_tag == lutlib::SrgbTag::present},
+            {"encoding", e.encoding},
             {"input", e.input},
             {"import", e.import},
             {"lookup", e.lookup_help},

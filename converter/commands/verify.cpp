@@ -1,11 +1,14 @@
 // lutconv verify: proves a LUT picture right against OpenColorIO, or says what is wrong with it.
 #include "lutlib/verify/verify.h"
 #include "converter/command.h"
+#include "converter/look_files.h"
 #include "converter/options.h"
+#include "converter/placing.h"
 #include "converter/report.h"
 #include "converter/subject.h"
 #include "lutlib/bake/fitted.h"
 #include "lutlib/error.h"
+#include "lutlib/io/bake_report.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/look.h"
 #include "lutlib/io/lut_picture.h"
@@ -28,13 +31,15 @@ struct Options {
     std::string picture, against;
     EngineOption engine;
     InterpolationOption interpolation;
+    PlacingOptions placing;
     int samples = lutlib::SampleCounts{}.random;
     bool json = false;
 };
 
 struct Verdict {
     std::string oracle,
-        refusal;       ///< who said what is right; why it was not asked of the file itself
+        refusal; ///< who said what is right; why it was not asked of the file itself
+    lutlib::LookPlace place;
     std::string scale; ///< how its reading of the file differs by a factor, and why ours counts
     std::optional<lutlib::Verification> result; ///< unless the picture has no lattice
     std::optional<lutlib::FittedCheck> fitted;
@@ -48,36 +53,62 @@ lutlib::Interpolation baked_interpolation(const Options& o, const Subject& s,
     return o.interpolation.get().value_or(recorded);
 }
 
-std::vector<lutlib::Alternative> other_interpolations(const io::Look& look,
-                                                      lutlib::Interpolation used) {
+// As the options and the look say, else as bake recorded in the picture.
+lutlib::LookPlace place_of(const Options& o, const Subject& s, const io::Look& look) {
+    const lutlib::LookEncodings recorded = encodings_of(io::look_encodings_of(s.image));
+    lutlib::LookEncodings known = look.encodings();
+    known.input = known.input ? known.input : recorded.input;
+    known.output = known.output ? known.output : recorded.output;
+    return io::place_in(*s.engine, known, o.placing.convert());
+}
+
+std::string ignored_text(const lutlib::LookPlace& place, const lutlib::Engine& engine) {
+    lutlib::LookPlace left = place;
+    left.convert = false;
+    return sentence_of(left, engine.name) + ": bake it without --no-convert";
+}
+
+std::vector<lutlib::Alternative> other_bakes(const io::Look& look, lutlib::Interpolation used,
+                                             const lutlib::Transform& unplaced,
+                                             const lutlib::LookPlace& place,
+                                             const lutlib::Engine& engine) {
     std::vector<lutlib::Alternative> out;
+    const lutlib::Placement placement = place.applied();
+    if (placement.converts()) {
+        out.push_back({ignored_text(place, engine), unplaced});
+    }
     for (const lutlib::InterpolationInfo& row : lutlib::interpolations()) {
         if (look.is_interpolated() && row.kind != used) {
             out.push_back({fmt::format("the look was read with {} interpolation", row.name),
-                           look.reference(row.kind).look});
+                           placement.around(look.reference(row.kind).look)});
         }
     }
     return out;
 }
 
 Verdict judge(const Options& o, const Subject& s) {
-    const io::Look look = io::Look::open(o.against);
+    const io::Look look =
+        io::Look::open(o.against, {.layout = layout_option(), .encodings = o.placing.look()});
+    tell_remarks(look);
     const lutlib::Interpolation how = baked_interpolation(o, s, look);
     const io::LookReference reference = look.reference(how);
-    Verdict out{reference.name, reference.refusal, reference.scale, {}, {}, false};
+    Verdict out{reference.name, reference.refusal, place_of(o, s, look), reference.scale, {}, {},
+                false};
+    const lutlib::Transform right = out.place.applied().around(reference.look);
     if (s.size > 0) {
         const std::vector<lutlib::Rgb> inputs =
             lutlib::sample_colors(s.size, {.random = o.samples});
-        out.result = verify(s.codes, *s.engine, s.size, reference.look, inputs,
-                            [&] { return other_interpolations(look, how); });
+        out.result = verify(s.codes, *s.engine, s.size, right, inputs, [&] {
+            return other_bakes(look, how, reference.look, out.place, *s.engine);
+        });
         if (s.fitted()) {
             out.result->diagnosis.reset();
             out.fitted =
-                check_fitted(s.codes, *s.engine, s.size, reference.look,
+                check_fitted(s.codes, *s.engine, s.size, right,
                              lutlib::sample_colors(std::min(s.size, 33), {.random = o.samples}));
         }
-        const bool right = out.fitted ? out.fitted->right() : out.result->texels.wrong == 0;
-        out.passed = right && s.contract.empty();
+        const bool holds = out.fitted ? out.fitted->right() : out.result->texels.wrong == 0;
+        out.passed = holds && s.contract.empty() && !out.place.is_wrong();
     }
     return out;
 }
@@ -99,10 +130,14 @@ const NamedByWords& words_of(NamedBy by) {
                          [by](const NamedByWords& row) { return row.by == by; });
 }
 
-// Names the engine, for a picture that is right for one is wrong for most others.
-std::string verdict_text(const Subject& s, bool passed) {
-    return fmt::format("{} as {} ({}){}", passed ? "passed" : "FAILED", s.engine->label,
-                       s.engine->name, words_of(s.named_by).words);
+// Names the engine, for a picture that is right for one is wrong for most others; so it is with the
+// encoding that the look is taken to be made for.
+std::string verdict_text(const Subject& s, const Verdict& v) {
+    const std::string unless = v.passed && v.place.is_unknown()
+                                   ? "; right if the look is made for " + v.place.given->name()
+                                   : "";
+    return fmt::format("{} as {} ({}){}{}", v.passed ? "passed" : "FAILED", s.engine->label,
+                       s.engine->name, words_of(s.named_by).words, unless);
 }
 
 std::string texels_text(const lutlib::TexelCheck& t) {
@@ -182,6 +217,11 @@ std::string as_text(const Options& o, const Subject& s, const Verdict& v) {
             out += "  contract: " + point + "\n";
         }
     }
+    if (v.place.is_wrong()) {
+        out += "  why: " + ignored_text(v.place, *s.engine) + "\n";
+    } else if (const std::string said = sentence_of(v.place, s.engine->name); !said.empty()) {
+        out += "  encodings: " + said + "\n";
+    }
     for (const std::string& note : s.notes) {
         out += "  note: " + note + "\n";
     }
@@ -194,7 +234,7 @@ std::string as_text(const Options& o, const Subject& s, const Verdict& v) {
         }
         out += lookup_text(s, v.result->lookup);
     }
-    return out + verdict_text(s, v.passed) + "\n";
+    return out + verdict_text(s, v) + "\n";
 }
 
 nlohmann::ordered_json fitted_json(const lutlib::FittedCheck& check) {
@@ -215,7 +255,11 @@ nlohmann::ordered_json as_json(const Options& o, const Subject& s, const Verdict
                                {"size", s.size},
                                {"bits", s.codes.depth.bits},
                                {"contract_violations", s.contract},
-                               {"notes", s.notes}};
+                               {"notes", s.notes},
+                               {"encodings", to_json(v.place)}};
+    if (v.place.is_wrong()) {
+        out["contract_violations"].push_back(ignored_text(v.place, *s.engine));
+    }
     if (is_a_matter_of_tags(s, v)) {
         out["tags_alone"] = s.tags;
     }
@@ -245,7 +289,7 @@ nlohmann::ordered_json as_json(const Options& o, const Subject& s, const Verdict
         out["fitted"] = fitted_json(*v.fitted);
     }
     out["passed"] = v.passed;
-    out["verdict"] = verdict_text(s, v.passed);
+    out["verdict"] = verdict_text(s, v);
     return out;
 }
 
@@ -272,6 +316,7 @@ Run declare_verify(CLI::App& app) {
     o->engine.declare(app, "");
     o->interpolation.declare(app, "how the look was read between its nodes (default: as recorded "
                                   "in the picture)");
+    o->placing.declare(app);
     app.add_option("--samples", o->samples, "random colours for the lookup's error")
         ->capture_default_str();
     app.add_flag("--json", o->json, "print the results as JSON");

@@ -187,6 +187,17 @@ Encoding require_encoding(std::string_view name) {
     refuse_name("gamut", name.substr(slash + 1), name_list(gamuts()));
 }
 
+EncodingNames names_of(const LookEncodings& encodings) {
+    const auto name = [](const std::optional<Encoding>& encoding) {
+        return encoding ? encoding->name() : std::string();
+    };
+    return {name(encodings.input), name(encodings.output)};
+}
+
+LookEncodings encodings_of(const EncodingNames& names) {
+    return {encoding_named(names.input), encoding_named(names.output)};
+}
+
 const Encoding& srgb() {
     static constexpr Encoding row{&curve::srgb, &gamut::rec709};
     return row;

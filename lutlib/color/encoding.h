@@ -3,6 +3,7 @@
 
 #include "lutlib/color/gamut.h"
 #include "lutlib/color/transfer_curve.h"
+#include "lutlib/lut.h"
 
 #include <algorithm>
 #include <limits>
@@ -35,6 +36,18 @@ struct Encoding {
 
     friend bool operator==(const Encoding&, const Encoding&) = default;
 };
+
+/// What a look takes and what it gives, as far as that is known.
+struct LookEncodings {
+    std::optional<Encoding> input, output;
+
+    friend bool operator==(const LookEncodings&, const LookEncodings&) = default;
+};
+
+/// As a Lut keeps them, which is as files do.
+EncodingNames names_of(const LookEncodings& encodings);
+/// Those of the names that encoding_named() knows.
+LookEncodings encodings_of(const EncodingNames& names);
 
 /// Every curve with its own gamut; sRGB first.
 std::span<const Encoding> encodings();

@@ -176,6 +176,7 @@ constexpr auto urp_sizes = [] {
     return out;
 }();
 
+constexpr std::string_view display_codes = "srgb";
 constexpr std::string_view display_encoded = "display-encoded (sRGB curve), after tone mapping";
 
 constexpr auto table = std::to_array<Engine>({
@@ -190,7 +191,9 @@ constexpr auto table = std::to_array<Engine>({
         .bits = only_8_bits,
         .srgb_tag = SrgbTag::absent,
         .colour_chunks = ColourChunks::ignored,
-        .input = "display-encoded (gamma 2.2), after the Uncharted 2 tone map",
+        .encoding = display_codes,
+        .input = "display-encoded (by the power 1/2.2, for an sRGB display), after the Uncharted 2 "
+                 "tone map",
         .import = "loaded as UNORM; no sRGB chunk, or the codes are decoded twice",
         .lookup_help = "eight texel fetches, trilinear",
         .source = "Piccolo, color_grading.frag and its six LUT pictures; stb_image",
@@ -210,6 +213,7 @@ constexpr auto table = std::to_array<Engine>({
         .bits = only_8_bits,
         .srgb_tag = SrgbTag::absent,
         .colour_chunks = ColourChunks::unknown,
+        .encoding = display_codes,
         .input = display_encoded,
         .import = "group ColorLookupTable, sRGB off, no mipmaps",
         .lookup_help = "two bilinear fetches blended on blue, x*15/16 + 0.5/16",
@@ -231,6 +235,7 @@ constexpr auto table = std::to_array<Engine>({
         .bits = only_8_bits,
         .srgb_tag = SrgbTag::absent,
         .colour_chunks = ColourChunks::converted,
+        .encoding = display_codes,
         .input = display_encoded,
         .import = "sRGB off, Ignore PNG Gamma on, no compression, clamp, no mipmaps; URP ignores a "
                   "strip whose height is not the LUT Size of the URP asset (32 unless it was "
@@ -256,6 +261,7 @@ constexpr auto table = std::to_array<Engine>({
         .bits = only_8_bits,
         .srgb_tag = SrgbTag::absent,
         .colour_chunks = ColourChunks::converted,
+        .encoding = display_codes,
         .input = display_encoded,
         .import = "as Texture3D, Slices Horizontal and Vertical the tiles of the picture each way "
                   "(8 and 8 of 64 nodes); Compress Mode Lossless, Mipmaps off (the defaults are "
@@ -279,6 +285,7 @@ constexpr auto table = std::to_array<Engine>({
         .bits = only_8_bits,
         .srgb_tag = SrgbTag::absent,
         .colour_chunks = ColourChunks::ignored,
+        .encoding = display_codes,
         .input = display_encoded,
         .import = "any PNG; the shader's tile size and amount must match",
         .lookup_help = "two bilinear fetches blended on blue",
@@ -300,6 +307,7 @@ constexpr auto table = std::to_array<Engine>({
         .bits = only_8_bits,
         .srgb_tag = SrgbTag::absent,
         .colour_chunks = ColourChunks::ignored,
+        .encoding = display_codes,
         .input = display_encoded,
         .import = "512x512 PNG of the Apply LUT filter",
         .lookup_help = "one trilinear fetch of a 3D texture",
@@ -320,6 +328,7 @@ constexpr auto table = std::to_array<Engine>({
         .bits = only_8_bits,
         .srgb_tag = SrgbTag::absent,
         .colour_chunks = ColourChunks::converted,
+        .encoding = display_codes,
         .input = display_encoded,
         .import = "LUTImageLoader with flip left false; LUTPass behind OutputPass; a browser "
                   "converts by gAMA, cHRM and iCCP",
@@ -341,7 +350,8 @@ constexpr auto table = std::to_array<Engine>({
         .bits = any_bits,
         .srgb_tag = SrgbTag::absent,
         .colour_chunks = ColourChunks::unknown,
-        .input = display_encoded,
+        .encoding = {},
+        .input = "the codes of the picture or film that the program is given",
         .import = "level sqrt(N); 16 bits where the program reads them",
         .lookup_help = "four nodes, tetrahedral",
         .source = "ffmpeg, vf_lut3d.c",
@@ -361,6 +371,7 @@ constexpr auto table = std::to_array<Engine>({
         .bits = any_bits,
         .srgb_tag = SrgbTag::absent,
         .colour_chunks = ColourChunks::ignored,
+        .encoding = {},
         .input = "the LUT's own",
         .import = "ociolutimage --extract reads it back",
         .lookup_help = "four nodes, tetrahedral",
@@ -380,6 +391,20 @@ std::span<const Engine> engines() {
 
 const Engine* engine_named(std::string_view name) {
     return find_named(table, name, Letters::any_case);
+}
+
+std::string_view encoding_fed_through(const Layout& layout) {
+    const Engine* first = nullptr;
+    for (const Engine& engine : table) {
+        if (engine.layout != layout.name) {
+            continue;
+        }
+        if (first && first->encoding != engine.encoding) {
+            return {};
+        }
+        first = first ? first : &engine;
+    }
+    return first ? first->encoding : std::string_view{};
 }
 
 LatticeReader reader_of(const Engine& engine, int size) {

@@ -32,7 +32,10 @@ struct Engine {
     std::span<const int> bits; ///< sample depths the engine accepts
     SrgbTag srgb_tag;
     ColourChunks colour_chunks;
-    std::string_view input;  ///< how the colour must be encoded before the lookup
+    /// What the code values are that the lookup gets and gives, as of encoding_named(): those of
+    /// the display that they go to. Empty: the engine hands on what the look is made for.
+    std::string_view encoding;
+    std::string_view input;  ///< the same in words, and where the lookup stands
     std::string_view import; ///< settings that the engine's importer needs
     std::string_view lookup_help;
     std::string_view source; ///< where the contract and the lookup are documented
@@ -52,6 +55,10 @@ struct Engine {
 std::span<const Engine> engines();
 /// In letters of any case. Null when there is none.
 const Engine* engine_named(std::string_view name);
+
+/// What the engines that read this layout all feed their lookup; empty where they differ, or take
+/// what the look is made for.
+std::string_view encoding_fed_through(const Layout& layout);
 
 /// How the engine reads a lattice of `size`.
 LatticeReader reader_of(const Engine& engine, int size);

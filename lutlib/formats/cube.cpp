@@ -2,6 +2,7 @@
 
 #include "lutlib/error.h"
 #include "lutlib/formats/decimal.h"
+#include "lutlib/formats/encoding_comment.h"
 #include "lutlib/formats/integer_codes.h"
 #include "lutlib/formats/mistaken.h"
 #include "lutlib/limits.h"
@@ -112,7 +113,7 @@ class CubeReader {
         if (lut_.title.empty() && comment.substr(0, quoted_title.size()) == quoted_title &&
             comment.size() <= limits::max_title_bytes) {
             read_title(comment.substr(title_keyword.size()));
-        } else {
+        } else if (!take_encoding(comment, lut_.encodings)) {
             lut_.comments.emplace_back(comment);
         }
     }

@@ -14,6 +14,11 @@
 //           | other [text]                       kept, written back and not acted on
 //   row     = number number number               blanks between; a decimal comma is read
 //
+// Two comments say what the code values are, before the look and after it (encoding_comment.h):
+//
+//   # Input encoding: slog3/sgamut3.cine
+//   # Output encoding: gamma24/rec709
+//
 // Keywords are read in any case. They may stand anywhere, but sizes before the first row, and
 // unknown ones not among the rows, where they are taken for damaged rows. The rows are the 1D
 // table's, if there is one, then the 3D table's, red fastest. With both tables the 1D table shapes

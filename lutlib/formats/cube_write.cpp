@@ -1,6 +1,7 @@
 #include "lutlib/error.h"
 #include "lutlib/formats/all.h"
 #include "lutlib/formats/cube.h"
+#include "lutlib/formats/encoding_comment.h"
 #include "lutlib/limits.h"
 #include "lutlib/number_text.h"
 #include "lutlib/text.h"
@@ -65,6 +66,9 @@ void append_head(std::string& out, const Lut& lut, CubeDialect dialect,
     if (!title.empty()) {
         out += dialect == CubeDialect::resolve ? "# " : "";
         out += "TITLE \"" + title + "\"\n";
+    }
+    for (const std::string& comment : encoding_comments(lut.encodings)) {
+        out += "# " + one_line(comment) + '\n';
     }
     for (const std::string& comment : lut.comments) {
         out += "# " + one_line(comment) + '\n';
@@ -144,7 +148,8 @@ constinit const FileFormat formats::cube{
               .cube_domain = true,
               .per_channel_domain = true,
               .title = true,
-              .keywords = true},
+              .keywords = true,
+              .encodings = true},
     .recognise = recognise,
     .read = read,
     .read_broken = read_broken_cube,
@@ -164,7 +169,8 @@ constinit const FileFormat formats::cube_resolve{
               .curve_domain = true,
               .cube_domain = true,
               .title = true,
-              .keywords = true},
+              .keywords = true,
+              .encodings = true},
     .recognise = recognise_resolve,
     .read = read,
     .read_broken = read_broken_cube,

@@ -27,26 +27,34 @@ std::string domain_text(const Domain& domain) {
     return r == g && g == b ? r : r + ", " + g + ", " + b;
 }
 
-double reachable_share(const Domain& domain) {
-    double share = 1;
+Reach reach_of(const Domain& domain, const Placement& placement) {
+    Reach out{domain, placement.fed()};
+    const Transform before =
+        placement.before ? conversion(*placement.before, *placement.adaptation) : Transform{};
+    constexpr int lattice = 33;
+    const std::vector<Rgb> inputs = identity_cube(lattice).nodes;
+    const std::vector<RgbD> codes =
+        placement.before ? images_of(before, inputs) : std::vector<RgbD>{};
     for (std::size_t c = 0; c < 3; ++c) {
-        const double low = std::max(0.0, static_cast<double>(domain.min[c]));
-        const double high = std::min(1.0, static_cast<double>(domain.max[c]));
-        const double width =
-            static_cast<double>(domain.max[c]) - static_cast<double>(domain.min[c]);
-        share = std::min(share, std::max(0.0, high - low) / width);
+        const double low = domain.min[c], high = domain.max[c];
+        const double fed_low = std::clamp<double>(out.fed.min[c], low, high);
+        const double fed_high = std::clamp<double>(out.fed.max[c], low, high);
+        out.reached = std::min(out.reached, (fed_high - fed_low) / (high - low));
+        const double outside =
+            placement.before
+                ? static_cast<double>(std::count_if(
+                      codes.begin(), codes.end(),
+                      [&](const RgbD& code) { return code[c] < low || code[c] > high; })) /
+                      static_cast<double>(codes.size())
+                : 1 - (fed_high - fed_low);
+        out.clamped = std::max(out.clamped, outside);
     }
-    return share;
+    return out;
 }
 
-double clamped_share(const Domain& domain) {
-    double share = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-        const double low = std::clamp(static_cast<double>(domain.min[c]), 0.0, 1.0);
-        const double high = std::clamp(static_cast<double>(domain.max[c]), 0.0, 1.0);
-        share = std::max(share, 1 - (high - low));
-    }
-    return share;
+LookPlace place_in(const Engine& engine, const LookEncodings& look, bool convert) {
+    const std::optional<Encoding> codes = encoding_named(engine.encoding);
+    return {look, codes, codes, convert};
 }
 
 LookupError measure_bake(const Bake& bake, const Transform& look) {
@@ -56,13 +64,16 @@ LookupError measure_bake(const Bake& bake, const Transform& look) {
 }
 
 std::string bake_report(const std::string& input, const std::string& output, const Bake& bake,
-                        const Domain& domain, const LookupError& error) {
+                        const Domain& domain, const LookPlace& place, const LookupError& error) {
     const Engine& engine = *bake.engine;
     std::string out = fmt::format(
         "{} -> {}\n  {}x{} pixels, {} nodes per axis, {} bits, layout {}, {} sRGB tag: {}\n", input,
         output, bake.picture.width, bake.picture.height, bake.size, bake.picture.depth.bits,
         engine.layout, engine.srgb_tag == SrgbTag::present ? "with" : "no", engine.label);
     out += fmt::format("  input: {}\n  import: {}\n", engine.input, engine.import);
+    if (const std::string encodings = sentence_of(place, engine.name); !encodings.empty()) {
+        out += "  encodings: " + encodings + '\n';
+    }
     const auto values = static_cast<std::size_t>(bake.size) * static_cast<std::size_t>(bake.size) *
                         static_cast<std::size_t>(bake.size) * 3;
     if (bake.loss.clamped_values > 0) {
@@ -70,15 +81,17 @@ std::string bake_report(const std::string& input, const std::string& output, con
                            "at most\n",
                            bake.loss.clamped_values, values, bake.loss.most_clamped);
     }
-    if (reachable_share(domain) < 1) {
-        out += fmt::format("  lost: the engine reaches {:.3g} % of the look's input domain "
-                           "({}); it feeds 0..1\n",
-                           100 * reachable_share(domain), domain_text(domain));
+    const Reach reach = reach_of(domain, place.applied());
+    if (reach.reached < 1) {
+        out +=
+            fmt::format("  lost: the engine reaches {:.3g} % of the look's input domain ({}); it "
+                        "feeds {}\n",
+                        100 * reach.reached, domain_text(domain), domain_text(reach.fed));
     }
-    if (clamped_share(domain) > 0) {
+    if (reach.clamped > 0) {
         out += fmt::format("  lost: {:.3g} % of the engine's inputs lie outside the look's domain "
                            "({}) and are clamped to it\n",
-                           100 * clamped_share(domain), domain_text(domain));
+                           100 * reach.clamped, domain_text(domain));
     }
     if (bake.loss.max_rounding > 0) {
         out +=

@@ -172,6 +172,20 @@ void report_keywords(const Lut& lut, const Holds& holds, std::vector<Loss>& loss
                       static_cast<double>(lut.keywords.size()), "lines"});
 }
 
+void report_encodings(const Lut& lut, const Holds& holds, std::vector<Loss>& losses) {
+    const EncodingNames& known = lut.encodings;
+    if (holds.encodings || !known.any()) {
+        return;
+    }
+    const std::string said = (known.input.empty() ? "" : "input " + known.input) +
+                             (known.input.empty() || known.output.empty() ? "" : ", ") +
+                             (known.output.empty() ? "" : "output " + known.output);
+    losses.push_back({"encodings not written, say them with --look-input and --look-output when "
+                      "the file is used (" +
+                          said + ")",
+                      known.input.empty() || known.output.empty() ? 1.0 : 2.0, "names"});
+}
+
 // Formats that name one know trilinear and tetrahedral.
 void report_interpolation(const Holds& holds, FitToFormat& fit) {
     const std::optional<Interpolation> asked = fit.lut.interpolation;
@@ -311,6 +325,7 @@ FitToFormat fit_to(const Lut& lut, const Holds& holds, int cube_size) {
     report_interpolation(holds, fit);
     report_precision(fit.lut, holds, fit.losses);
     report_keywords(fit.lut, holds, fit.losses);
+    report_encodings(fit.lut, holds, fit.losses);
     return fit;
 }
 

@@ -40,9 +40,19 @@ LookTable baked(const Recipe& recipe) {
     return out;
 }
 
-// What was guessed of a picture's layout, then of a table's codes.
+// What was guessed of a picture's layout, then of a table's codes; names of encodings that nobody
+// knows here.
 std::vector<std::string> remarks_of(std::vector<std::string> remarks, const Lut& lut) {
     remarks.insert(remarks.end(), lut.notes.begin(), lut.notes.end());
+    for (const auto& [side, name] :
+         {std::pair("input", &lut.encodings.input), std::pair("output", &lut.encodings.output)}) {
+        if (!name->empty() && !encoding_named(*name)) {
+            remarks.push_back(fmt::format(
+                "its {0} encoding '{1}' is none that 'lutconv encodings' lists; name it with "
+                "--look-{0}",
+                side, *name));
+        }
+    }
     return remarks;
 }
 
@@ -111,6 +121,13 @@ void Look::read_recipe() {
                             {.layout = options_.layout, .engine = options_.engine});
     files_.push_back({base.lut.provenance, base.all_losses(), base.lut.keywords,
                       remarks_of(base.remarks, base.lut)});
+    const auto given = encoding_named(base.lut.encodings.output);
+    if (given && *given != recipe_->input) {
+        files_.front().remarks.push_back(
+            fmt::format("its operators work on {}, and its base gives {}; nothing converts between "
+                        "them",
+                        recipe_->input.name(), given->name()));
+    }
     recipe_->base_lut = std::make_shared<const Lut>(std::move(base.lut));
 }
 
@@ -125,6 +142,10 @@ void Look::read_table(const LookOptions& options) {
     files_ = {{name_, std::move(reading.losses), reading.lut.keywords,
                remarks_of(reading.remarks, reading.lut)}};
     table_losses_ = std::move(reading.table_losses);
+    const EncodingNames said = names_of(options.encodings);
+    EncodingNames& names = reading.lut.encodings;
+    names = {said.input.empty() ? names.input : said.input,
+             said.output.empty() ? names.output : said.output};
     lut_ = std::make_shared<const Lut>(std::move(reading.lut));
 }
 
@@ -143,6 +164,13 @@ Domain Look::domain() const {
 std::optional<Domain> Look::clamps_to() const {
     const Lut* const table = recipe_ ? recipe_->base_lut.get() : is_table() ? lut_.get() : nullptr;
     return table ? std::optional(table->domain()) : std::nullopt;
+}
+
+LookEncodings Look::encodings() const {
+    LookEncodings out = recipe_ ? encodings_of(*recipe_) : lutlib::encodings_of(lut_->encodings);
+    out.input = options_.encodings.input ? options_.encodings.input : out.input;
+    out.output = options_.encodings.output ? options_.encodings.output : out.output;
+    return out;
 }
 
 Recipe Look::as_recipe() const {

@@ -20,6 +20,7 @@ struct LookOptions {
     /// The engine that a picture was made for, where its content does not tell.
     const Engine* engine = nullptr;
     std::optional<Interpolation> interpolation = {}; ///< in place of what the look asks for
+    LookEncodings encodings = {};                    ///< in place of what the look says
 };
 
 /// As what a look was recognised.
@@ -82,6 +83,9 @@ class Look {
     Domain domain() const;
     /// The inputs to which it clamps others; none where it clamps none.
     std::optional<Domain> clamps_to() const;
+
+    /// What its code values are, as far as the options, the recipe or the file say.
+    LookEncodings encodings() const;
 
     /// Null unless it is one; its base has been read.
     const Recipe* recipe() const { return recipe_ ? &*recipe_ : nullptr; }

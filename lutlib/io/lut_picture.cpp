@@ -7,6 +7,32 @@
 #include <cmath>
 
 namespace lutlib::io {
+namespace {
+
+constexpr const char *input_key = "Input encoding", *output_key = "Output encoding",
+                     *look_input_key = "Look input", *look_output_key = "Look output";
+
+void append_known(PngImage& image, const char* key, const std::string& name) {
+    if (!name.empty()) {
+        image.text.emplace_back(key, name);
+    }
+}
+
+} // namespace
+
+void append_encodings(PngImage& image, const EncodingNames& names) {
+    append_known(image, input_key, names.input);
+    append_known(image, output_key, names.output);
+}
+
+EncodingNames encodings_of(const PngImage& image) {
+    return {text_entry(image, input_key).value_or(""), text_entry(image, output_key).value_or("")};
+}
+
+EncodingNames look_encodings_of(const PngImage& image) {
+    return {text_entry(image, look_input_key).value_or(""),
+            text_entry(image, look_output_key).value_or("")};
+}
 
 std::string picture_bytes(const Bake& bake, const BakeOrigin& origin) {
     PngImage image;
@@ -18,6 +44,9 @@ std::string picture_bytes(const Bake& bake, const BakeOrigin& origin) {
                   {"Interpolation", std::string(origin.interpolation)},
                   {"Lattice", origin.fitted ? "fitted" : "point-sampled"},
                   {"Software", "lutconv"}};
+    append_encodings(image, origin.encodings);
+    append_known(image, look_input_key, origin.look.input);
+    append_known(image, look_output_key, origin.look.output);
     return write_png(image);
 }
 
@@ -51,7 +80,8 @@ LutPicture read_lut_picture(std::string_view bytes, const std::string& file) {
                 .bits = image.depth.bits,
                 .alpha = image.channels == 4,
                 .title = text_entry(image, "Title").value_or(""),
-                .engine = engine_named(text_entry(image, "Engine").value_or(""))};
+                .engine = engine_named(text_entry(image, "Engine").value_or("")),
+                .encodings = encodings_of(image)};
     }
     const FloatImage image = decode_image(bytes, extension_of(file), file);
     LutPicture out;

@@ -17,12 +17,21 @@ struct BakeOrigin {
     std::string source;
     std::string title;
     std::string_view interpolation;
-    bool fitted = false; ///< to the engine's lookup, rather than sampled at the nodes
+    bool fitted = false;       ///< to the engine's lookup, rather than sampled at the nodes
+    EncodingNames encodings{}; ///< of the picture's codes
+    EncodingNames look{};      ///< of the look, where the bake converts
 };
 
 /// The file's bytes, with the engine's sRGB tag and text entries Source, Title, Engine,
-/// Interpolation, Lattice ("fitted" or "point-sampled") and Software.
+/// Interpolation, Lattice ("fitted" or "point-sampled"), Software, "Input encoding" and "Output
+/// encoding" of the picture, and "Look input" and "Look output": those encodings that are known.
 std::string picture_bytes(const Bake& bake, const BakeOrigin& origin);
+
+/// Text entries "Input encoding" and "Output encoding", where they are known.
+void append_encodings(PngImage& image, const EncodingNames& names);
+/// What a picture's entries say of its own encodings, and of the look's before a bake converted it.
+EncodingNames encodings_of(const PngImage& image);
+EncodingNames look_encodings_of(const PngImage& image);
 
 /// The RGB codes of a PNG, alpha left out.
 CodeImage code_picture(const PngImage& image);
@@ -37,6 +46,7 @@ struct LutPicture {
     bool alpha = false; ///< the file has one, which is left out
     std::string title;
     const Engine* engine = nullptr; ///< the one that its text names
+    EncodingNames encodings{};      ///< that its text names
 };
 
 /// PNG by itself, every other type through OpenImageIO. Throws Error.

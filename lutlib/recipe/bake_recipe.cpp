@@ -96,6 +96,7 @@ Lut bake_recipe(const Recipe& recipe) {
             whole, Transform::of(behind_table));
     }
     out.title = recipe.title;
+    out.encodings = names_of(encodings_of(recipe));
     return out;
 }
 

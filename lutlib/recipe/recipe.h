@@ -63,6 +63,10 @@ struct Recipe {
     Encoding output_encoding() const { return output.value_or(input); }
 };
 
+/// What the whole look takes and gives: a base's encodings are what its file says, and a result
+/// that keeps the encoding of an unknown base is unknown.
+LookEncodings encodings_of(const Recipe& recipe);
+
 /// Throws Error with the file, the line for broken JSON, else the JSON path, for anything unknown,
 /// of a wrong kind or out of range. `base` is only named: the caller reads it into base_lut.
 Recipe parse_recipe(std::string_view json, const std::string& file);

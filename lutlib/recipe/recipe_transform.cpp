@@ -80,6 +80,21 @@ std::vector<Transform> stages_of(const Recipe& recipe) {
 
 } // namespace
 
+LookEncodings encodings_of(const Recipe& recipe) {
+    if (!recipe.base_lut) {
+        return {recipe.input, recipe.output_encoding()};
+    }
+    LookEncodings out;
+    out.input = encoding_named(recipe.base_lut->encodings.input);
+    // sRGB is the default, and says nothing of what the base gives.
+    const bool stated = recipe.output || recipe.input != srgb() ||
+                        encoding_named(recipe.base_lut->encodings.output) == recipe.input;
+    if (stated) {
+        out.output = recipe.output_encoding();
+    }
+    return out;
+}
+
 Transform Transform::of(const Recipe& recipe) {
     if (!recipe.base.empty() && !recipe.base_lut) {
         throw Error("the recipe's base '" + recipe.base + "' has not been read");

@@ -105,11 +105,10 @@ Transform composition(const std::vector<const Lut*>& looks, const ResamplingMeth
     return in_sequence(steps_of(looks, method));
 }
 
-Lut compose(const std::vector<const Lut*>& looks, const Sampling& sampling,
-            const ResamplingMethod& method) {
-    if (looks.empty()) {
-        throw Error("there is nothing to compose");
-    }
+namespace {
+
+Lut composed(const std::vector<const Lut*>& looks, const Sampling& sampling,
+             const ResamplingMethod& method) {
     if (make_curve(looks, sampling)) {
         return curve_of(looks, composition(looks, method), looks.front()->domain(), sampling);
     }
@@ -123,6 +122,18 @@ Lut compose(const std::vector<const Lut*>& looks, const Sampling& sampling,
     after.front() = &first_cube;
     return sample_like(*looks.front(), chosen, composition(looks, method),
                        composition(after, method));
+}
+
+} // namespace
+
+Lut compose(const std::vector<const Lut*>& looks, const Sampling& sampling,
+            const ResamplingMethod& method) {
+    if (looks.empty()) {
+        throw Error("there is nothing to compose");
+    }
+    Lut out = composed(looks, sampling, method);
+    out.encodings = {looks.front()->encodings.input, looks.back()->encodings.output};
+    return out;
 }
 
 double clamped_share(const std::vector<const Lut*>& looks, const ResamplingMethod& method) {
@@ -159,8 +170,10 @@ Transform mixture(const Lut& a, const Lut& b, double amount, const ResamplingMet
     });
 }
 
-Lut blend(const Lut& a, const Lut& b, double amount, const Sampling& sampling,
-          const ResamplingMethod& method) {
+namespace {
+
+Lut blended(const Lut& a, const Lut& b, double amount, const Sampling& sampling,
+            const ResamplingMethod& method) {
     const Domain both = united(a.domain(), b.domain());
     if (make_curve({&a, &b}, sampling)) {
         return curve_of({&a, &b}, mixture(a, b, amount, method), both, sampling);
@@ -196,6 +209,19 @@ Lut blend(const Lut& a, const Lut& b, double amount, const Sampling& sampling,
     cube_b.interpolation = b.interpolation;
     return sample_like(like, chosen, mixture(a, b, amount, method),
                        mixture(cube_a, cube_b, amount, method));
+}
+
+} // namespace
+
+Lut blend(const Lut& a, const Lut& b, double amount, const Sampling& sampling,
+          const ResamplingMethod& method) {
+    Lut out = blended(a, b, amount, sampling, method);
+    const auto shared = [](const std::string& x, const std::string& y) {
+        return x == y ? x : std::string();
+    };
+    out.encodings = {shared(a.encodings.input, b.encodings.input),
+                     shared(a.encodings.output, b.encodings.output)};
+    return out;
 }
 
 } // namespace lutlib

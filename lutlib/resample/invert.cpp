@@ -149,11 +149,16 @@ std::string inverse_title(const Lut& lut) {
     return lut.title.empty() ? "" : "Inverse of " + lut.title;
 }
 
+EncodingNames inverse_encodings(const Lut& lut) {
+    return {lut.encodings.output, lut.encodings.input};
+}
+
 Inversion inverse_table(const Lut& lut, const InvertOptions& options) {
     CurveInversion inverse = invert_curve(*lut.shaper, {options.size, options.domain});
     Inversion out;
     out.lut.shaper = std::move(inverse.curve);
     out.lut.title = inverse_title(lut);
+    out.lut.encodings = inverse_encodings(lut);
     out.curve = inverse.channels;
     return out;
 }
@@ -228,6 +233,7 @@ Inversion invert(const Lut& lut, const InvertOptions& options) {
     }
     out.lut.cube = std::move(inverse);
     out.lut.title = inverse_title(lut);
+    out.lut.encodings = inverse_encodings(lut);
     return out;
 }
 

@@ -77,6 +77,7 @@ Lut sample_like(const Lut& like, const Sampling& sampling, const Transform& whol
                                                                  : "none";
     Lut out;
     out.title = like.title;
+    out.encodings = like.encodings;
     if (shaper == "none") {
         out.cube = sample_cube(whole, domain, size);
     } else if (shaper == "base") {
@@ -101,6 +102,7 @@ Lut resample(const Lut& lut, const Sampling& sampling, const ResamplingMethod& m
     if (make_curve({&lut}, sampling)) {
         Lut out;
         out.title = lut.title;
+        out.encodings = lut.encodings;
         const Domain domain = sampling.domain.value_or(lut.domain());
         const int size = sampling.size.value_or(lut.shaper->size());
         const bool same = domain == lut.domain() && size == lut.shaper->size();

@@ -1,6 +1,7 @@
 #include "preview/cli/modes.h"
 
 #include "lutlib/error.h"
+#include "preview/cli/look_options.h"
 #include "preview/cli/picture_file.h"
 #include "preview/frame/shown.h"
 #include "preview/look/gpu_look.h"
@@ -14,28 +15,26 @@ namespace preview {
 
 namespace {
 
-/// The lookup that the options name; null: the look's own.
-const GpuLookup* lookup_of(const Options& options) {
-    const GpuLookup* const lookup =
-        options.engine.empty() ? nullptr : gpu_lookup_named(options.engine);
-    if (lookup == nullptr && !options.engine.empty())
-        throw lutlib::UsageError("no lookup is named '" + options.engine + "'; --list names them");
-    return lookup;
-}
-
 std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& path,
-                                 const Options& options, std::string& notes, const char* side) {
-    const LoadedLook look = load_look(path, lookup_of(options));
+                                 const LookUse& use, bool force, std::string& notes,
+                                 const char* side) {
+    const LoadedLook look = load_look(path, use);
+    const std::string name = "look " + std::string(side) + ": ";
     for (const std::string& line : look.told) {
         std::fprintf(stderr, "lutpreview: %s: %s\n", path.c_str(), line.c_str());
-        notes += "look " + std::string(side) + ": " + line + "\n";
+        notes += name + line + "\n";
     }
-    if (!look.note.empty())
-        notes += "look " + std::string(side) + ": " + look.note + "\n";
-    if (look.skip_reason.empty() || (options.frame.force_all && path != "none" && !path.empty()))
+    for (const std::string& line : {look.encodings, look.note}) {
+        if (!line.empty() && (look.told.empty() || look.told.back() != line)) {
+            notes += name + line + "\n";
+        }
+    }
+    if (look.skip_reason.empty() || (force && path != "none" && !path.empty())) {
         return std::optional<GpuLook>(std::in_place, device, look.data);
-    if (path != "none" && !path.empty())
-        notes += "left out  look " + std::string(side) + ": " + look.skip_reason + "\n";
+    }
+    if (path != "none" && !path.empty()) {
+        notes += "left out  " + name + look.skip_reason + "\n";
+    }
     return std::nullopt;
 }
 
@@ -75,8 +74,9 @@ Rendering::Rendering(const Options& options)
         settings.orbit = orbit_of(options, *shown->scene);
     settings.raster = options.raster->on(device, picture_size(settings.output, *settings.compare));
     settings.keep_hdr = holds_light(options.output);
-    look_a = load_side(device, options.look_a, options, notes, "A");
-    look_b = load_side(device, options.look_b, options, notes, "B");
+    const bool force = options.frame.force_all;
+    look_a = load_side(device, options.look_a, use_a(options), force, notes, "A");
+    look_b = load_side(device, options.look_b, use_b(options), force, notes, "B");
 }
 
 FrameInputs Rendering::inputs() const {
@@ -136,8 +136,8 @@ void print_list() {
 void render_cube(const Options& options) {
     if (options.output.empty())
         throw lutlib::UsageError("--cube-view needs -o FILE");
-    const LoadedLook look =
-        load_look(options.cube_view == "a" ? options.look_a : options.look_b, lookup_of(options));
+    const LoadedLook look = options.cube_view == "a" ? load_look(options.look_a, use_a(options))
+                                                     : load_look(options.look_b, use_b(options));
     Rendered out;
     out.size = settings_of(options, {}).output;
     CubeDrawing drawing;

@@ -1,4 +1,5 @@
 #include "lutlib/io/look.h"
+#include "preview/cli/look_options.h"
 #include "preview/cli/modes.h"
 #include "preview/editor/commands.h"
 #include "preview/frame/shown.h"
@@ -10,11 +11,12 @@ namespace preview {
 namespace {
 
 void open_looks(editor::State& state, const Options& options) {
+    const lutlib::io::LookOptions said{.encodings = use_b(options).encodings};
     const std::string& on_recipe = options.look_b.empty() ? options.look_a : options.look_b;
     if (on_recipe != "none")
-        editor::open_look(state, lutlib::io::Look::open(on_recipe));
+        editor::open_look(state, lutlib::io::Look::open(on_recipe, said));
     if (!options.look_b.empty() && options.look_a != "none")
-        editor::open_side(state.sides[0], lutlib::io::Look::open(options.look_a));
+        editor::open_side(state.sides[0], lutlib::io::Look::open(options.look_a, said));
 }
 
 editor::State opening_state(const Options& options, const FrameSettings& given,
@@ -34,10 +36,13 @@ editor::State opening_state(const Options& options, const FrameSettings& given,
     state.lights = lights_of(options, shown->scene);
     if (shown->scene)
         state.orbit = orbit_of(options, *shown->scene);
-    for (const GpuLookup* row : editor::engine_lookups())
-        if (row->name == options.engine)
-            for (editor::Side& side : state.sides)
-                side.engine = row;
+    for (std::size_t i = 0; i < state.sides.size(); ++i) {
+        const GpuLookup* const lookup = lookup_of(i == 0 ? options.engine_a : options.engine_b);
+        if (lookup != nullptr && lookup->engine != nullptr) {
+            state.sides[i].engine = lookup;
+        }
+    }
+    state.convert = !options.no_convert;
     open_looks(state, options);
     return state;
 }

@@ -56,16 +56,21 @@ void save_recipe(State& state, const std::string& path) {
 
 std::string export_strip(const State& state, const Side& side, const std::string& path) {
     const lutlib::Engine& engine = *side.engine->engine;
-    const lutlib::Transform look = lutlib::Transform::of(state.recipe);
+    const lutlib::LookPlace place = io::place_in(engine, encodings_of(state.recipe), state.convert);
+    const lutlib::Transform look = place.applied().around(lutlib::Transform::of(state.recipe));
     const lutlib::Bake baked =
         lutlib::bake(look, engine, side.size > 0 ? side.size : engine.default_size,
                      side.bits > 0 ? side.bits : engine.default_bits);
-    io::write_file(
-        path, io::picture_bytes(baked, {source_name(state), state.recipe.title, "tetrahedral"}));
+    io::write_file(path, io::picture_bytes(baked, {.source = source_name(state),
+                                                   .title = state.recipe.title,
+                                                   .interpolation = "tetrahedral",
+                                                   .encodings = names_of(place.shown()),
+                                                   .look = names_of(place.look)}));
     const lutlib::Domain usual =
         state.recipe.base_lut ? state.recipe.base_lut->domain() : lutlib::Domain{};
     return io::bake_report(source_name(state), path, baked,
-                           state.recipe.bake.domain.value_or(usual), io::measure_bake(baked, look));
+                           state.recipe.bake.domain.value_or(usual), place,
+                           io::measure_bake(baked, look));
 }
 
 std::string export_lut(const State& state, const std::string& path) {

@@ -1,6 +1,8 @@
 #include "preview/editor/look_baker.h"
 
 #include "lutlib/bake/bake.h"
+#include "lutlib/io/bake_report.h"
+#include "preview/look/look_file.h"
 #include "preview/look/recipe_table.h"
 
 #include <algorithm>
@@ -27,31 +29,53 @@ const GpuLookup& float_table() {
     return row;
 }
 
+lutlib::Placement placement_of(const lutlib::LookEncodings& look, bool convert) {
+    return place_of(look, {.convert = convert}).applied();
+}
+
+LoadedLook table_look(const std::shared_ptr<const lutlib::Lut>& lut, bool convert) {
+    const lutlib::Placement placement = placement_of(lutlib::encodings_of(lut->encodings), convert);
+    return placement.converts()
+               ? look_for(quick_table(placement.around(lutlib::Transform::of(lut))), float_table())
+               : look_for(lut, table_lookup(*lut));
+}
+
 } // namespace
 
 bool same(const LookRequest& a, const LookRequest& b) {
-    return values_of(a.recipe) == values_of(b.recipe) && a.sides == b.sides;
+    return values_of(a.recipe) == values_of(b.recipe) && a.sides == b.sides &&
+           a.convert == b.convert;
 }
 
-LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side) {
+LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side, bool convert) {
     switch (side.source) {
     case SideSource::none:
         break;
     case SideSource::source:
-        if (recipe.base_lut)
-            return look_for(recipe.base_lut, table_lookup(*recipe.base_lut));
+        if (recipe.base_lut) {
+            return table_look(recipe.base_lut, convert);
+        }
         break;
     case SideSource::file:
-        if (side.lut)
-            return look_for(side.lut, table_lookup(*side.lut));
+        if (side.lut) {
+            return table_look(side.lut, convert);
+        }
         break;
-    case SideSource::recipe:
-        return look_for(std::make_shared<const lutlib::Lut>(quick_table(recipe)), float_table());
+    case SideSource::recipe: {
+        const lutlib::Placement placement = placement_of(encodings_of(recipe), convert);
+        return look_for(placement.converts()
+                            ? quick_table(placement.around(lutlib::Transform::of(recipe)))
+                            : quick_table(recipe),
+                        float_table());
+    }
     case SideSource::baked: {
         const lutlib::Engine& engine = *side.engine->engine;
-        const lutlib::Bake baked = lutlib::bake(lutlib::Transform::of(recipe), engine,
-                                                side.size > 0 ? side.size : engine.default_size,
-                                                side.bits > 0 ? side.bits : engine.default_bits);
+        const lutlib::Placement placement =
+            lutlib::io::place_in(engine, encodings_of(recipe), convert).applied();
+        const lutlib::Bake baked =
+            lutlib::bake(placement.around(lutlib::Transform::of(recipe)), engine,
+                         side.size > 0 ? side.size : engine.default_size,
+                         side.bits > 0 ? side.bits : engine.default_bits);
         return {look_data(baked.picture, baked.size, *side.engine), {}, {}, table_of(baked)};
     }
     }
@@ -105,10 +129,15 @@ void LookBaker::publish(BakedLooks baked, bool is_last) {
 }
 
 void LookBaker::refine(const LookRequest& request, BakedLooks baked) {
+    const auto stop = [this] { return is_outdated(); };
+    const lutlib::Placement placement = placement_of(encodings_of(request.recipe), request.convert);
     const std::optional<RecipeTable> table =
-        measured_table(request.recipe, [this] { return is_outdated(); });
-    if (!table)
+        placement.converts()
+            ? measured_table(placement.around(lutlib::Transform::of(request.recipe)), stop)
+            : measured_table(request.recipe, stop);
+    if (!table) {
         return;
+    }
     for (std::size_t i = 0; i < baked.sides.size(); ++i)
         if (shows_recipe(request.sides[i]))
             baked.sides[i] = measured_look(*table, float_table());
@@ -129,7 +158,7 @@ void LookBaker::run() {
         const auto start = std::chrono::steady_clock::now();
         try {
             for (std::size_t i = 0; i < 2; ++i)
-                baked.sides[i] = look_of(request.recipe, request.sides[i]);
+                baked.sides[i] = look_of(request.recipe, request.sides[i], request.convert);
         } catch (const std::exception& error) {
             baked.error = error.what();
         }

@@ -20,6 +20,7 @@ struct LoadedLook {
     std::shared_ptr<const lutlib::Lut> table;
     /// What the reading of its file lost, guessed or did not act on, a line each.
     std::vector<std::string> told{};
+    std::string encodings{}; ///< what of its encodings is known and follows, a sentence
 };
 
 /// The lattice that a baked picture holds, of values as its engine's sampler sees them.

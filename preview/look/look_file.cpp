@@ -32,9 +32,16 @@ const GpuLookup& usual_lookup(const lutlib::io::Look& look, const lutlib::Lut& t
     return table_lookup(table);
 }
 
-} // namespace
+/// A look with its conversions, which no table of a file is.
+LoadedLook placed_look(const lutlib::Transform& exact, const GpuLookup* wanted) {
+    if (wanted == nullptr || wanted->source == GpuLookup::Source::table) {
+        return measured_look(*measured_table(exact),
+                             wanted ? *wanted : *gpu_lookup_named("tetrahedral"));
+    }
+    return look_for(std::make_shared<const lutlib::Lut>(quick_table(exact)), exact, *wanted);
+}
 
-LoadedLook look_for(const lutlib::io::Look& look, const GpuLookup* wanted) {
+LoadedLook own_look(const lutlib::io::Look& look, const GpuLookup* wanted) {
     if (look.recipe() && (wanted == nullptr || wanted->source == GpuLookup::Source::table)) {
         return measured_look(*measured_table(*look.recipe()),
                              wanted ? *wanted : *gpu_lookup_named("tetrahedral"));
@@ -48,15 +55,32 @@ LoadedLook look_for(const lutlib::io::Look& look, const GpuLookup* wanted) {
     return look_for(std::move(table), look.exact(), lookup);
 }
 
-LoadedLook load_look(const std::string& path, const GpuLookup* lookup) {
+} // namespace
+
+lutlib::LookPlace place_of(const lutlib::LookEncodings& look, const LookUse& use) {
+    return {look, use.picture, lutlib::srgb(), use.convert};
+}
+
+LoadedLook look_for(const lutlib::io::Look& look, const LookUse& use) {
+    const lutlib::LookPlace place = place_of(look.encodings(), use);
+    const lutlib::Placement placement = place.applied();
+    LoadedLook out = placement.converts() ? placed_look(placement.around(look.exact()), use.lookup)
+                                          : own_look(look, use.lookup);
+    out.told = told_of(look);
+    out.encodings = sentence_of(place, "the picture");
+    if (placement.converts() || place.is_wrong()) {
+        out.told.push_back(out.encodings);
+    }
+    return out;
+}
+
+LoadedLook load_look(const std::string& path, const LookUse& use) {
     if (path.empty() || path == "none") {
         return {no_look(), "there is none", {}, nullptr};
     }
-    const auto look =
-        lutlib::io::Look::open(path, {.engine = lookup != nullptr ? lookup->engine : nullptr});
-    LoadedLook out = look_for(look, lookup);
-    out.told = told_of(look);
-    return out;
+    const lutlib::Engine* const engine = use.lookup != nullptr ? use.lookup->engine : nullptr;
+    return look_for(lutlib::io::Look::open(path, {.engine = engine, .encodings = use.encodings}),
+                    use);
 }
 
 } // namespace preview

@@ -2,19 +2,33 @@
 #pragma once
 
 #include "lutlib/io/look.h"
+#include "lutlib/recipe/placement.h"
 #include "preview/look/look_bake.h"
 
 #include <string>
 
 namespace preview {
 
-/// `lookup` null: the float table as the look asks to be read, a strip through its own texels. A
+/// How a look is used.
+struct LookUse {
+    const GpuLookup* lookup = nullptr;
+    lutlib::LookEncodings encodings{}; ///< in place of what the look says
+    lutlib::Encoding picture =
+        lutlib::srgb();  ///< the codes it gets; what it gives is shown as sRGB
+    bool convert = true; ///< where it is made for other codes than the picture's
+};
+
+/// What follows for a look of these encodings.
+lutlib::LookPlace place_of(const lutlib::LookEncodings& look, const LookUse& use = {});
+
+/// Without a lookup: the float table as the look asks to be read, a strip through its own texels. A
 /// lookup that reads a picture gets a picture file's codes as they are, and of any other look what
-/// `lutconv bake` would make of it. Throws lutlib::Error, and UsageError for a picture whose layout
-/// the lookup does not read.
-LoadedLook look_for(const lutlib::io::Look& look, const GpuLookup* lookup);
+/// `lutconv bake` would make of it. A look that is made for other codes is sampled with its
+/// conversions. Throws lutlib::Error, and UsageError for a picture whose layout the lookup does not
+/// read.
+LoadedLook look_for(const lutlib::io::Look& look, const LookUse& use);
 
 /// LOOK of the command line: a file, or `none`.
-LoadedLook load_look(const std::string& path, const GpuLookup* lookup);
+LoadedLook load_look(const std::string& path, const LookUse& use);
 
 } // namespace preview

@@ -64,8 +64,7 @@ std::vector<std::uint16_t> half_nodes(const lutlib::CodeImage& strip, int size) 
         for (int g = 0; g < size; ++g)
             for (int r = 0; r < size; ++r)
                 for (std::size_t c = 0; c < 4; ++c)
-                    nodes.push_back(
-                        c < 3 ? lutlib::half_from(strip.at({b * size + r, g}, c)) : 0);
+                    nodes.push_back(c < 3 ? lutlib::half_from(strip.at({b * size + r, g}, c)) : 0);
     return nodes;
 }
 

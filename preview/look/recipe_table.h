@@ -1,4 +1,5 @@
-// The float table that stands for a recipe on the screen, and how far it is from the recipe itself.
+// The float table that stands for a recipe, or for any look that no table of a file is, on the
+// screen, and how far it is from that look itself.
 #pragma once
 
 #include "lutlib/recipe/recipe.h"
@@ -12,7 +13,7 @@ namespace preview {
 struct RecipeTable {
     lutlib::Lut lut;
     int nodes = 0; ///< a side
-    /// dE2000 between the table, read tetrahedrally, and the recipe, over dense colours of 0..1.
+    /// dE2000 between the table, read tetrahedrally, and the look, over dense colours of 0..1.
     double max_error = 0, mean_error = 0;
 };
 
@@ -21,14 +22,19 @@ inline constexpr double visible_difference = 1;
 
 /// As fast as editing wants it, and not measured.
 lutlib::Lut quick_table(const lutlib::Recipe& recipe);
+lutlib::Lut quick_table(const lutlib::Transform& look);
 
 /// The smallest of a few tables without a visible difference to the recipe, else the largest. Asks
 /// `stop` every few milliseconds to some tens, and returns nothing once that says so.
 std::optional<RecipeTable> measured_table(
     const lutlib::Recipe& recipe, const std::function<bool()>& stop = [] { return false; });
 
+/// The same of any look whose results are sRGB codes.
+std::optional<RecipeTable> measured_table(
+    const lutlib::Transform& look, const std::function<bool()>& stop = [] { return false; });
+
 /// The table for a lookup that reads tables, with a note as "65 nodes per axis, within dE2000 0.41
-/// of the recipe, 0.020 on average".
+/// of the look itself, 0.020 on average".
 LoadedLook measured_look(const RecipeTable& table, const GpuLookup& lookup);
 
 } // namespace preview

@@ -1,4 +1,6 @@
 // The recipe: its operators as their descriptors tell, in their order.
+#include "preview/editor/search.h"
+#include "preview/look/look_file.h"
 #include "preview/panels/parameter_control.h"
 #include "preview/panels/ui.h"
 
@@ -88,13 +90,67 @@ void add_menu(Ui& ui, lutlib::Recipe& recipe) {
     ImGui::EndPopup();
 }
 
-void encoding_choice(const char* label, lutlib::Encoding& chosen) {
-    if (!ImGui::BeginCombo(label, chosen.label().c_str()))
-        return;
-    for (const lutlib::Encoding& row : lutlib::encodings())
-        if (ImGui::Selectable(row.label().c_str(), row == chosen))
+/// A list of rows that what is typed above it narrows, in letters of any case.
+template <class Row>
+bool searched_choice(Ui& ui, const char* label, const std::string& place,
+                     const std::string& current, std::span<const Row* const> rows,
+                     const Row*& chosen) {
+    const bool open = ImGui::BeginCombo(label, current.c_str(), ImGuiComboFlags_HeightLarge);
+    mark(ui, place);
+    if (!open) {
+        return false;
+    }
+    if (ImGui::IsWindowAppearing()) {
+        ui.search.clear();
+        ImGui::SetKeyboardFocusHere();
+    }
+    ImGui::InputTextWithHint("##search", "search", &ui.search);
+    mark(ui, place + ".search");
+    bool changed = false;
+    for (const Row* const row : rows) {
+        const std::string text = text_of(row->label) + " (" + text_of(row->name) + ")";
+        if (!is_found(text, ui.search)) {
+            continue;
+        }
+        if (ImGui::Selectable(text.c_str(), row == chosen)) {
             chosen = row;
+            changed = true;
+        }
+        mark(ui, place + "." + text_of(row->name));
+    }
     ImGui::EndCombo();
+    return changed;
+}
+
+/// Of a curve, which brings its own gamut, and of another gamut.
+void encoding_choice(Ui& ui, const std::string& label, const std::string& place,
+                     lutlib::Encoding& chosen) {
+    const lutlib::TransferCurve* curve = chosen.curve;
+    if (searched_choice(ui, (label + " curve").c_str(), place + ".curve", text_of(curve->label),
+                        lutlib::transfer_curves(), curve)) {
+        chosen = {curve, curve->gamut};
+    }
+    const lutlib::Gamut* gamut = chosen.gamut;
+    if (searched_choice(ui, (label + " gamut").c_str(), place + ".gamut", text_of(gamut->label),
+                        lutlib::gamuts(), gamut)) {
+        chosen.gamut = gamut;
+    }
+}
+
+void encodings_of_look(Ui& ui, State& state) {
+    lutlib::Recipe& recipe = state.recipe;
+    encoding_choice(ui, "Input", "look.input", recipe.input);
+    lutlib::Encoding output = recipe.output_encoding();
+    encoding_choice(ui, "Output", "look.output", output);
+    if (output != recipe.output_encoding()) {
+        recipe.output = output;
+    }
+    ImGui::Checkbox("Convert to and from what the picture is", &state.convert);
+    mark(ui, "look.convert");
+    const lutlib::LookPlace place = place_of(encodings_of(recipe), {.convert = state.convert});
+    if (place.needed().converts()) {
+        ImGui::TextWrapped("%s", sentence_of(place, "the picture").c_str());
+    }
 }
 
 } // namespace
@@ -107,7 +163,7 @@ void lines(const std::vector<std::string>& texts) {
 void look_panel(Ui& ui) {
     lutlib::Recipe& recipe = ui.history.draft().recipe;
     ImGui::InputText("Title", &recipe.title);
-    encoding_choice("Input", recipe.input);
+    encodings_of_look(ui, ui.history.draft());
     ImGui::TextDisabled("Base: %s", recipe.base_lut ? ui.history.draft().base_path.c_str()
                                                     : "none (the identity)");
     lines(ui.history.draft().told);

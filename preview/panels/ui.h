@@ -82,6 +82,7 @@ struct Ui {
     std::map<std::string, Rect> places;
 
     std::string recipe_file, lut_file, strip_file, open_file;
+    std::string search; ///< typed into the list that is open
     std::size_t export_engine = 0;
 };
 

@@ -182,7 +182,7 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
 
 void App::request_looks() {
     const editor::State& state = ui_.history.draft();
-    editor::LookRequest request{state.recipe, state.sides};
+    editor::LookRequest request{state.recipe, state.sides, state.convert};
     if (baking_ && editor::same(request, requested_))
         return;
     requested_ = request;

@@ -5,6 +5,7 @@
 #include "lutlib/io/ocio.h"
 #include "lutlib/text.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <utility>
@@ -19,6 +20,7 @@ constexpr Holds operators_and_tables{.curve = true,
                                      .cube_domain = true,
                                      .per_channel_domain = true,
                                      .title = true,
+                                     .encodings = true,
                                      .interpolation = true};
 constexpr Holds unit_cube_of_6_decimals{.cube = true, .decimals = 6};
 
@@ -63,6 +65,26 @@ Reading read_discreet(const FileFormat& format, std::string_view bytes, const st
     return out;
 }
 
+// The text of an element in the head of an XML file, before its first table.
+std::string element_text(std::string_view bytes, std::string_view name) {
+    const std::string_view head = bytes.substr(0, std::min<std::size_t>(bytes.size(), 1U << 16));
+    const std::string open = '<' + std::string(name) + '>', close = "</" + std::string(name) + '>';
+    const std::size_t from = head.find(open);
+    const std::size_t to = from == std::string_view::npos ? from : head.find(close, from);
+    return to == std::string_view::npos
+               ? std::string()
+               : std::string(trimmed(head.substr(from + open.size(), to - from - open.size())));
+}
+
+// Descriptors are free text: whoever uses them says which he knows.
+Reading read_process_list(const FileFormat& format, std::string_view bytes, const std::string& file,
+                          const ReadOptions& options) {
+    Reading out = read_with_opencolorio(format, bytes, file, options);
+    out.lut.encodings = {element_text(bytes, "InputDescriptor"),
+                         element_text(bytes, "OutputDescriptor")};
+    return out;
+}
+
 constexpr FileFormat read_by(decltype(FileFormat::read) read, FileFormat row) {
     row.read = read;
     return row;
@@ -70,22 +92,24 @@ constexpr FileFormat read_by(decltype(FileFormat::read) read, FileFormat row) {
 
 // Without a magic text the extension decides.
 constexpr auto rows = std::to_array<FileFormat>({
-    read_by_opencolorio({
-        .name = "clf",
-        .label = "Academy/ASC Common LUT Format: operators, curves and cubes",
-        .extensions = {"clf"},
-        .holds = operators_and_tables,
-        .magic = "compCLFversion",
-        .opencolorio_writer = "Academy/ASC Common LUT Format",
-    }),
-    read_by_opencolorio({
-        .name = "ctf",
-        .label = "Autodesk Color Transform Format: operators, curves and cubes",
-        .extensions = {"ctf"},
-        .holds = operators_and_tables,
-        .magic = "<ProcessList",
-        .opencolorio_writer = "Color Transform Format",
-    }),
+    read_by(read_process_list,
+            read_by_opencolorio({
+                .name = "clf",
+                .label = "Academy/ASC Common LUT Format: operators, curves and cubes",
+                .extensions = {"clf"},
+                .holds = operators_and_tables,
+                .magic = "compCLFversion",
+                .opencolorio_writer = "Academy/ASC Common LUT Format",
+            })),
+    read_by(read_process_list,
+            read_by_opencolorio({
+                .name = "ctf",
+                .label = "Autodesk Color Transform Format: operators, curves and cubes",
+                .extensions = {"ctf"},
+                .holds = operators_and_tables,
+                .magic = "<ProcessList",
+                .opencolorio_writer = "Color Transform Format",
+            })),
     read_by_opencolorio({
         .name = "cc",
         .label = "ASC ColorCorrection: slope, offset, power, saturation",

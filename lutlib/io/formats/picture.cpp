@@ -54,6 +54,7 @@ Reading reading_of(const io::LutPicture& source, const Layout& layout, int size,
     const Engine* const engine = options.engine ? options.engine : source.engine;
     Reading out;
     out.lut.title = source.title;
+    out.lut.encodings = source.encodings;
     out.lut.cube = from_picture(source.picture, layout, size, options.row);
     out.layout = &layout;
     out.engine = source.engine;
@@ -100,6 +101,7 @@ std::string write(const FileFormat& format, const Lut& lut, const WriteOptions& 
     }
     const std::string& title = options.title.empty() ? lut.title : options.title;
     codes.text = {{"Title", title}, {"Source", lut.provenance}};
+    io::append_encodings(codes, lut.encodings);
     return io::write_png(codes);
 }
 
@@ -169,7 +171,7 @@ std::span<const FileFormat> pictures() {
                 .name = layout.name,
                 .label = labels[out.size()],
                 .extensions = {"png"},
-                .holds = {.cube = true, .title = true, .integer_bits = 16},
+                .holds = {.cube = true, .title = true, .encodings = true, .integer_bits = 16},
                 .read = read,
                 .write = write,
                 .picture = true,

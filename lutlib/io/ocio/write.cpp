@@ -57,6 +57,13 @@ std::string write_with_ocio(const Lut& lut, const std::string& ocio_name,
                 group->getFormatMetadata().addChildElement(OCIO::METADATA_DESCRIPTION,
                                                            comment.c_str());
             }
+            const auto describe = [&](const char* element, const std::string& name) {
+                if (!name.empty()) {
+                    group->getFormatMetadata().addChildElement(element, name.c_str());
+                }
+            };
+            describe(OCIO::METADATA_INPUT_DESCRIPTOR, lut.encodings.input);
+            describe(OCIO::METADATA_OUTPUT_DESCRIPTOR, lut.encodings.output);
             group->write(plain_config(), ocio_name.c_str(), out);
         } else {
             bake(lut, group, ocio_name, title, out);

@@ -1,0 +1,51 @@
+#include "converter/placing.h"
+
+#include "converter/recipe_options.h"
+
+#include <nlohmann/json.hpp>
+
+namespace converter {
+namespace {
+
+nlohmann::ordered_json name_json(const std::optional<lutlib::Encoding>& encoding) {
+    return encoding ? nlohmann::ordered_json(encoding->name()) : nlohmann::ordered_json(nullptr);
+}
+
+nlohmann::ordered_json conversion_json(const std::optional<lutlib::Conversion>& conversion) {
+    return conversion ? nlohmann::ordered_json{{"from", conversion->from.name()},
+                                               {"to", conversion->to.name()}}
+                      : nlohmann::ordered_json(nullptr);
+}
+
+std::optional<lutlib::Encoding> named(const std::string& name, const std::string& flag) {
+    return name.empty() ? std::nullopt : std::optional(encoding_of(name, flag));
+}
+
+} // namespace
+
+void PlacingOptions::declare(CLI::App& app) {
+    app.add_option("--look-input", input_,
+                   std::string("what the look's inputs are, where neither a recipe nor the file "
+                               "says so: ") +
+                       encoding_help);
+    app.add_option("--look-output", output_, "what its results are, in the same way");
+    app.add_flag("--no-convert", no_convert_,
+                 "leave the codes as they are where the look is made for others");
+}
+
+lutlib::LookEncodings PlacingOptions::look() const {
+    return {named(input_, "--look-input"), named(output_, "--look-output")};
+}
+
+nlohmann::ordered_json to_json(const lutlib::LookPlace& place) {
+    const lutlib::Placement applied = place.applied();
+    return {{"look",
+             {{"input", name_json(place.look.input)}, {"output", name_json(place.look.output)}}},
+            {"given", name_json(place.given)},
+            {"wanted", name_json(place.wanted)},
+            {"before", conversion_json(applied.before)},
+            {"after", conversion_json(applied.after)},
+            {"mismatched", place.is_wrong()}};
+}
+
+} // namespace converter

@@ -1,0 +1,30 @@
+// What a look is made for and where it is put, on the command line.
+#pragma once
+
+#include "lutlib/recipe/placement.h"
+
+#include <CLI/App.hpp>
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+
+namespace converter {
+
+/// --look-input, --look-output and --no-convert.
+class PlacingOptions {
+  public:
+    void declare(CLI::App& app);
+    /// What was named. Throws UsageError.
+    lutlib::LookEncodings look() const;
+    bool convert() const { return !no_convert_; }
+
+  private:
+    std::string input_, output_;
+    bool no_convert_ = false;
+};
+
+/// {"look": {"input", "output"}, "given", "wanted", "before", "after", "mismatched"}: names, null
+/// where they are not known or nothing is converted.
+nlohmann::ordered_json to_json(const lutlib::LookPlace& place);
+
+} // namespace converter

@@ -1,0 +1,52 @@
+#include "lutlib/formats/encoding_comment.h"
+
+#include "lutlib/text.h"
+
+#include <algorithm>
+#include <array>
+
+namespace lutlib {
+namespace {
+
+struct Row {
+    std::string_view words;
+    std::string EncodingNames::*name;
+};
+
+constexpr std::array<Row, 2> rows{{
+    {"Input encoding:", &EncodingNames::input},
+    {"Output encoding:", &EncodingNames::output},
+}};
+
+bool begins_with(std::string_view text, std::string_view words) {
+    const auto same = [](char a, char b) { return upper(a) == upper(b); };
+    return text.size() > words.size() && std::equal(words.begin(), words.end(), text.begin(), same);
+}
+
+} // namespace
+
+bool take_encoding(std::string_view comment, EncodingNames& names) {
+    for (const Row& row : rows) {
+        if (begins_with(comment, row.words) && (names.*row.name).empty()) {
+            const std::string_view name = trimmed(comment.substr(row.words.size()));
+            if (name.empty() || name.find_first_of(" \t") != std::string_view::npos) {
+                return false;
+            }
+            names.*row.name = name;
+            return true;
+        }
+    }
+    return false;
+}
+
+std::vector<std::string> encoding_comments(const EncodingNames& names) {
+    std::vector<std::string> out;
+    for (const Row& row : rows) {
+        if (!(names.*row.name).empty()) {
+            out.push_back(std::string(row.words) + ' ' + names.*row.name);
+        }
+    }
+    return out;
+}
+
+} // namespace lutlib

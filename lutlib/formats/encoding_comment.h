@@ -1,0 +1,24 @@
+// The encodings of a look as comment lines of a text format:
+//
+//   # Input encoding: slog3/sgamut3.cine
+//   # Output encoding: gamma24/rec709
+//
+// A name is what encoding_named() knows, so one word; in letters of any case before the colon.
+#pragma once
+
+#include "lutlib/lut.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lutlib {
+
+/// Takes the encoding from a comment, given without its marker. False where it is none, or where
+/// one has been taken before.
+bool take_encoding(std::string_view comment, EncodingNames& names);
+
+/// The comments that say them, without markers; none for what is not known.
+std::vector<std::string> encoding_comments(const EncodingNames& names);
+
+} // namespace lutlib

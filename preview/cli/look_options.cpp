@@ -1,0 +1,59 @@
+#include "preview/cli/look_options.h"
+
+#include "lutlib/error.h"
+
+namespace preview {
+
+namespace {
+
+lutlib::Encoding encoding_of(const std::string& name, const std::string& flag) {
+    try {
+        return lutlib::require_encoding(name);
+    } catch (const lutlib::UsageError& error) {
+        throw lutlib::UsageError(flag + ": " + error.message());
+    }
+}
+
+std::optional<lutlib::Encoding> if_named(const std::string& name, const std::string& flag) {
+    return name.empty() ? std::nullopt : std::optional(encoding_of(name, flag));
+}
+
+LookUse use_of(const Options& options, const std::string& engine) {
+    return {.lookup = lookup_of(engine),
+            .encodings = {if_named(options.look_input, "--look-input"),
+                          if_named(options.look_output, "--look-output")},
+            .picture = encoding_of(options.picture_encoding, "--picture-encoding"),
+            .convert = !options.no_convert};
+}
+
+bool is_look(const std::string& path) {
+    return !path.empty() && path != "none";
+}
+
+} // namespace
+
+const GpuLookup* lookup_of(const std::string& name) {
+    const GpuLookup* const lookup = name.empty() ? nullptr : gpu_lookup_named(name);
+    if (lookup == nullptr && !name.empty()) {
+        throw lutlib::UsageError("no lookup is named '" + name + "'; --list names them");
+    }
+    return lookup;
+}
+
+LookUse use_a(const Options& options) {
+    if (!options.engine_a.empty() && !is_look(options.look_a) && is_look(options.look_b)) {
+        throw lutlib::UsageError("--engine-a is for side A, which has no look: --engine-b is for "
+                                 "side B");
+    }
+    return use_of(options, options.engine_a);
+}
+
+LookUse use_b(const Options& options) {
+    if (!options.engine_b.empty() && !is_look(options.look_b) && is_look(options.look_a)) {
+        throw lutlib::UsageError("--engine is for side B, which has no look: --engine-a is for "
+                                 "side A");
+    }
+    return use_of(options, options.engine_b);
+}
+
+} // namespace preview

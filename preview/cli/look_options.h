@@ -1,0 +1,17 @@
+// What the options say of the two sides' looks.
+#pragma once
+
+#include "preview/cli/options.h"
+#include "preview/look/look_file.h"
+
+namespace preview {
+
+/// The lookup that `name` names; null for an empty name. Throws lutlib::UsageError.
+const GpuLookup* lookup_of(const std::string& name);
+
+/// How each side's look is used. Throws lutlib::UsageError for names that no table has, and for an
+/// engine of a side that has no look while the other has one.
+LookUse use_a(const Options& options);
+LookUse use_b(const Options& options);
+
+} // namespace preview

@@ -40,6 +40,8 @@ constexpr Promise promises[] = {
     {"verify strip.png --against \"My Look.cube\" --engine unreal", 0, "passed as Unreal Engine"},
     {"verify strip.png --against look.json", 0, "passed as"},
     {"-o look.spi3d --strict", 2, "--strict: not written"},
+    {"--look-input logc3 --look-output srgb", 0, "srgb is converted to logc3 before the look"},
+    {"--picture-encoding linear", 0, "linear is converted to srgb before the look"},
     {"--repair", 0, "repair"},
     {"--max-delta-e 1", 0, "stays within dE2000 1"},
     {"--compare diff", 0, "dE2000"},

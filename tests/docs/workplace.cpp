@@ -93,7 +93,7 @@ void fill_workplace(const fs::path& folder) {
     // strip is right for the recipe and for its LUT. Within 0..1 it stays healthy.
     make(folder, "lutconv edit identity -o look.cube --saturation 0.8 --contrast 0.9 "
                  "--save-recipe look.json");
-    for (const char* name : {"My Look", "their", "first", "second", "a"}) {
+    for (const char* name : {"My Look", "their", "camera", "first", "second", "a"}) {
         fs::copy(folder / "look.cube", folder / (std::string(name) + ".cube"));
     }
     make(folder, "lutconv edit identity -o b.cube --saturation 0.6");

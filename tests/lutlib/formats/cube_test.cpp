@@ -374,5 +374,30 @@ TEST(ReadCube, takes_no_break_and_typographic_spaces_for_blanks) {
     EXPECT_EQ(words_of("d\xC3\xA0 voil\xC3\xA0").count, 2U);
 }
 
+TEST(CubeEncodings, are_two_comments_that_reader_and_writer_share) {
+    Lut lut = read_cube("# input ENCODING:  slog3/sgamut3.cine\n#Output encoding: gamma24/rec709\n"
+                        "# by hand\n# Input encoding: logc3\nLUT_1D_SIZE 2\n0 0 0\n1 1 1\n",
+                        "x.cube");
+    EXPECT_EQ(lut.encodings, (EncodingNames{"slog3/sgamut3.cine", "gamma24/rec709"}));
+    // A second one decides nothing and is kept as what it is, a comment.
+    EXPECT_EQ(lut.comments, (std::vector<std::string>{"by hand", "Input encoding: logc3"}));
+    lut.comments.pop_back();
+    for (const CubeDialect dialect : {CubeDialect::adobe, CubeDialect::resolve}) {
+        const std::string text = write_cube(lut, dialect);
+        EXPECT_NE(text.find("# Input encoding: slog3/sgamut3.cine\n"), std::string::npos);
+        const Lut again = read_cube(text, "y.cube");
+        EXPECT_EQ(again.encodings, lut.encodings);
+        EXPECT_EQ(again.comments, lut.comments);
+    }
+}
+
+TEST(CubeEncodings, are_one_word_and_anything_else_stays_a_comment) {
+    const Lut lut = read_cube("# Input encoding: some kind of log\n# Output encoding:\n"
+                              "LUT_1D_SIZE 2\n0 0 0\n1 1 1\n",
+                              "x.cube");
+    EXPECT_FALSE(lut.encodings.any());
+    EXPECT_EQ(lut.comments.size(), 2U);
+}
+
 } // namespace
 } // namespace lutlib

@@ -4,11 +4,14 @@
 #include "lutlib/error.h"
 #include "lutlib/formats/cube.h"
 #include "lutlib/io/file.h"
+#include "lutlib/io/formats.h"
 #include "lutlib/io/lut_picture.h"
 #include "lutlib/io/ocio.h"
+#include "lutlib/io/png.h"
 #include "tests/lutlib/io/looks.h"
 #include "tests/lutlib/io/scratch.h"
 #include "tests/lutlib/looks.h"
+#include "tests/support/names.h"
 
 #include <gtest/gtest.h>
 
@@ -199,6 +202,66 @@ TEST(OpenIfLook, takes_what_is_a_look_by_content_or_says_so_by_its_name) {
     EXPECT_THROW(Look::open_if_look(folder.file("bad.cube")), Error);
     EXPECT_THROW(Look::open_if_look(folder.file("bad.json")), Error);
     EXPECT_THROW(Look::open_if_look(folder.file("missing.cube")), Error);
+}
+
+constexpr const char* log_text = "# Input encoding: logc3\n# Output encoding: srgb\n"
+                                 "LUT_1D_SIZE 2\n0 0 0\n1 1 1\n";
+
+TEST(LookEncodings, come_from_the_file_and_the_options_override_them) {
+    const Look plain = Look::of_bytes(log_text, "x.cube");
+    EXPECT_EQ(plain.encodings(), (LookEncodings{encoding_named("logc3"), srgb()}));
+    const Look said =
+        Look::of_bytes(log_text, "x.cube", {.encodings = {encoding_named("slog3"), std::nullopt}});
+    EXPECT_EQ(said.encodings(), (LookEncodings{encoding_named("slog3"), srgb()}));
+    EXPECT_EQ(said.table().lut->encodings, (EncodingNames{"slog3", "srgb"}));
+    EXPECT_EQ(Look::of_bytes(curve_text, "x.cube").encodings(), (LookEncodings{}));
+}
+
+TEST(LookEncodings, that_nobody_knows_are_said_and_kept) {
+    const Look look =
+        Look::of_bytes("# Input encoding: klog9\nLUT_1D_SIZE 2\n0 0 0\n1 1 1\n", "x.cube");
+    EXPECT_FALSE(look.encodings().input);
+    ASSERT_EQ(look.files().front().remarks.size(), 1U);
+    EXPECT_NE(look.files().front().remarks[0].find("klog9"), std::string::npos);
+    EXPECT_EQ(look.table().lut->encodings.input, "klog9");
+}
+
+class EncodingsInFormat : public testing::TestWithParam<const FileFormat*> {};
+INSTANTIATE_TEST_SUITE_P(Formats, EncodingsInFormat,
+                         testing::ValuesIn(file_formats().begin(), file_formats().end()),
+                         [](const auto& row) { return support::test_name(row.param->name); });
+
+TEST_P(EncodingsInFormat, are_read_back_or_reported_lost) {
+    const FileFormat& format = *GetParam();
+    if (!format.write || !format.read) {
+        GTEST_SKIP() << "read or written only";
+    }
+    Lut lut;
+    lut.cube = identity_cube(format.holds.cube ? 16 : 2);
+    if (!format.holds.cube) {
+        lut = read_cube(curve_text, "x.cube");
+        lut.keywords.clear();
+    }
+    lut.encodings = {"logc3", "gamma24/rec709"};
+    const Encoded written = encode_lut(lut, format);
+    const bool lost =
+        std::any_of(written.losses.begin(), written.losses.end(),
+                    [](const Loss& loss) { return loss.what.find("logc3") != std::string::npos; });
+    const EncodingNames read =
+        decode_lut(written.bytes, "x." + format.extensions.first(), {}, format.name).lut.encodings;
+    EXPECT_EQ(read, format.holds.encodings ? lut.encodings : EncodingNames{});
+    EXPECT_EQ(lost, !format.holds.encodings);
+}
+
+TEST(LookEncodings, of_a_baked_picture_are_its_own_and_the_looks) {
+    const Bake baked = bake(test_looks()[1].transform(), *engine_named("unity"), 32, 8);
+    const std::string png = picture_bytes(baked, {.source = "x.cube",
+                                                  .title = "",
+                                                  .interpolation = "tetrahedral",
+                                                  .encodings = {"srgb", "srgb"},
+                                                  .look = {"logc3", "srgb"}});
+    EXPECT_EQ(Look::of_bytes(png, "x.png").encodings(), (LookEncodings{srgb(), srgb()}));
+    EXPECT_EQ(look_encodings_of(read_png(png, "x.png")), (EncodingNames{"logc3", "srgb"}));
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // The command line as settings of the frame, and what it lists.
 #include "lutlib/error.h"
+#include "preview/cli/look_options.h"
 #include "preview/cli/option_rows.h"
 #include "preview/effects/effect.h"
 #include "preview/frame/frame.h"
@@ -195,6 +196,28 @@ TEST(Listing, names_every_row_of_every_table) {
     for (const LightControl& row : light_controls()) {
         expect(row.name);
     }
+}
+
+TEST(EngineOptions, are_for_the_side_that_they_name_and_engine_alone_for_b) {
+    const Options one = parsed("--b look.cube --engine unity");
+    EXPECT_EQ(use_b(one).lookup, gpu_lookup_named("unity"));
+    EXPECT_EQ(use_a(one).lookup, nullptr);
+    const Options two = parsed("--a a.cube --b b.cube --engine-a godot --engine-b obs");
+    EXPECT_EQ(use_a(two).lookup, gpu_lookup_named("godot"));
+    EXPECT_EQ(use_b(two).lookup, gpu_lookup_named("obs"));
+}
+
+TEST(EngineOptions, of_a_side_without_a_look_name_the_other) {
+    EXPECT_THROW(use_b(parsed("--a look.cube --engine unity")), lutlib::UsageError);
+    EXPECT_THROW(use_a(parsed("--b look.cube --engine-a unity")), lutlib::UsageError);
+    EXPECT_THROW(use_b(parsed("--b look.cube --engine unify")), lutlib::UsageError);
+}
+
+TEST(EncodingOptions, are_refused_by_name) {
+    EXPECT_EQ(use_b(parsed("--look-input slog3")).encodings.input, lutlib::encoding_named("slog3"));
+    EXPECT_FALSE(use_b(parsed("--no-convert")).convert);
+    EXPECT_THROW(use_b(parsed("--look-output slog9")), lutlib::UsageError);
+    EXPECT_THROW(use_b(parsed("--picture-encoding p9")), lutlib::UsageError);
 }
 
 } // namespace

@@ -303,7 +303,7 @@ TEST(LookBaker, bakes_at_once_and_measures_when_nothing_follows) {
             notes.push_back(looks->sides[1].note);
     ASSERT_EQ(notes.size(), 2U);
     EXPECT_EQ(notes[0], "");
-    EXPECT_NE(notes[1].find("of the recipe"), std::string::npos) << notes[1];
+    EXPECT_NE(notes[1].find("of the look itself"), std::string::npos) << notes[1];
 }
 
 TEST(RecipeTable, is_fine_enough_that_no_difference_is_seen) {

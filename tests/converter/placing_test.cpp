@@ -1,0 +1,178 @@
+// Looks that are made for other code values than an engine or a picture gives.
+#include "lutlib/engine/engine.h"
+#include "lutlib/io/image.h"
+#include "lutlib/io/look.h"
+#include "lutlib/io/lut_picture.h"
+#include "lutlib/io/png.h"
+#include "tests/converter/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace converter_test {
+namespace {
+
+using nlohmann::json;
+
+const std::string log_recipe = SAMPLE_LOOKS "/log_to_display.json";
+
+json run(std::vector<std::string> words, int exit_code = 0) {
+    words.emplace_back("--json");
+    const Result result = lutconv_in_process(words);
+    EXPECT_EQ(result.exit_code, exit_code) << words[0] << ": " << result.out << result.err;
+    return json::parse(result.out, nullptr, false);
+}
+
+class LogLook : public testing::TestWithParam<lutlib::Engine> {};
+INSTANTIATE_TEST_SUITE_P(Engines, LogLook,
+                         testing::ValuesIn(lutlib::engines().begin(), lutlib::engines().end()),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST_P(LogLook, is_converted_to_the_codes_of_the_engine_and_never_passes_left_as_it_is) {
+    const Folder folder;
+    const std::string engine(GetParam().name), strip = folder.path("strip.png");
+    const bool converts = !GetParam().encoding.empty();
+    const json baked = run({"bake", log_recipe, "-o", strip, "--engine", engine});
+    EXPECT_EQ(baked["encodings"]["look"]["input"], "logc3");
+    EXPECT_EQ(baked["encodings"]["before"].is_null(), !converts);
+    EXPECT_TRUE(run({"verify", strip, "--against", log_recipe, "--samples", "50"})["passed"]);
+
+    const std::string left = folder.path("left.png");
+    run({"bake", log_recipe, "-o", left, "--engine", engine, "--no-convert"});
+    const std::vector<std::string> verify{"verify",   left,        "--against",
+                                          log_recipe, "--samples", "50"};
+    const json verdict = run(verify, converts ? 1 : 0);
+    std::vector<std::string> without = verify;
+    without.emplace_back("--no-convert");
+    EXPECT_EQ(run(without, converts ? 1 : 0)["passed"], !converts);
+    if (converts) {
+        EXPECT_NE(verdict["diagnosis"]["words"].get<std::string>().find("logc3"), std::string::npos)
+            << verdict;
+        EXPECT_GT(verdict["diagnosis"]["explained"], 0.99);
+    }
+}
+
+// sRGB and LogC3 by their published formulas.
+TEST(BakeOfALogLook, holds_the_look_at_the_log_codes_of_each_node) {
+    const Folder folder;
+    const std::string strip = folder.path("strip.png");
+    // Nothing but the encodings: green of LogC3's code, as the engine's sRGB code gives it.
+    const std::string look = folder.write("look.cube", "# Input encoding: logc3/rec709\n"
+                                                       "LUT_1D_SIZE 2\n0 0 0\n1 1 1\n");
+    run({"bake", look, "-o", strip, "--engine", "unreal", "--look-output", "srgb"});
+    const lutlib::io::PngImage image = lutlib::io::read_png(contents(strip), "strip.png");
+    for (std::size_t i = 0; i < 16; ++i) {
+        const double v = static_cast<double>(i) / 15;
+        const double light = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+        const double log = light > 0.010591
+                               ? 0.247190 * std::log10(5.555556 * light + 0.052272) + 0.385537
+                               : 5.367655 * light + 0.092809;
+        // Node (0, i, 0) lies at x = 0, y = i of the strip.
+        EXPECT_NEAR(image.samples[i * 256 * 3 + 1], std::round(255 * log), 0.51) << i;
+    }
+}
+
+TEST(BakeOfALook, whose_encodings_nobody_knows_says_so_once_and_takes_them_for_the_engines) {
+    const Folder folder;
+    const std::string look = folder.write("look.cube", saturated_cube(5));
+    const Result baked = lutconv_in_process({"bake", look, "-o", folder.path("s.png")});
+    const std::string words = "not known and taken for srgb";
+    const std::size_t at = baked.out.find(words);
+    EXPECT_NE(at, std::string::npos) << baked.out;
+    EXPECT_EQ(baked.out.find(words, at + 1), std::string::npos);
+    EXPECT_TRUE(baked.err.empty()) << baked.err;
+    const Result verified = lutconv_in_process({"verify", folder.path("s.png"), "--against", look});
+    EXPECT_EQ(verified.exit_code, 0);
+    EXPECT_NE(verified.out.find("; right if the look is made for srgb"), std::string::npos);
+}
+
+TEST(VerifyOfALogLook, knows_from_the_picture_what_bake_was_told) {
+    const Folder folder;
+    const std::string look = folder.write("look.cube", saturated_cube(5)),
+                      strip = folder.path("s.png");
+    run({"bake", look, "-o", strip, "--look-input", "slog3", "--look-output", "rec709"});
+    const json verdict = run({"verify", strip, "--against", look, "--samples", "50"});
+    EXPECT_EQ(verdict["encodings"]["look"]["input"], "slog3");
+    EXPECT_TRUE(verdict["passed"]);
+}
+
+TEST(ConvertOfALook, writes_its_encodings_and_reads_them_back) {
+    const Folder folder;
+    const std::string look = folder.write("look.cube", saturated_cube(5)),
+                      named = folder.path("named.cube");
+    run({"convert", look, "-o", named, "--look-input", "slog3/sgamut3", "--look-output", "rec709"});
+    EXPECT_NE(contents(named).find("# Input encoding: slog3/sgamut3\n"), std::string::npos);
+    const json baked = run({"bake", named, "-o", folder.path("s.png")});
+    EXPECT_EQ(baked["encodings"]["before"]["to"], "slog3/sgamut3");
+    EXPECT_EQ(baked["encodings"]["after"]["from"], "rec709");
+    const Result lost =
+        lutconv_in_process({"convert", named, "-o", folder.path("l.spi3d"), "--strict"});
+    EXPECT_EQ(lost.exit_code, 2);
+    EXPECT_NE(lost.err.find("encodings not written"), std::string::npos) << lost.err;
+}
+
+TEST(ConvertOfALook, to_a_picture_that_engines_read_converts_as_bake_does) {
+    const Folder folder;
+    const std::string strip = folder.path("strip.png"), baked = folder.path("baked.png");
+    run({"convert", log_recipe, "-o", strip, "--format", "strip", "--size", "16", "--bits", "8"});
+    run({"bake", log_recipe, "-o", baked, "--engine", "unreal"});
+    EXPECT_EQ(lutlib::io::read_png(contents(strip), "").samples,
+              lutlib::io::read_png(contents(baked), "").samples);
+}
+
+class ApplyOfALook : public testing::Test {
+  protected:
+    const Folder folder;
+
+    std::string grey_picture(float value) const {
+        lutlib::io::FloatImage image;
+        image.width = 2;
+        image.height = 1;
+        image.rgba = {value, value, value, 1, value, value, value, 1};
+        lutlib::io::write_image(folder.path("in.exr"), image,
+                                {lutlib::io::Depth::float32, false, {}});
+        return folder.path("in.exr");
+    }
+    float applied(const std::vector<std::string>& more, const std::string& head) const {
+        const std::string look =
+            folder.write("look.cube", head + "LUT_1D_SIZE 2\n0 0 0\n0.5 0.5 0.5\n");
+        std::vector<std::string> words{"apply", look, grey_picture(0.18F), "-o",
+                                       folder.path("out.exr")};
+        words.insert(words.end(), more.begin(), more.end());
+        run(words);
+        return lutlib::io::read_image(folder.path("out.exr")).rgba[0];
+    }
+};
+
+TEST_F(ApplyOfALook, of_one_encoding_goes_from_the_pictures_to_it_and_back) {
+    const std::string head = "# Input encoding: srgb\n# Output encoding: srgb\n";
+    // Half the sRGB code of 0.18 is 0.2307, which is light of 0.0434.
+    EXPECT_NEAR(applied({"--picture-encoding", "linear"}, head), 0.0434, 5e-4);
+    EXPECT_NEAR(applied({}, head), 0.09, 1e-6);
+    EXPECT_NEAR(applied({"--picture-encoding", "linear", "--no-convert"}, head), 0.09, 1e-6);
+}
+
+TEST_F(ApplyOfALook, that_changes_the_encoding_gives_what_it_gives_unless_told_otherwise) {
+    const std::string head = "# Input encoding: srgb\n# Output encoding: gamma24\n";
+    EXPECT_NEAR(applied({"--picture-encoding", "linear/rec709"}, head), 0.2307, 5e-4);
+    // 0.2307^2.4
+    EXPECT_NEAR(
+        applied({"--picture-encoding", "linear/rec709", "--output-encoding", "linear/rec709"},
+                head),
+        0.0296, 5e-4);
+}
+
+TEST_F(ApplyOfALook, to_a_picture_of_unknown_codes_says_what_it_takes_them_for) {
+    const std::string look =
+        folder.write("look.cube", "# Input encoding: logc3\nLUT_1D_SIZE 2\n0 0 0\n1 1 1\n");
+    const Result result =
+        lutconv_in_process({"apply", look, grey_picture(0.18F), "-o", folder.path("out.exr")});
+    EXPECT_NE(result.out.find("taken for the look's input, logc3"), std::string::npos)
+        << result.out;
+}
+
+} // namespace
+} // namespace converter_test

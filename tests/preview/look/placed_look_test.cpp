@@ -1,0 +1,87 @@
+// Looks that are made for other codes than the picture's.
+#include "lutlib/interpolation/interpolation.h"
+#include "preview/editor/look_baker.h"
+#include "preview/editor/search.h"
+#include "preview/look/look_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace preview {
+namespace {
+
+// The identity, for LogC3.
+constexpr const char* log_identity = "# Input encoding: logc3/rec709\n"
+                                     "# Output encoding: logc3/rec709\n"
+                                     "LUT_3D_SIZE 2\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n"
+                                     "0 0 1\n1 0 1\n0 1 1\n1 1 1\n";
+// Half of LogC3's code, shown as it is.
+constexpr const char* log_half = "# Input encoding: logc3/rec709\n# Output encoding: srgb\n"
+                                 "LUT_1D_SIZE 2\n0 0 0\n0.5 0.5 0.5\n";
+
+lutlib::io::Look look(const char* text) {
+    return lutlib::io::Look::of_bytes(text, "log.cube");
+}
+
+double log_code_of_srgb(double v) {
+    const double light = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    return light > 0.010591 ? 0.247190 * std::log10(5.555556 * light + 0.052272) + 0.385537
+                            : 5.367655 * light + 0.092809;
+}
+
+TEST(PlacedLook, gets_its_own_codes_and_gives_the_pictures) {
+    const LoadedLook identity = look_for(look(log_identity), {});
+    const LoadedLook half = look_for(look(log_half), {});
+    for (const double v : {0.0, 0.2, 0.5, 0.75, 1.0}) {
+        const lutlib::RgbD in{v, v, v};
+        EXPECT_NEAR(lutlib::evaluate_exact(*identity.table, in).g, v, 1e-5);
+        // Between nodes a table is as near as its note says.
+        EXPECT_NEAR(lutlib::evaluate_exact(*half.table, in).g, log_code_of_srgb(v) / 2, 2e-3);
+    }
+    ASSERT_EQ(half.told.size(), 1U);
+    EXPECT_EQ(half.told[0], "srgb is converted to logc3/rec709 before the look");
+    EXPECT_NE(half.note.find("of the look itself"), std::string::npos);
+}
+
+TEST(PlacedLook, is_left_alone_where_that_is_asked_and_says_so) {
+    const LoadedLook half = look_for(look(log_half), {.convert = false});
+    EXPECT_NEAR(lutlib::evaluate_exact(*half.table, {0.6, 0.6, 0.6}).g, 0.3, 1e-6);
+    ASSERT_EQ(half.told.size(), 1U);
+    EXPECT_NE(half.told[0].find("left as it is"), std::string::npos);
+}
+
+TEST(PlacedLook, is_read_as_it_is_where_the_picture_is_what_it_wants) {
+    const LoadedLook half =
+        look_for(look(log_half), {.picture = *lutlib::encoding_named("logc3/rec709")});
+    EXPECT_NEAR(lutlib::evaluate_exact(*half.table, {0.6, 0.6, 0.6}).g, 0.3, 1e-6);
+    EXPECT_TRUE(half.told.empty());
+}
+
+TEST(PlacedLook, is_baked_with_its_conversions_for_an_engine) {
+    const LoadedLook baked = look_for(look(log_half), {.lookup = gpu_lookup_named("unreal")});
+    const double v = 8.0 / 15;
+    EXPECT_NEAR(baked.table->cube->at(8, 8, 8).g, log_code_of_srgb(v) / 2, 0.5 / 255 + 1e-6);
+}
+
+TEST(PlacedLook, of_a_recipe_is_what_the_window_shows_too) {
+    lutlib::Recipe recipe;
+    recipe.input = *lutlib::encoding_named("logc3/rec709");
+    recipe.output = lutlib::srgb();
+    editor::Side side;
+    side.source = editor::SideSource::recipe;
+    const LoadedLook shown = editor::look_of(recipe, side);
+    const LoadedLook left = editor::look_of(recipe, side, false);
+    // To LogC3 and from it: nothing. Left alone, log codes are decoded that are none.
+    EXPECT_NEAR(lutlib::evaluate_exact(*shown.table, {0.5, 0.5, 0.5}).g, 0.5, 1e-5);
+    EXPECT_GT(std::abs(lutlib::evaluate_exact(*left.table, {0.5, 0.5, 0.5}).g - 0.5), 0.1);
+}
+
+TEST(Search, finds_every_word_in_any_case) {
+    EXPECT_TRUE(editor::is_found("ARRI LogC3 EI 800 (logc3)", "arri 800"));
+    EXPECT_TRUE(editor::is_found("ARRI LogC3", ""));
+    EXPECT_FALSE(editor::is_found("ARRI LogC3", "logc4"));
+}
+
+} // namespace
+} // namespace preview

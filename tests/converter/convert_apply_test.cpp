@@ -218,7 +218,7 @@ TEST(Apply, writes_a_depth_that_the_file_type_holds_and_says_the_truth_of_it) {
         if (!depth.empty()) {
             words.insert(words.end(), {"--depth", depth});
         }
-        const Result result = lutconv(words);
+        const Result result = lutconv_in_process(words);
         if (result.exit_code != 0) {
             EXPECT_FALSE(std::filesystem::exists(folder.path(out)));
             return std::to_string(result.exit_code) + result.err.substr(result.err.rfind(';'));

@@ -9,6 +9,7 @@
 #include "tests/lutlib/io/looks.h"
 #include "tests/lutlib/io/scratch.h"
 #include "tests/support/names.h"
+#include "tests/support/thorough.h"
 
 #include <gtest/gtest.h>
 
@@ -338,7 +339,8 @@ double difference_to_opencolorio(const std::string& bytes, const Lut& lut) {
 
 TEST(Autodesk3dl, of_every_size_is_read_by_opencolorio_as_the_look_it_is) {
     for (const char* name : {"flame", "lustre"}) {
-        for (const int size : {4, 5, 9, 16, 17, 25, 32, 33, 48, 65, 129}) {
+        for (const int size :
+             support::all_or<int>({4, 5, 9, 16, 17, 25, 32, 33, 48, 65, 129}, {4, 17, 25, 32})) {
             Lut lut;
             lut.cube = graded_cube(size, {});
             const Encoded file = encode_lut(lut, require_file_format(name));

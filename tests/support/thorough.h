@@ -1,0 +1,19 @@
+// How much a test looks at: enough to see a mistake, or all there is.
+#pragma once
+
+#include <cstdlib>
+#include <vector>
+
+namespace support {
+
+/// `scripts/test --all` asks for every input; else tests that take many take fewer.
+inline bool is_thorough() {
+    return std::getenv("LUT_TEST_ALL") != nullptr;
+}
+
+template <class T>
+std::vector<T> all_or(std::vector<T> all, std::vector<T> some) {
+    return is_thorough() ? all : some;
+}
+
+} // namespace support

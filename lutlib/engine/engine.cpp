@@ -1,5 +1,6 @@
 #include "lutlib/engine/engine.h"
 
+#include "lutlib/color/encoding.h"
 #include "lutlib/named.h"
 
 #include <algorithm>
@@ -140,6 +141,30 @@ Rgb reshade(const Picture& picture, int n, Rgb in) {
     return mix(bilinear(picture, u, v), bilinear(picture, u + texel_y, v), blend);
 }
 
+Rgb each_channel(double (Encoding::*f)(double) const, Rgb c) {
+    return {static_cast<float>((srgb().*f)(c.r)), static_cast<float>((srgb().*f)(c.g)),
+            static_cast<float>((srgb().*f)(c.b))};
+}
+
+// An sRGB texture: its sampler filters light.
+Rgb playcanvas(const Picture& picture, int n, Rgb in) {
+    const float size = static_cast<float>(n), width = size * size;
+    const Rgb c = saturate(in);
+    const float cell = c.b * (size - 1), low = std::floor(cell), high = std::ceil(cell);
+    const auto texel = [&](int x, int y) {
+        return each_channel(&Encoding::decode, texel_clamped(picture, x, y));
+    };
+    const auto slice = [&](float at) {
+        const float u = at / size + 0.5F / width + c.r / size * ((size - 1) / size);
+        const float v = 0.5F / size + c.g * ((size - 1) / size);
+        const float x = u * width - 0.5F, y = v * size - 0.5F;
+        const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
+        return mix(mix(texel(x0, y0), texel(x0 + 1, y0), fract(x)),
+                   mix(texel(x0, y0 + 1), texel(x0 + 1, y0 + 1), fract(x)), fract(y));
+    };
+    return each_channel(&Encoding::encode, mix(slice(low), slice(high), fract(cell)));
+}
+
 Rgb obs(const Picture& picture, int n, Rgb in) {
     return trilinear(lattice_of(picture, "tiles", n), saturate(in) * static_cast<float>(n - 1));
 }
@@ -192,8 +217,9 @@ constexpr auto table = std::to_array<Engine>({
         .srgb_tag = SrgbTag::absent,
         .colour_chunks = ColourChunks::ignored,
         .encoding = display_codes,
-        .input = "display-encoded (by the power 1/2.2, for an sRGB display), after the Uncharted 2 "
-                 "tone map",
+        .input =
+            "the codes of an sRGB display, after the Uncharted 2 tone map (which Piccolo encodes "
+            "by the power 1/2.2)",
         .import = "loaded as UNORM; no sRGB chunk, or the codes are decoded twice",
         .lookup_help = "eight texel fetches, trilinear",
         .source = "Piccolo, color_grading.frag and its six LUT pictures; stb_image",
@@ -338,6 +364,32 @@ constexpr auto table = std::to_array<Engine>({
         .place = place_at_lattice,
         .interpolation = Interpolation::trilinear,
         .lookup = threejs,
+    },
+    {
+        .name = "playcanvas",
+        .label = "PlayCanvas CameraFrame",
+        .layout = "strip",
+        .default_size = 16,
+        .sizes = only_16,
+        .usual_sizes = {},
+        .default_bits = 8,
+        .bits = only_8_bits,
+        .srgb_tag = SrgbTag::present,
+        .colour_chunks = ColourChunks::converted,
+        .encoding = display_codes,
+        .input = display_encoded,
+        .import =
+            "a texture asset with srgb on, no mipmaps, linear filters, as colorLUT.texture; a "
+            "browser converts by gAMA, cHRM and iCCP",
+        .lookup_help = "two bilinear fetches of an sRGB texture, so of light, blended on blue",
+        .source = "PlayCanvas, ColorLUT of CameraFrame and its compose pass; engine pull requests "
+                  "8747 and 8749",
+        .node_input = at_lattice,
+        .place = place_at_lattice,
+        .interpolation = Interpolation::trilinear,
+        .filtering = Filtering::light,
+        .lookup = playcanvas,
+        .shader = "playcanvas",
     },
     {
         .name = "hald",

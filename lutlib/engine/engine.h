@@ -18,6 +18,10 @@ enum class SrgbTag { absent, present };
 /// and iCCP: nothing, convert the codes by it, or what is not documented.
 enum class ColourChunks { ignored, converted, unknown };
 
+/// What the lookup weighs between nodes: the codes, or the light that its sampler decodes them to
+/// by the sRGB curve, which it encodes again.
+enum class Filtering { codes, light };
+
 /// One engine. Every lookup takes a display-encoded colour; NaN and -Inf read as 0, +Inf as 1.
 struct Engine {
     std::string_view name;
@@ -45,6 +49,7 @@ struct Engine {
     double (*place)(double in, int n);
     /// How the lookup weighs the nodes around that place.
     Interpolation interpolation;
+    Filtering filtering = Filtering::codes;
     /// The engine's arithmetic in float over a picture of codes/maximum; `n` is the lattice size.
     Rgb (*lookup)(const Picture& picture, int n, Rgb in);
     /// The GLSL function that computes the same in the preview (shaders/common/lookup.glsl); empty

@@ -8,6 +8,7 @@
 // A lookup of a picture takes (picture, n nodes a side, colour within 0..1), one of a table (volume,
 // shaper, look, any colour).
 #include "common/sanitise.glsl"
+#include "common/srgb.glsl"
 
 struct Look {
     vec4 shaper_min, shaper_max;
@@ -150,6 +151,31 @@ vec3 reshade(sampler2D picture, int n, vec3 c) {
     precise float u = (c.r * size - c.r + 0.5) * texel_x + (z - share) * texel_y;
     precise float v = (c.g * size - c.g + 0.5) * texel_y;
     return blend(bilinear_picture(picture, u, v), bilinear_picture(picture, u + texel_y, v), share);
+}
+
+// As an sRGB texture is filtered: texels in light.
+vec3 light_at(sampler2D picture, int x, int y) {
+    ivec2 last = textureSize(picture, 0) - 1;
+    return srgb_decode(texelFetch(picture, clamp(ivec2(x, y), ivec2(0), last), 0).rgb);
+}
+
+vec3 slice_in_light(sampler2D picture, float size, vec2 c, float slice) {
+    float width = size * size;
+    precise float u = slice / size + 0.5 / width + c.r / size * ((size - 1.0) / size);
+    precise float v = 0.5 / size + c.g * ((size - 1.0) / size);
+    precise float x = u * width - 0.5, y = v * size - 0.5;
+    int x0 = int(floor(x)), y0 = int(floor(y));
+    float fx = x - floor(x), fy = y - floor(y);
+    return blend(blend(light_at(picture, x0, y0), light_at(picture, x0 + 1, y0), fx),
+                 blend(light_at(picture, x0, y0 + 1), light_at(picture, x0 + 1, y0 + 1), fx), fy);
+}
+
+vec3 playcanvas(sampler2D picture, int n, vec3 c) {
+    float size = float(n);
+    precise float cell = c.b * (size - 1.0);
+    return srgb_encode(blend(slice_in_light(picture, size, c.rg, floor(cell)),
+                             slice_in_light(picture, size, c.rg, ceil(cell)),
+                             cell - floor(cell)));
 }
 
 // The texture unit filters two slices; half a texel in keeps each fetch inside its own.

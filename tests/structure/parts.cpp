@@ -41,7 +41,7 @@ const std::vector<Part>& parts() {
         {"lutlib/recipe",
          {"lutlib", "lutlib/color", "lutlib/interpolation", "lutlib/ops", "lutlib/resample"},
          no_big_library},
-        {"lutlib/engine", {"lutlib", "lutlib/interpolation"}, no_big_library},
+        {"lutlib/engine", {"lutlib", "lutlib/color", "lutlib/interpolation"}, no_big_library},
         {"lutlib/fit",
          {"lutlib", "lutlib/interpolation", "lutlib/metrics", "lutlib/engine"},
          no_big_library},

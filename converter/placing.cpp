@@ -1,6 +1,7 @@
 #include "converter/placing.h"
 
 #include "converter/recipe_options.h"
+#include "lutlib/named.h"
 
 #include <nlohmann/json.hpp>
 
@@ -25,16 +26,24 @@ std::optional<lutlib::Encoding> named(const std::string& name, const std::string
 
 void PlacingOptions::declare(CLI::App& app) {
     app.add_option("--look-input", input_,
-                   std::string("what the look's inputs are, where neither a recipe nor the file "
-                               "says so: ") +
+                   std::string("what the look's inputs are, in place of what the recipe or the "
+                               "file says: ") +
                        encoding_help);
     app.add_option("--look-output", output_, "what its results are, in the same way");
+    app.add_option("--adaptation", adaptation_,
+                   "between the whites of different gamuts: bradford (default) or cat02");
     app.add_flag("--no-convert", no_convert_,
                  "leave the codes as they are where the look is made for others");
 }
 
 lutlib::LookEncodings PlacingOptions::look() const {
     return {named(input_, "--look-input"), named(output_, "--look-output")};
+}
+
+const lutlib::Adaptation& PlacingOptions::adaptation() const {
+    return adaptation_.empty()
+               ? lutlib::bradford
+               : lutlib::require_named(lutlib::adaptations(), "adaptation", adaptation_);
 }
 
 nlohmann::ordered_json to_json(const lutlib::LookPlace& place) {

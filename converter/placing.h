@@ -10,16 +10,18 @@
 
 namespace converter {
 
-/// --look-input, --look-output and --no-convert.
+/// --look-input, --look-output, --adaptation and --no-convert.
 class PlacingOptions {
   public:
     void declare(CLI::App& app);
     /// What was named. Throws UsageError.
     lutlib::LookEncodings look() const;
     bool convert() const { return !no_convert_; }
+    /// Throws UsageError.
+    const lutlib::Adaptation& adaptation() const;
 
   private:
-    std::string input_, output_;
+    std::string input_, output_, adaptation_;
     bool no_convert_ = false;
 };
 

@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -36,14 +37,17 @@ struct Report {
     int width = 0, height = 0;
     std::size_t outside_domain = 0; ///< pixels whose input was clamped to the LUT's domain
     std::size_t clamped = 0;        ///< pixels whose output an integer file clamps to 0..1
+    std::size_t not_a_number = 0;   ///< pixels that a conversion read as 0
     const io::DepthInfo* depth = nullptr;
     lutlib::LookPlace place;
 };
 
 // Where a look keeps its encoding, the result goes back to the picture's; one that changes it, as
 // camera LUTs do, is left to say what comes out.
-lutlib::LookPlace place_of(const Options& o, const lutlib::LookEncodings& look) {
-    lutlib::LookPlace place{look, {}, {}, o.placing.convert()};
+lutlib::LookPlace place_of(const Options& o, const lutlib::LookEncodings& look,
+                           const io::FloatImage& image) {
+    lutlib::LookPlace place{
+        look, encoding_of(image), {}, o.placing.convert(), &o.placing.adaptation()};
     if (!o.picture_encoding.empty()) {
         place.given = encoding_of(o.picture_encoding, "--picture-encoding");
     }
@@ -55,17 +59,47 @@ lutlib::LookPlace place_of(const Options& o, const lutlib::LookEncodings& look) 
     return place;
 }
 
-std::string encodings_text(const lutlib::LookPlace& place) {
-    if (place.given || place.wanted) {
-        return sentence_of(place, "the picture");
+std::string picture_text(const Options& o, const lutlib::LookPlace& place) {
+    if (!o.picture_encoding.empty()) {
+        return {};
+    }
+    if (place.given) {
+        return "the picture holds " + place.given->name() +
+               " by its file type or tag (--picture-encoding names another)";
     }
     return place.look.input
                ? "the picture's encoding is not known and taken for the look's input, " +
                      place.look.input->name() +
                      ": if it is another, name it with "
                      "--picture-encoding"
-               : "neither the picture's nor the look's are known; the codes are looked up as they "
-                 "are";
+               : "neither the picture's nor the look's encoding is known; the codes are looked up "
+                 "as they are";
+}
+
+std::string result_text(const Options& o, const lutlib::LookPlace& place) {
+    const std::optional<lutlib::Encoding> holds = place.shown().output;
+    if (!holds) {
+        return {};
+    }
+    const std::string type = io::extension_of(o.output);
+    const bool misread = (type == "exr" || type == "hdr") && holds->curve->name != "linear";
+    return "the result holds " + holds->name() +
+           (misread ? ", and readers take ." + type +
+                          " files for linear light: --output-encoding linear writes that"
+                    : "");
+}
+
+// A line each.
+std::vector<std::string> encodings_text(const Options& o, const lutlib::LookPlace& place) {
+    std::vector<std::string> out{picture_text(o, place)};
+    if (place.given && (place.look.input || place.look.output)) {
+        out.push_back(sentence_of(place, "the picture"));
+    } else if (place.applied().converts()) {
+        out.push_back(place.applied().text());
+    }
+    out.push_back(result_text(o, place));
+    std::erase(out, "");
+    return out;
 }
 
 // The depth that was asked for, which the file type must hold, else the nearest to the picture's.
@@ -83,6 +117,15 @@ io::Depth choose_depth(const Options& o, std::span<const io::Depth> held, io::De
     }
     throw lutlib::UsageError('.' + io::extension_of(o.output) + " files cannot store --depth " +
                              name + "; they store " + lutlib::names_of(rows));
+}
+
+std::size_t pixels_with_nan(const float* rgba, std::size_t pixels) {
+    std::size_t out = 0;
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const float* const c = rgba + 4 * i;
+        out += std::isnan(c[0]) || std::isnan(c[1]) || std::isnan(c[2]);
+    }
+    return out;
 }
 
 // What no table holds, colour by colour.
@@ -108,10 +151,12 @@ Report apply(const io::Look& look, const lutlib::LookPlace& place, io::FloatImag
              io::Depth depth) {
     const std::size_t pixels = image.rgba.size() / 4;
     float* const rgba = image.rgba.data();
-    Report report{image.width, image.height, 0, 0, &io::info_of(depth), place};
+    Report report{
+        .width = image.width, .height = image.height, .depth = &io::info_of(depth), .place = place};
     const lutlib::Placement placement = place.applied();
     if (placement.before) {
-        apply_exactly(conversion(*placement.before), rgba, pixels);
+        report.not_a_number = pixels_with_nan(rgba, pixels);
+        apply_exactly(conversion(*placement.before, *placement.adaptation), rgba, pixels);
     }
     if (const std::optional<lutlib::Domain> domain = look.clamps_to()) {
         report.outside_domain = lutlib::pixels_outside(*domain, rgba, pixels, 4);
@@ -123,7 +168,7 @@ Report apply(const io::Look& look, const lutlib::LookPlace& place, io::FloatImag
         apply_exactly(look.exact(), rgba, pixels);
     }
     if (placement.after) {
-        apply_exactly(conversion(*placement.after), rgba, pixels);
+        apply_exactly(conversion(*placement.after, *placement.adaptation), rgba, pixels);
     }
     report.clamped = report.depth->integer ? lutlib::pixels_outside({}, rgba, pixels, 4) : 0;
     return report;
@@ -139,6 +184,7 @@ void print_report(const Options& o, const Report& r) {
                                      {"height", r.height},
                                      {"depth", r.depth->name},
                                      {"pixels_outside_domain", r.outside_domain},
+                                     {"pixels_not_a_number", r.not_a_number},
                                      {"pixels_clamped", r.clamped},
                                      {"encodings", to_json(r.place)}},
               o.output);
@@ -146,7 +192,9 @@ void print_report(const Options& o, const Report& r) {
     }
     std::string text = fmt::format("{} -> {}\n  {}x{} pixels, {}\n", input_text(o.picture),
                                    output_text(o.output), r.width, r.height, r.depth->name);
-    text += "  encodings: " + encodings_text(r.place) + '\n';
+    for (const std::string& line : encodings_text(o, r.place)) {
+        text += "  encodings: " + line + '\n';
+    }
     const auto share = [&](std::size_t count, const char* what) {
         return count == 0
                    ? ""
@@ -155,6 +203,7 @@ void print_report(const Options& o, const Report& r) {
                                  what);
     };
     text += share(r.outside_domain, "lay outside the LUT's input and were clamped to it");
+    text += share(r.not_a_number, "hold what is no number, which is read as 0");
     text += share(r.clamped, "came out outside 0..1 and were clamped by the file's integers");
     print(text, o.output);
 }
@@ -165,8 +214,8 @@ int run(const Options& o) {
     choose_depth(o, held, held.front());
     const io::Look look =
         open_look(o.lut, {.interpolation = o.interpolation.get(), .encodings = o.placing.look()});
-    const lutlib::LookPlace place = place_of(o, look.encodings());
     io::FloatImage image = io::read_image(o.picture);
+    const lutlib::LookPlace place = place_of(o, look.encodings(), image);
     const io::Depth depth = choose_depth(o, held, image.depth);
     const Report report = apply(look, place, image, depth);
     io::write_image(o.output, image, {depth, image.alpha, {{"Source", io::input_name(o.picture)}}});

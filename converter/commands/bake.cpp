@@ -165,6 +165,7 @@ BakeReport make_report(const Options& o) {
         open_look(o.input, {.interpolation = o.interpolation.get(), .encodings = o.placing.look()});
     BakeReport out;
     out.place = lutlib::io::place_in(engine, look.encodings(), o.placing.convert());
+    out.place.adaptation = &o.placing.adaptation();
     const lutlib::Placement placement = out.place.applied();
     const lutlib::Transform exact = placement.around(look.exact());
     out.title = look.title();

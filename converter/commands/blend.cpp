@@ -24,6 +24,13 @@ struct Options {
     NewLutOptions made;
 };
 
+std::string encodings_text(const lutlib::Lut& lut) {
+    const auto name = [](const std::string& text) {
+        return text.empty() ? std::string("unknown") : text;
+    };
+    return name(lut.encodings.input) + " to " + name(lut.encodings.output);
+}
+
 int run(const Options& o) {
     if (!(std::abs(o.amount) <= 100)) {
         throw lutlib::UsageError("--amount must be a number from -100 to 100; 0 is the first look, "
@@ -40,13 +47,14 @@ int run(const Options& o) {
         blend(*a, *b, o.amount, o.made.sampling.sampling_of({a.get(), b.get()}), method);
     const std::string made_of =
         fmt::format("{} and {:.4g} of {}", input_text(o.a), o.amount, input_text(o.b));
-    write_and_report({lut,
-                      o.made.output,
-                      o.made.output,
-                      made_of,
-                      mixture(*a, *b, o.amount, method),
-                      encoding,
-                      {}},
+    std::vector<std::string> notes;
+    if (a->encodings != b->encodings && a->encodings.any() && b->encodings.any()) {
+        notes.push_back(fmt::format("the looks are made for other codes ({} and {}), which a blend "
+                                    "does not convert; the result says only what they share",
+                                    encodings_text(*a), encodings_text(*b)));
+    }
+    write_and_report({lut, o.made.output, o.made.output, made_of, mixture(*a, *b, o.amount, method),
+                      encoding, notes},
                      o.made.json, {{"a", o.a}, {"b", o.b}, {"amount", o.amount}});
     return ok;
 }

@@ -21,6 +21,24 @@ struct Options {
     NewLutOptions made;
 };
 
+// A look that gives other codes than the next one takes.
+std::vector<std::string> mismatches(const std::vector<std::string>& paths,
+                                    const std::vector<const lutlib::Lut*>& looks) {
+    std::vector<std::string> out;
+    for (std::size_t i = 0; i + 1 < looks.size(); ++i) {
+        const auto given = encodings_of(looks[i]->encodings).output;
+        const auto taken = encodings_of(looks[i + 1]->encodings).input;
+        if (given && taken && *given != *taken) {
+            out.push_back(fmt::format(
+                "{} gives {} and {} takes {}; nothing converts between them: compose with the LUT "
+                "of 'edit identity --input-encoding {} --output-encoding {}' in between",
+                input_text(paths[i]), given->name(), input_text(paths[i + 1]), taken->name(),
+                given->name(), taken->name()));
+        }
+    }
+    return out;
+}
+
 int run(const Options& o) {
     if (o.inputs.size() < 2) {
         throw lutlib::UsageError("compose takes two looks or more, the first to apply first");
@@ -40,7 +58,7 @@ int run(const Options& o) {
     }
     const lutlib::Lut lut = compose(chain, o.made.sampling.sampling_of(chain), method);
     const double clamped = clamped_share(chain, method);
-    std::vector<std::string> notes;
+    std::vector<std::string> notes = mismatches(o.inputs, chain);
     if (clamped > 0) {
         notes.push_back(fmt::format("lost: {:.3g} % of the input's colours leave a later look's "
                                     "domain and are clamped to it",

@@ -61,7 +61,7 @@ void take_names(const lutlib::LookPlace& place, lutlib::EncodingNames& names) {
 // What is known of the look's encodings goes into the file. A LUT picture is read by engines, which
 // feed it what their rows say.
 lutlib::LookPlace put_in_place(const Options& o, const io::Look& look, lutlib::Lut& lut) {
-    lutlib::LookPlace place{look.encodings(), {}, {}, o.placing.convert()};
+    lutlib::LookPlace place{look.encodings(), {}, {}, o.placing.convert(), &o.placing.adaptation()};
     take_names(place, lut.encodings);
     const lutlib::FileFormat& format = target_of(o, lut);
     if (!format.layout) {
@@ -184,6 +184,12 @@ int run(const Options& o) {
         notes.push_back("encodings: " + said);
     }
     losses.insert(losses.end(), table.losses.begin(), table.losses.end());
+    if (const io::Reach reach = io::reach_of(look.domain(), place.applied());
+        place.applied().before && reach.reached < 1) {
+        losses.push_back({"inputs beyond what the engine feeds: of the look's domain " +
+                              io::domain_text(reach.domain) + " it reaches",
+                          100 * reach.reached, "%"});
+    }
     file.losses.insert(file.losses.begin(), losses.begin(), losses.end());
     if (o.strict && !file.losses.empty()) {
         throw lutlib::Error(

@@ -73,6 +73,9 @@ lutlib::Recipe assemble(const Options& o, std::string& base) {
             recipe = std::move(read);
         } else {
             recipe.base_lut = read.base_lut;
+            if (const auto given = look.encodings().output; given && o.recipe.empty()) {
+                recipe.input = *given;
+            }
         }
     }
     if (!o.save_recipe.empty() && base == io::standard_stream) {
@@ -80,6 +83,13 @@ lutlib::Recipe assemble(const Options& o, std::string& base) {
     }
     if (!o.input_encoding.empty()) {
         recipe.input = encoding_of(o.input_encoding, "--input-encoding");
+    }
+    const auto given = recipe.base_lut ? encodings_of(recipe.base_lut->encodings).output
+                                       : std::optional<lutlib::Encoding>();
+    if (given && *given != recipe.input && !o.input_encoding.empty()) {
+        print(fmt::format("lutconv: {} gives {}, and --input-encoding says {}, which counts\n",
+                          input_text(base), given->name(), recipe.input.name()),
+              std::string(io::standard_stream));
     }
     if (!o.output_encoding.empty()) {
         recipe.output = encoding_of(o.output_encoding, "--output-encoding");
@@ -175,7 +185,9 @@ Run declare_edit(CLI::App& app) {
     app.add_option("--save-recipe", o->save_recipe, "write the operators and their base here");
     app.add_option("--title", o->title, "title of the result");
     app.add_option("--input-encoding", o->input_encoding,
-                   std::string("what the operators' code values are: ") + encoding_help);
+                   std::string("what the operators' code values are (default: what the LUT says "
+                               "that it gives, else srgb): ") +
+                       encoding_help);
     app.add_option("--output-encoding", o->output_encoding,
                    "encoding of the result (default: as the input)");
     app.add_option("--adaptation", o->adaptation,

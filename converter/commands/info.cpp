@@ -68,6 +68,22 @@ std::string table_text(const char* what, int size, const lutlib::Domain& d,
                        e.outside ? fmt::format(", {} values outside 0..1", e.outside) : "");
 }
 
+nlohmann::ordered_json encodings_json(const lutlib::LookEncodings& known) {
+    const lutlib::EncodingNames names = names_of(known);
+    const auto name = [](const std::string& text) {
+        return text.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(text);
+    };
+    return {{"input", name(names.input)}, {"output", name(names.output)}};
+}
+
+std::string encodings_text(const lutlib::LookEncodings& known) {
+    const lutlib::EncodingNames names = names_of(known);
+    const auto name = [](const std::string& text) {
+        return text.empty() ? std::string("unknown") : text;
+    };
+    return fmt::format("  encodings: input {}, output {}\n", name(names.input), name(names.output));
+}
+
 int run(const std::string& path, bool json) {
     const std::string bytes = lutlib::io::read_file(path);
     const std::optional<PictureFacts> picture = picture_facts(bytes, path);
@@ -79,6 +95,7 @@ int run(const std::string& path, bool json) {
         nlohmann::ordered_json out{{"file", path},
                                    {"format", look.kind().format},
                                    {"title", lut.title},
+                                   {"encodings", encodings_json(look.encodings())},
                                    {"comments", lut.comments},
                                    {"keywords", lut.keywords},
                                    {"notes", lut.notes}};
@@ -102,6 +119,7 @@ int run(const std::string& path, bool json) {
     if (!lut.title.empty()) {
         out += "  title: " + one_line(lut.title) + "\n";
     }
+    out += encodings_text(look.encodings());
     if (picture) {
         out += picture->text;
     }

@@ -39,10 +39,11 @@ struct Options {
 struct Verdict {
     std::string oracle,
         refusal; ///< who said what is right; why it was not asked of the file itself
-    lutlib::LookPlace place;
-    std::string scale; ///< how its reading of the file differs by a factor, and why ours counts
-    std::optional<lutlib::Verification> result; ///< unless the picture has no lattice
-    std::optional<lutlib::FittedCheck> fitted;
+    lutlib::LookPlace place{};
+    std::string claimed{}; ///< which of the look's encodings are the picture's word alone
+    std::string scale;     ///< how its reading of the file differs by a factor, and why ours counts
+    std::optional<lutlib::Verification> result{}; ///< unless the picture has no lattice
+    std::optional<lutlib::FittedCheck> fitted{};
     bool passed = false;
 };
 
@@ -53,13 +54,27 @@ lutlib::Interpolation baked_interpolation(const Options& o, const Subject& s,
     return o.interpolation.get().value_or(recorded);
 }
 
-// As the options and the look say, else as bake recorded in the picture.
-lutlib::LookPlace place_of(const Options& o, const Subject& s, const io::Look& look) {
+// What the look and the options leave open is filled by what bake recorded in the picture, which is
+// the picture's own claim.
+struct Claim {
+    lutlib::LookEncodings look;
+    std::string filled; ///< what of them is the picture's word alone: "input logc3, output srgb"
+};
+
+Claim claim_of(const Subject& s, lutlib::LookEncodings known) {
     const lutlib::LookEncodings recorded = encodings_of(io::look_encodings_of(s.image));
-    lutlib::LookEncodings known = look.encodings();
-    known.input = known.input ? known.input : recorded.input;
-    known.output = known.output ? known.output : recorded.output;
-    return io::place_in(*s.engine, known, o.placing.convert());
+    Claim out{known, {}};
+    const auto fill = [&](std::optional<lutlib::Encoding>& encoding,
+                          const std::optional<lutlib::Encoding>& claimed, const char* side) {
+        if (!encoding && claimed) {
+            encoding = claimed;
+            out.filled +=
+                (out.filled.empty() ? "" : ", ") + std::string(side) + " " + claimed->name();
+        }
+    };
+    fill(out.look.input, recorded.input, "input");
+    fill(out.look.output, recorded.output, "output");
+    return out;
 }
 
 std::string ignored_text(const lutlib::LookPlace& place, const lutlib::Engine& engine) {
@@ -68,15 +83,37 @@ std::string ignored_text(const lutlib::LookPlace& place, const lutlib::Engine& e
     return sentence_of(left, engine.name) + ": bake it without --no-convert";
 }
 
+// The same look between other encodings: left alone, converted though --no-convert was given, or as
+// the picture's text says that it was taken for.
+std::vector<lutlib::Alternative> other_places(const Subject& s, const lutlib::Transform& unplaced,
+                                              const lutlib::LookPlace& place) {
+    std::vector<lutlib::Alternative> out;
+    const lutlib::Placement needed = place.needed();
+    if (needed.converts() && place.convert) {
+        out.push_back({ignored_text(place, *s.engine), unplaced});
+    } else if (needed.converts()) {
+        out.push_back({"the picture holds the look with its conversions (" + needed.text() +
+                           "), as it should: verify it without --no-convert",
+                       needed.around(unplaced)});
+    }
+    lutlib::LookPlace recorded = place;
+    recorded.look = encodings_of(io::look_encodings_of(s.image));
+    recorded.convert = true;
+    if (recorded.look != place.look && recorded.needed().converts()) {
+        out.push_back({"it was baked from a look said to take and give other codes (" +
+                           recorded.needed().text() +
+                           "): if that is right, say so with --look-input and --look-output, else "
+                           "bake it anew",
+                       recorded.needed().around(unplaced)});
+    }
+    return out;
+}
+
 std::vector<lutlib::Alternative> other_bakes(const io::Look& look, lutlib::Interpolation used,
                                              const lutlib::Transform& unplaced,
-                                             const lutlib::LookPlace& place,
-                                             const lutlib::Engine& engine) {
-    std::vector<lutlib::Alternative> out;
+                                             const lutlib::LookPlace& place, const Subject& s) {
+    std::vector<lutlib::Alternative> out = other_places(s, unplaced, place);
     const lutlib::Placement placement = place.applied();
-    if (placement.converts()) {
-        out.push_back({ignored_text(place, engine), unplaced});
-    }
     for (const lutlib::InterpolationInfo& row : lutlib::interpolations()) {
         if (look.is_interpolated() && row.kind != used) {
             out.push_back({fmt::format("the look was read with {} interpolation", row.name),
@@ -92,15 +129,17 @@ Verdict judge(const Options& o, const Subject& s) {
     tell_remarks(look);
     const lutlib::Interpolation how = baked_interpolation(o, s, look);
     const io::LookReference reference = look.reference(how);
-    Verdict out{reference.name, reference.refusal, place_of(o, s, look), reference.scale, {}, {},
-                false};
+    const Claim claim = claim_of(s, look.encodings());
+    Verdict out{.oracle = reference.name, .refusal = reference.refusal, .scale = reference.scale};
+    out.place = io::place_in(*s.engine, claim.look, o.placing.convert());
+    out.place.adaptation = &o.placing.adaptation();
+    out.claimed = claim.filled;
     const lutlib::Transform right = out.place.applied().around(reference.look);
     if (s.size > 0) {
         const std::vector<lutlib::Rgb> inputs =
             lutlib::sample_colors(s.size, {.random = o.samples});
-        out.result = verify(s.codes, *s.engine, s.size, right, inputs, [&] {
-            return other_bakes(look, how, reference.look, out.place, *s.engine);
-        });
+        out.result = verify(s.codes, *s.engine, s.size, right, inputs,
+                            [&] { return other_bakes(look, how, reference.look, out.place, s); });
         if (s.fitted()) {
             out.result->diagnosis.reset();
             out.fitted =
@@ -133,9 +172,11 @@ const NamedByWords& words_of(NamedBy by) {
 // Names the engine, for a picture that is right for one is wrong for most others; so it is with the
 // encoding that the look is taken to be made for.
 std::string verdict_text(const Subject& s, const Verdict& v) {
-    const std::string unless = v.passed && v.place.is_unknown()
-                                   ? "; right if the look is made for " + v.place.given->name()
-                                   : "";
+    const std::string taken = !v.claimed.empty()     ? v.claimed
+                              : v.place.is_unknown() ? v.place.given->name()
+                                                     : "";
+    const std::string unless =
+        v.passed && !taken.empty() ? "; right if the look is made for " + taken : "";
     return fmt::format("{} as {} ({}){}{}", v.passed ? "passed" : "FAILED", s.engine->label,
                        s.engine->name, words_of(s.named_by).words, unless);
 }
@@ -222,6 +263,10 @@ std::string as_text(const Options& o, const Subject& s, const Verdict& v) {
     } else if (const std::string said = sentence_of(v.place, s.engine->name); !said.empty()) {
         out += "  encodings: " + said + "\n";
     }
+    if (!v.claimed.empty()) {
+        out += "  the look does not say its encodings; " + v.claimed +
+               " is what the picture's text says of it\n";
+    }
     for (const std::string& note : s.notes) {
         out += "  note: " + note + "\n";
     }
@@ -257,6 +302,7 @@ nlohmann::ordered_json as_json(const Options& o, const Subject& s, const Verdict
                                {"contract_violations", s.contract},
                                {"notes", s.notes},
                                {"encodings", to_json(v.place)}};
+    out["encodings"]["claimed_by_picture"] = v.claimed;
     if (v.place.is_wrong()) {
         out["contract_violations"].push_back(ignored_text(v.place, *s.engine));
     }

@@ -169,7 +169,11 @@ std::optional<Encoding> encoding_named(std::string_view name) {
     const std::size_t slash = name.find('/');
     const TransferCurve* const curve = transfer_curve_named(name.substr(0, slash));
     if (!curve) {
-        return std::nullopt;
+        const std::size_t blank = name.find(' ');
+        const bool two = slash == name.npos && blank != name.npos;
+        return two ? encoding_named(std::string(name.substr(0, blank)) + '/' +
+                                    std::string(name.substr(blank + 1)))
+                   : std::nullopt;
     }
     const Gamut* const gamut =
         slash == name.npos ? curve->gamut : gamut_named(name.substr(slash + 1));

@@ -52,7 +52,8 @@ LookEncodings encodings_of(const EncodingNames& names);
 /// Every curve with its own gamut; sRGB first.
 std::span<const Encoding> encodings();
 
-/// "curve" or "curve/gamut", such as "slog3/sgamut3.cine". Null for an unknown name.
+/// "curve" or "curve/gamut", such as "slog3/sgamut3.cine", also with a blank between ("S-Log3
+/// S-Gamut3.Cine"). Null for an unknown name.
 std::optional<Encoding> encoding_named(std::string_view name);
 /// The same. Throws UsageError with the names there are.
 Encoding require_encoding(std::string_view name);

@@ -29,7 +29,7 @@ bool take_encoding(std::string_view comment, EncodingNames& names) {
     for (const Row& row : rows) {
         if (begins_with(comment, row.words) && (names.*row.name).empty()) {
             const std::string_view name = trimmed(comment.substr(row.words.size()));
-            if (name.empty() || name.find_first_of(" \t") != std::string_view::npos) {
+            if (name.empty()) {
                 return false;
             }
             names.*row.name = name;

@@ -3,7 +3,8 @@
 //   # Input encoding: slog3/sgamut3.cine
 //   # Output encoding: gamma24/rec709
 //
-// A name is what encoding_named() knows, so one word; in letters of any case before the colon.
+// A name is what encoding_named() knows; another is kept as it is. Letters before the colon may be
+// of any case.
 #pragma once
 
 #include "lutlib/lut.h"

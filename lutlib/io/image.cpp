@@ -28,6 +28,7 @@ FloatImage to_float_image(const PngImage& codes) {
     out.height = codes.height;
     out.alpha = codes.channels == 4;
     out.channels = (codes.grey ? 1 : 3) + (out.alpha ? 1 : 0);
+    out.srgb_tag = codes.srgb_tag;
     out.depth = codes.depth.bits == 16 ? Depth::uint16 : Depth::uint8;
     const auto pixels =
         static_cast<std::size_t>(codes.width) * static_cast<std::size_t>(codes.height);
@@ -64,6 +65,32 @@ bool is_png_name(const std::string& path) {
 }
 
 } // namespace
+
+std::optional<Encoding> encoding_of(const FloatImage& image) {
+    if (image.srgb_tag) {
+        return srgb();
+    }
+    if (!image.holds_light) {
+        return std::nullopt;
+    }
+    const std::optional<Encoding> light = encoding_named("linear");
+    if (!image.chromaticities) {
+        return light; // OpenEXR's default is Rec.709
+    }
+    constexpr double rounding = 1e-3;
+    for (const Gamut* const gamut : gamuts()) {
+        const Primaries& p = gamut->primaries;
+        const std::array<double, 8> wanted{p.red.x,  p.red.y,  p.green.x, p.green.y,
+                                           p.blue.x, p.blue.y, p.white.x, p.white.y};
+        if (std::equal(wanted.begin(), wanted.end(), image.chromaticities->begin(),
+                       [](double a, float b) {
+                           return std::abs(a - static_cast<double>(b)) < rounding;
+                       })) {
+            return Encoding{light->curve, gamut};
+        }
+    }
+    return std::nullopt;
+}
 
 std::span<const DepthInfo> depths() {
     return table;

@@ -3,7 +3,11 @@
 // spaces: integer codes c of b bits become c / (2^b - 1), floats stay as they are.
 #pragma once
 
+#include "lutlib/color/encoding.h"
+
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,7 +34,14 @@ struct FloatImage {
     int channels = 4;             ///< of the file: 1, 2, 3 or 4 (the first four of more)
     bool alpha = false;           ///< the file stores alpha
     Depth depth = Depth::float32; ///< the file's own
+    bool srgb_tag = false;        ///< a PNG with the chunk sRGB
+    bool holds_light = false;     ///< its file type is defined to hold linear light (EXR, HDR)
+    /// Red, green, blue and white, x and y each, where the file says them.
+    std::optional<std::array<float, 8>> chromaticities{};
 };
+
+/// What the file says that its values are; nothing where it does not, or says what no row has.
+std::optional<Encoding> encoding_of(const FloatImage& image);
 
 /// `-` reads standard input. Throws Error for what is no readable picture within limits.h.
 FloatImage read_image(const std::string& path);

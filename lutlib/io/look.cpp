@@ -42,17 +42,24 @@ LookTable baked(const Recipe& recipe) {
 
 // What was guessed of a picture's layout, then of a table's codes; names of encodings that nobody
 // knows here.
-std::vector<std::string> remarks_of(std::vector<std::string> remarks, const Lut& lut) {
+std::vector<std::string> remarks_of(std::vector<std::string> remarks, const Lut& lut,
+                                    const LookEncodings& said = {}) {
     remarks.insert(remarks.end(), lut.notes.begin(), lut.notes.end());
-    for (const auto& [side, name] :
-         {std::pair("input", &lut.encodings.input), std::pair("output", &lut.encodings.output)}) {
-        if (!name->empty() && !encoding_named(*name)) {
-            remarks.push_back(fmt::format(
-                "its {0} encoding '{1}' is none that 'lutconv encodings' lists; name it with "
-                "--look-{0}",
-                side, *name));
+    const auto look_at = [&](const char* side, const std::string& name,
+                             const std::optional<Encoding>& option) {
+        const std::optional<Encoding> known = encoding_named(name);
+        if (!name.empty() && !known && !option) {
+            remarks.push_back(fmt::format("its {0} encoding '{1}' is none that 'lutconv encodings' "
+                                          "lists; name it with --look-{0}",
+                                          side, name));
+        } else if (known && option && *known != *option) {
+            remarks.push_back(fmt::format("it says that its {0} is {1}, and --look-{0} says {2}, "
+                                          "which counts",
+                                          side, name, option->name()));
         }
-    }
+    };
+    look_at("input", lut.encodings.input, said.input);
+    look_at("output", lut.encodings.output, said.output);
     return remarks;
 }
 
@@ -122,11 +129,13 @@ void Look::read_recipe() {
     files_.push_back({base.lut.provenance, base.all_losses(), base.lut.keywords,
                       remarks_of(base.remarks, base.lut)});
     const auto given = encoding_named(base.lut.encodings.output);
-    if (given && *given != recipe_->input) {
-        files_.front().remarks.push_back(
-            fmt::format("its operators work on {}, and its base gives {}; nothing converts between "
-                        "them",
-                        recipe_->input.name(), given->name()));
+    if (given && !recipe_->states_input) {
+        recipe_->input = *given;
+    } else if (given && *given != recipe_->input) {
+        files_.front().remarks.push_back(fmt::format(
+            "its operators work on {0} and its base gives {1}; nothing converts between "
+            "them: write \"input\": \"{1}\" into the recipe",
+            recipe_->input.name(), given->name()));
     }
     recipe_->base_lut = std::make_shared<const Lut>(std::move(base.lut));
 }
@@ -140,7 +149,7 @@ void Look::read_table(const LookOptions& options) {
         format.name);
     kind_ = {std::string(format.name), reading.layout, reading.engine};
     files_ = {{name_, std::move(reading.losses), reading.lut.keywords,
-               remarks_of(reading.remarks, reading.lut)}};
+               remarks_of(reading.remarks, reading.lut, options.encodings)}};
     table_losses_ = std::move(reading.table_losses);
     const EncodingNames said = names_of(options.encodings);
     EncodingNames& names = reading.lut.encodings;

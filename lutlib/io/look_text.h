@@ -8,8 +8,8 @@
 
 namespace lutlib::io {
 
-/// A line for everything that was lost, guessed or is not acted on, the file's name before those of a
-/// recipe's base. Control characters are escaped.
+/// A line for everything that was lost, guessed or is not acted on, the file's name before those of
+/// a recipe's base. Control characters are escaped.
 std::vector<std::string> told_of(const Look& look);
 
 } // namespace lutlib::io

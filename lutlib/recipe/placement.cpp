@@ -62,14 +62,15 @@ std::string Placement::text() const {
         out = before->from.name() + " is converted to " + before->to.name() + " before the look";
     }
     if (after) {
-        out += (out.empty() ? "" : ", and ") + after->from.name() +
-               (before ? " to " : " is converted to ") + after->to.name() + " after it";
+        out += before ? ", and " + after->from.name() + " to " + after->to.name() + " after it"
+                      : after->from.name() + " is converted to " + after->to.name() +
+                            " after the look";
     }
     return out;
 }
 
 Placement LookPlace::needed() const {
-    return {between(given, look.input), between(look.output, wanted)};
+    return {between(given, look.input), between(look.output, wanted), adaptation};
 }
 
 Placement LookPlace::applied() const {
@@ -90,39 +91,67 @@ bool LookPlace::is_unknown() const {
     return (given && !look.input) || (wanted && !look.output);
 }
 
+namespace {
+
+std::string joined(const std::string& a, const char* between, const std::string& b) {
+    return a.empty() || b.empty() ? a + b : a + between + b;
+}
+
+std::string left_text(const Placement& needed, const std::string& where) {
+    const std::string before = needed.before ? "it takes " + needed.before->to.name() + " and " +
+                                                   where + " feeds it " + needed.before->from.name()
+                                             : "";
+    const std::string after = needed.after
+                                  ? "it gives " + needed.after->from.name() + " and " + where +
+                                        " takes that for " + needed.after->to.name()
+                                  : "";
+    return "the look is left as it is, though " + joined(before, ", and ", after);
+}
+
+std::string unknown_text(const LookPlace& place, const std::string& where) {
+    const bool input = place.given && !place.look.input;
+    const bool output = place.wanted && !place.look.output;
+    if (input && output && *place.given == *place.wanted) {
+        return "the look's encodings are not known and taken for " + place.given->name() +
+               ", which " + where +
+               " feeds: if they are others, name them with --look-input and "
+               "--look-output";
+    }
+    const auto side = [](bool unknown, const char* name, const std::optional<Encoding>& taken) {
+        return unknown
+                   ? "the look's " + std::string(name) + " encoding is not known and taken for " +
+                         taken->name() + ": if it is another, name it with --look-" + name
+                   : std::string();
+    };
+    return joined(side(input, "input", place.given), "; ", side(output, "output", place.wanted));
+}
+
+std::string agreement_text(const LookPlace& place) {
+    const std::string takes = place.look.input ? "takes " + place.look.input->name() : "";
+    const std::string gives = place.look.output ? "gives " + place.look.output->name() : "";
+    if (place.look.input && place.look.input == place.look.output) {
+        return "the look takes and gives " + place.look.input->name();
+    }
+    return takes.empty() && gives.empty() ? "" : "the look " + joined(takes, " and ", gives);
+}
+
+} // namespace
+
 std::string sentence_of(const LookPlace& place, std::string_view where) {
-    if (!place.given && !place.wanted) {
-        return {};
-    }
-    const std::string at = std::string(where);
-    const std::string meant = place.given ? place.given->name() : place.wanted->name();
+    const std::string at(where);
     if (place.is_wrong()) {
-        const Placement needed = place.needed();
-        std::string out = "the look is left as it is, though ";
-        if (needed.before) {
-            out += "it takes " + needed.before->to.name() + " and " + at + " feeds " +
-                   needed.before->from.name();
-        }
-        if (needed.after) {
-            out += (needed.before ? ", and " : "") + std::string("it gives ") +
-                   needed.after->from.name() + " where " + at + " shows " + needed.after->to.name();
-        }
-        return out;
+        return left_text(place.needed(), at);
     }
-    std::string out = place.applied().text();
-    if (place.is_unknown()) {
-        const bool input = place.given && !place.look.input;
-        const bool output = place.wanted && !place.look.output;
-        out += (out.empty() ? "" : "; ") + std::string("the look's ") +
-               (input && output ? "encodings are"
-                : input         ? "input encoding is"
-                                : "output encoding is") +
-               " not known and taken for " + meant + ", as of " + at + ": if not, name " +
-               (input && output ? "them with --look-input and --look-output"
-                : input         ? "it with --look-input"
-                                : "it with --look-output");
+    const std::string unknown = place.is_unknown() ? unknown_text(place, at) : "";
+    const std::string known = place.applied().text();
+    if (!known.empty() || !unknown.empty()) {
+        return joined(known, "; ", unknown);
     }
-    return out.empty() ? "the look takes and gives " + meant + ", as " + at + " does" : out;
+    const std::string agreement = agreement_text(place);
+    if (!place.given && !place.wanted) {
+        return agreement.empty() ? "" : agreement + ": give it that in " + at;
+    }
+    return agreement + ", as " + at + " does";
 }
 
 } // namespace lutlib

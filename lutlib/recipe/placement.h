@@ -42,6 +42,7 @@ struct LookPlace {
     std::optional<Encoding> given;  ///< what it gets; unset: not known, or whatever it is made for
     std::optional<Encoding> wanted; ///< what its results are read as
     bool convert = true;            ///< false: the caller leaves the codes as they are
+    const Adaptation* adaptation = &bradford; ///< between different whites
 
     /// What would make the two meet.
     Placement needed() const;
@@ -56,7 +57,7 @@ struct LookPlace {
 };
 
 /// What follows for the codes, a sentence without its full stop that calls the place `where`, such
-/// as "unity". Empty where the place takes any encoding.
+/// as "unity". Empty where the place takes any encoding and the look's are not known.
 std::string sentence_of(const LookPlace& place, std::string_view where);
 
 } // namespace lutlib

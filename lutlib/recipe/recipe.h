@@ -53,6 +53,7 @@ struct BakeSettings {
 struct Recipe {
     std::string title;
     Encoding input = srgb();
+    bool states_input = false;      ///< the file does; else a base that says what it gives decides
     std::optional<Encoding> output; ///< none: as the input
     const Adaptation* adaptation = &bradford;
     std::string base; ///< the base's file, as written in the recipe

@@ -244,6 +244,7 @@ Recipe parse_recipe(std::string_view text, const std::string& file) {
     }
     if (root.has("input")) {
         out.input = read_encoding(root.member("input"));
+        out.states_input = true;
     }
     if (root.has("output")) {
         out.output = read_encoding(root.member("output"));

@@ -18,10 +18,10 @@ std::optional<lutlib::Encoding> if_named(const std::string& name, const std::str
     return name.empty() ? std::nullopt : std::optional(encoding_of(name, flag));
 }
 
-LookUse use_of(const Options& options, const std::string& engine) {
+LookUse use_of(const Options& options, const std::string& engine, const std::string& input,
+               const std::string& output) {
     return {.lookup = lookup_of(engine),
-            .encodings = {if_named(options.look_input, "--look-input"),
-                          if_named(options.look_output, "--look-output")},
+            .encodings = {if_named(input, "--look-input"), if_named(output, "--look-output")},
             .picture = encoding_of(options.picture_encoding, "--picture-encoding"),
             .convert = !options.no_convert};
 }
@@ -45,7 +45,7 @@ LookUse use_a(const Options& options) {
         throw lutlib::UsageError("--engine-a is for side A, which has no look: --engine-b is for "
                                  "side B");
     }
-    return use_of(options, options.engine_a);
+    return use_of(options, options.engine_a, options.look_input_a, options.look_output_a);
 }
 
 LookUse use_b(const Options& options) {
@@ -53,7 +53,7 @@ LookUse use_b(const Options& options) {
         throw lutlib::UsageError("--engine is for side B, which has no look: --engine-a is for "
                                  "side A");
     }
-    return use_of(options, options.engine_b);
+    return use_of(options, options.engine_b, options.look_input_b, options.look_output_b);
 }
 
 } // namespace preview

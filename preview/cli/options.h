@@ -18,8 +18,9 @@ namespace preview {
 struct Options {
     std::string input = "sample"; ///< a built-in scene, a model or a picture file
     std::string look_a = "none", look_b;
-    std::string engine_a, engine_b;        ///< lookups that read them
-    std::string look_input, look_output;   ///< of both looks; empty: as each says
+    std::string engine_a, engine_b;          ///< lookups that read them
+    std::string look_input_a, look_output_a; ///< of the looks' codes; empty: as each says
+    std::string look_input_b, look_output_b;
     std::string picture_encoding = "srgb"; ///< of the codes that the looks get
     bool no_convert = false;               ///< whatever the looks are made for
     /// What the frame is asked for; settings_of() completes it.

@@ -1,3 +1,4 @@
+#include "lutlib/error.h"
 #include "lutlib/io/look.h"
 #include "preview/cli/look_options.h"
 #include "preview/cli/modes.h"
@@ -11,12 +12,16 @@ namespace preview {
 namespace {
 
 void open_looks(editor::State& state, const Options& options) {
-    const lutlib::io::LookOptions said{.encodings = use_b(options).encodings};
-    const std::string& on_recipe = options.look_b.empty() ? options.look_a : options.look_b;
-    if (on_recipe != "none")
-        editor::open_look(state, lutlib::io::Look::open(on_recipe, said));
-    if (!options.look_b.empty() && options.look_a != "none")
-        editor::open_side(state.sides[0], lutlib::io::Look::open(options.look_a, said));
+    const lutlib::io::LookOptions a{.encodings = use_a(options).encodings};
+    const lutlib::io::LookOptions b{.encodings = use_b(options).encodings};
+    const bool only_a = options.look_b.empty();
+    const std::string& on_recipe = only_a ? options.look_a : options.look_b;
+    if (on_recipe != "none") {
+        editor::open_look(state, lutlib::io::Look::open(on_recipe, only_a ? a : b));
+    }
+    if (!only_a && options.look_a != "none") {
+        editor::open_side(state.sides[0], lutlib::io::Look::open(options.look_a, a));
+    }
 }
 
 editor::State opening_state(const Options& options, const FrameSettings& given,
@@ -50,6 +55,10 @@ editor::State opening_state(const Options& options, const FrameSettings& given,
 } // namespace
 
 void open_window(const Options& options) {
+    if (use_b(options).picture != lutlib::srgb()) {
+        throw lutlib::UsageError("the window shows looks on sRGB codes: give --headless beside "
+                                 "--picture-encoding");
+    }
     const auto shown = std::make_shared<const Shown>(load_shown(options.input, options.seconds));
     WindowSetup setup;
     const FrameSettings given = settings_of(options, shown->picture_size());

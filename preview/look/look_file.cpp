@@ -62,13 +62,16 @@ lutlib::LookPlace place_of(const lutlib::LookEncodings& look, const LookUse& use
 }
 
 LoadedLook look_for(const lutlib::io::Look& look, const LookUse& use) {
-    const lutlib::LookPlace place = place_of(look.encodings(), use);
+    // An engine reads a picture's texels as they are, right or wrong.
+    LookUse used = use;
+    used.convert = use.convert && !look.picture();
+    const lutlib::LookPlace place = place_of(look.encodings(), used);
     const lutlib::Placement placement = place.applied();
     LoadedLook out = placement.converts() ? placed_look(placement.around(look.exact()), use.lookup)
                                           : own_look(look, use.lookup);
     out.told = told_of(look);
     out.encodings = sentence_of(place, "the picture");
-    if (placement.converts() || place.is_wrong()) {
+    if (placement.converts() || place.is_wrong() || place.is_unknown()) {
         out.told.push_back(out.encodings);
     }
     return out;

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace converter_test {
 namespace {
@@ -123,6 +124,27 @@ TEST(ConvertOfALook, to_a_picture_that_engines_read_converts_as_bake_does) {
               lutlib::io::read_png(contents(baked), "").samples);
 }
 
+TEST(ComposeOfLooks, keeps_the_outer_encodings_and_says_where_the_inner_ones_differ) {
+    const Folder folder;
+    const std::string head = "LUT_1D_SIZE 2\n0 0 0\n1 1 1\n";
+    const std::string first = folder.write("a.cube", "# Input encoding: logc3\n# Output encoding: "
+                                                     "srgb\n" +
+                                                         head);
+    const std::string second = folder.write("b.cube", "# Input encoding: slog3\n# Output encoding: "
+                                                      "rec709\n" +
+                                                          head);
+    const std::string out = folder.path("out.cube");
+    const Result result = lutconv_in_process({"compose", first, second, "-o", out});
+    EXPECT_NE(result.out.find("gives srgb and"), std::string::npos) << result.out;
+    const json info = run({"info", out});
+    EXPECT_EQ(info["encodings"]["input"], "logc3");
+    EXPECT_EQ(info["encodings"]["output"], "rec709");
+    run({"invert", first, "-o", out});
+    EXPECT_EQ(run({"info", out})["encodings"]["input"], "srgb");
+    run({"edit", second, "--exposure", "0.1", "-o", out});
+    EXPECT_EQ(run({"info", out})["encodings"]["output"], "rec709");
+}
+
 class ApplyOfALook : public testing::Test {
   protected:
     const Folder folder;
@@ -151,7 +173,9 @@ TEST_F(ApplyOfALook, of_one_encoding_goes_from_the_pictures_to_it_and_back) {
     const std::string head = "# Input encoding: srgb\n# Output encoding: srgb\n";
     // Half the sRGB code of 0.18 is 0.2307, which is light of 0.0434.
     EXPECT_NEAR(applied({"--picture-encoding", "linear"}, head), 0.0434, 5e-4);
-    EXPECT_NEAR(applied({}, head), 0.09, 1e-6);
+    // An EXR holds light, where nobody says otherwise.
+    EXPECT_NEAR(applied({}, head), 0.0434, 5e-4);
+    EXPECT_NEAR(applied({"--picture-encoding", "srgb"}, head), 0.09, 1e-6);
     EXPECT_NEAR(applied({"--picture-encoding", "linear", "--no-convert"}, head), 0.09, 1e-6);
 }
 
@@ -165,13 +189,50 @@ TEST_F(ApplyOfALook, that_changes_the_encoding_gives_what_it_gives_unless_told_o
         0.0296, 5e-4);
 }
 
-TEST_F(ApplyOfALook, to_a_picture_of_unknown_codes_says_what_it_takes_them_for) {
+TEST_F(ApplyOfALook, says_what_the_picture_is_taken_for_and_what_the_result_holds) {
     const std::string look =
-        folder.write("look.cube", "# Input encoding: logc3\nLUT_1D_SIZE 2\n0 0 0\n1 1 1\n");
-    const Result result =
-        lutconv_in_process({"apply", look, grey_picture(0.18F), "-o", folder.path("out.exr")});
-    EXPECT_NE(result.out.find("taken for the look's input, logc3"), std::string::npos)
-        << result.out;
+        folder.write("look.cube", "# Input encoding: logc3\n# Output encoding: srgb\n"
+                                  "LUT_1D_SIZE 2\n0 0 0\n1 1 1\n");
+    const std::string light = grey_picture(0.18F), png = folder.path("in.png");
+    const Result exr = lutconv_in_process({"apply", look, light, "-o", folder.path("out.exr")});
+    EXPECT_NE(exr.out.find("the picture holds linear by its file type"), std::string::npos)
+        << exr.out;
+    EXPECT_NE(exr.out.find("the result holds srgb, and readers take .exr files for linear light"),
+              std::string::npos)
+        << exr.out;
+    lutconv_in_process({"apply", look, light, "-o", png});
+    const Result codes = lutconv_in_process({"apply", look, png, "-o", folder.path("out.png")});
+    EXPECT_NE(codes.out.find("taken for the look's input, logc3"), std::string::npos) << codes.out;
+    const Result said = lutconv_in_process(
+        {"apply", look, png, "-o", folder.path("out.png"), "--output-encoding", "rec709"});
+    EXPECT_NE(said.out.find("taken for the look's input, logc3"), std::string::npos) << said.out;
+    EXPECT_NE(said.out.find("srgb is converted to rec709 after the look"), std::string::npos)
+        << said.out;
+}
+
+TEST_F(ApplyOfALook, counts_pixels_that_hold_what_is_no_number) {
+    const std::string look = folder.write("look.cube", "# Input encoding: srgb\n# Output encoding: "
+                                                       "srgb\nLUT_1D_SIZE 2\n0 0 0\n1 1 1\n");
+    const json report = run({"apply", look, grey_picture(std::numeric_limits<float>::quiet_NaN()),
+                             "-o", folder.path("out.exr")});
+    EXPECT_EQ(report["pixels_not_a_number"], 2);
+}
+
+TEST(VerifyOfALogLook, says_which_encodings_are_the_pictures_word_alone) {
+    const Folder folder;
+    const std::string look = folder.write("look.cube", saturated_cube(5)),
+                      strip = folder.path("s.png");
+    run({"bake", look, "-o", strip, "--look-input", "logc3", "--look-output", "srgb"});
+    const Result passed = lutconv_in_process({"verify", strip, "--against", look});
+    EXPECT_NE(passed.out.find("; right if the look is made for input logc3, output srgb"),
+              std::string::npos)
+        << passed.out;
+    const Result wrong =
+        lutconv_in_process({"verify", strip, "--against", look, "--look-input", "slog3"});
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_NE(wrong.out.find("said to take and give other codes"), std::string::npos) << wrong.out;
+    const Result flag = lutconv_in_process({"verify", strip, "--against", look, "--no-convert"});
+    EXPECT_NE(flag.out.find("verify it without --no-convert"), std::string::npos) << flag.out;
 }
 
 } // namespace

@@ -8,6 +8,8 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace lutlib::io {
 namespace {
@@ -109,6 +111,13 @@ class Library final : public Oiio {
         image.channels = std::min(spec.nchannels, 4);
         image.alpha = image.channels == 2 || image.channels == 4;
         image.depth = depth_of(spec.format);
+        const std::string_view type = input->format_name();
+        image.holds_light = type == "openexr" || type == "hdr";
+        std::array<float, 8> chromaticities{};
+        if (spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
+                              chromaticities.data())) {
+            image.chromaticities = chromaticities;
+        }
         const auto channels = static_cast<std::size_t>(image.channels);
         std::vector<float> samples(static_cast<std::size_t>(spec.width) *
                                    static_cast<std::size_t>(spec.height) * channels);

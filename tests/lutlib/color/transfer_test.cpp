@@ -229,6 +229,8 @@ TEST(Encoding, is_named_by_curve_and_gamut_however_it_is_spelt) {
     EXPECT_EQ(slog3.name(), "slog3");
     EXPECT_EQ(require_encoding("slog3/rec709").name(), "slog3/rec709");
     EXPECT_FALSE(encoding_named("slog3/"));
+    EXPECT_EQ(encoding_named("S-Log3 S-Gamut3.Cine"), encoding_named("slog3/sgamut3.cine"));
+    EXPECT_FALSE(encoding_named("some kind of log"));
     EXPECT_FALSE(encoding_named("slog3/slog3"));
     EXPECT_FALSE(encoding_named(""));
     EXPECT_FALSE(encoding_named("/rec709"));

@@ -391,12 +391,12 @@ TEST(CubeEncodings, are_two_comments_that_reader_and_writer_share) {
     }
 }
 
-TEST(CubeEncodings, are_one_word_and_anything_else_stays_a_comment) {
+TEST(CubeEncodings, that_nobody_knows_are_kept_and_empty_ones_are_comments) {
     const Lut lut = read_cube("# Input encoding: some kind of log\n# Output encoding:\n"
                               "LUT_1D_SIZE 2\n0 0 0\n1 1 1\n",
                               "x.cube");
-    EXPECT_FALSE(lut.encodings.any());
-    EXPECT_EQ(lut.comments.size(), 2U);
+    EXPECT_EQ(lut.encodings, (EncodingNames{"some kind of log", ""}));
+    EXPECT_EQ(lut.comments.size(), 1U);
 }
 
 } // namespace

@@ -54,7 +54,9 @@ TEST(Placement, converts_only_what_is_known_and_differs) {
     EXPECT_FALSE(same.applied().converts() || same.is_unknown() || same.is_wrong());
     const LookPlace anywhere{{logc3, slog3}, {}, {}};
     EXPECT_FALSE(anywhere.applied().converts() || anywhere.is_unknown());
-    EXPECT_EQ(sentence_of(anywhere, "hald"), "");
+    EXPECT_EQ(sentence_of(anywhere, "hald"),
+              "the look takes logc3 and gives slog3/rec709: give it that in hald");
+    EXPECT_EQ(sentence_of({}, "hald"), "");
 }
 
 TEST(Placement, left_alone_is_wrong_where_the_encodings_differ) {
@@ -62,7 +64,7 @@ TEST(Placement, left_alone_is_wrong_where_the_encodings_differ) {
     EXPECT_FALSE(place.applied().converts());
     EXPECT_TRUE(place.is_wrong());
     EXPECT_EQ(sentence_of(place, "unity"),
-              "the look is left as it is, though it takes logc3 and unity feeds srgb");
+              "the look is left as it is, though it takes logc3 and unity feeds it srgb");
     place.look = {srgb(), srgb()};
     EXPECT_FALSE(place.is_wrong());
 }
@@ -71,8 +73,13 @@ TEST(Placement, says_what_it_does_and_what_it_does_not_know) {
     EXPECT_EQ(sentence_of({{logc3, slog3}, srgb(), srgb()}, "unity"),
               "srgb is converted to logc3 before the look, and slog3/rec709 to srgb after it");
     EXPECT_EQ(sentence_of({{{}, {}}, srgb(), srgb()}, "unity"),
-              "the look's encodings are not known and taken for srgb, as of unity: if not, name "
-              "them with --look-input and --look-output");
+              "the look's encodings are not known and taken for srgb, which unity feeds: if they "
+              "are others, name them with --look-input and --look-output");
+    EXPECT_EQ(sentence_of({{slog3, {}}, logc3, srgb()}, "the picture"),
+              "logc3 is converted to slog3/rec709 before the look; the look's output encoding is "
+              "not known and taken for srgb: if it is another, name it with --look-output");
+    EXPECT_EQ(sentence_of({{srgb(), slog3}, srgb(), {}}, "the picture"),
+              "the look takes srgb and gives slog3/rec709, as the picture does");
     EXPECT_EQ(sentence_of({{srgb(), srgb()}, srgb(), srgb()}, "unity"),
               "the look takes and gives srgb, as unity does");
 }

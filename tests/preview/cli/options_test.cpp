@@ -214,7 +214,9 @@ TEST(EngineOptions, of_a_side_without_a_look_name_the_other) {
 }
 
 TEST(EncodingOptions, are_refused_by_name) {
-    EXPECT_EQ(use_b(parsed("--look-input slog3")).encodings.input, lutlib::encoding_named("slog3"));
+    const Options one = parsed("--look-input slog3 --look-input-a logc3");
+    EXPECT_EQ(use_b(one).encodings.input, lutlib::encoding_named("slog3"));
+    EXPECT_EQ(use_a(one).encodings.input, lutlib::encoding_named("logc3"));
     EXPECT_FALSE(use_b(parsed("--no-convert")).convert);
     EXPECT_THROW(use_b(parsed("--look-output slog9")), lutlib::UsageError);
     EXPECT_THROW(use_b(parsed("--picture-encoding p9")), lutlib::UsageError);

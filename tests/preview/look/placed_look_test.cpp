@@ -1,5 +1,7 @@
 // Looks that are made for other codes than the picture's.
+#include "lutlib/bake/bake.h"
 #include "lutlib/interpolation/interpolation.h"
+#include "lutlib/io/lut_picture.h"
 #include "preview/editor/look_baker.h"
 #include "preview/editor/search.h"
 #include "preview/look/look_file.h"
@@ -62,6 +64,24 @@ TEST(PlacedLook, is_baked_with_its_conversions_for_an_engine) {
     const LoadedLook baked = look_for(look(log_half), {.lookup = gpu_lookup_named("unreal")});
     const double v = 8.0 / 15;
     EXPECT_NEAR(baked.table->cube->at(8, 8, 8).g, log_code_of_srgb(v) / 2, 0.5 / 255 + 1e-6);
+}
+
+TEST(PlacedLook, that_is_a_picture_is_read_as_it_is_whatever_its_text_says) {
+    const lutlib::Bake baked =
+        lutlib::bake(lutlib::Transform{}, *lutlib::engine_named("unreal"), 16, 8);
+    const auto strip = lutlib::io::Look::of_bytes(
+        lutlib::io::picture_bytes(baked, {.source = "",
+                                          .title = "",
+                                          .interpolation = "tetrahedral",
+                                          .encodings = {"logc3", "srgb"}}),
+        "strip.png");
+    for (const GpuLookup* lookup :
+         {static_cast<const GpuLookup*>(nullptr), gpu_lookup_named("unreal")}) {
+        const LoadedLook read = look_for(strip, {.lookup = lookup});
+        EXPECT_NEAR(lutlib::evaluate_exact(*read.table, {0.6, 0.6, 0.6}).g, 0.6, 1e-6);
+        ASSERT_FALSE(read.told.empty());
+        EXPECT_NE(read.told.back().find("left as it is"), std::string::npos);
+    }
 }
 
 TEST(PlacedLook, of_a_recipe_is_what_the_window_shows_too) {

@@ -108,9 +108,10 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-/// What the living passes of a graph must move: every image that they read or write, once each.
+/// What the passes of a graph must move in a steady frame: every image that they read or write,
+/// once each.
 std::uint64_t bytes_moved(const Graph& graph) {
-    const Plan plan = make_plan(graph);
+    const Plan plan = make_plan(graph, make_plan(graph).held);
     std::uint64_t bytes = 0;
     for (const Step& step : plan.steps)
         for (const Use& use : graph.passes()[step.pass].uses)

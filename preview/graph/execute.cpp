@@ -54,6 +54,7 @@ struct Executor::Shared {
     gpu::Pipelines pipelines;
     NeutralResources neutral;
     DataBlocks data;
+    PersistentObjects persistent;
 };
 
 Executor::Executor(const gpu::Device& device, std::uint32_t frames_in_flight)
@@ -93,13 +94,14 @@ void Executor::wait() {
 }
 
 void Executor::render(const Graph& graph, const FrameEnd& end) {
-    plan_ = make_plan(graph);
+    plan_ = make_plan(graph, held_);
     std::string shape = shape_of(graph, plan_);
-    if (!realised_ || shape != shape_) {
+    if (!realised_ || shape != shape_ || !plan_.made.empty()) {
         wait();
         realised_.reset();
+        held_.clear(); // in case that making the new objects fails
         realised_ = std::make_unique<Realised>(device_, shared_->pipelines, shared_->neutral,
-                                               shared_->data, graph, plan_);
+                                               shared_->data, shared_->persistent, graph, plan_);
         shape_ = std::move(shape);
         ++rebuilds_;
     }
@@ -118,6 +120,7 @@ void Executor::render(const Graph& graph, const FrameEnd& end) {
     slot.frame = frame;
     record(graph, slot, end);
     submit(slot, end);
+    held_ = plan_.held;
 }
 
 void Executor::repeat(const FrameEnd& end) {
@@ -194,7 +197,7 @@ void Executor::record_barriers(const Graph& graph, std::span<const Barrier> barr
     for (const Barrier& barrier : barriers) {
         if (graph.resources()[barrier.resource].kind == ResourceKind::image)
             image_barriers_.push_back(
-                image_barrier(realised_->image_of_resource(barrier.resource), barrier));
+                image_barrier(realised_->image_of_resource(graph, barrier.resource), barrier));
         else
             memory_barriers_.push_back(memory_barrier(barrier.from, barrier.to));
     }
@@ -212,7 +215,7 @@ void Executor::record_step(const Graph& graph, std::size_t index,
                             VK_WHOLE_SIZE, pass.fill_value);
         return;
     }
-    const RealisedStep& objects = realised_->step(index);
+    const RealisedPass& objects = realised_->pass(step.needed);
     const auto point = pass.kind == PassKind::compute ? vk::PipelineBindPoint::eCompute
                                                       : vk::PipelineBindPoint::eGraphics;
     commands.bindPipeline(point, *objects.pipeline->pipeline);
@@ -351,6 +354,10 @@ std::vector<StepTime> Executor::timings() {
     for (std::size_t index = 0; index < intervals.size() && index < slot.step_names.size(); ++index)
         times.push_back({slot.step_names[index], intervals[index]});
     return times;
+}
+
+std::size_t Executor::persistent_count() const {
+    return shared_->persistent.images.size() + shared_->persistent.buffers.size();
 }
 
 std::uint64_t Executor::pool_bytes() const {

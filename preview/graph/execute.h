@@ -3,7 +3,8 @@
 //
 // All of that is made when a graph differs in shape from the one before (other passes, sizes,
 // shaders or inputs) and kept while it does not: a steady frame allocates and uploads nothing, and
-// only push constants, group counts, draws and changed data() blocks move.
+// only push constants, group counts, draws and changed data() blocks move. The executor owns the
+// persistent resources too: what one frame made, the next finds.
 #pragma once
 
 #include "preview/gpu/device.h"
@@ -69,10 +70,12 @@ class Executor {
     /// Bytes of the transients' pool, and what they would take without sharing.
     std::uint64_t pool_bytes() const;
     std::uint64_t unshared_bytes() const;
+    /// How many images and buffers are kept for later frames.
+    std::size_t persistent_count() const;
 
   private:
     struct Slot;
-    struct Shared; ///< pipelines, neutral stand-ins and data blocks; outlives every shape
+    struct Shared; ///< pipelines, stand-ins, data blocks, persistent objects: outlive every shape
     struct PresentedResource {
         std::string name;
         const gpu::Image* image = nullptr;
@@ -97,6 +100,7 @@ class Executor {
     std::unique_ptr<Slot> repeated_;
     std::unique_ptr<Realised> realised_;
     Plan plan_;
+    HeldResources held_; ///< what the last submitted frame left
     std::string shape_;
     std::map<std::uint32_t, PresentedResource> presented_; ///< by version, of the last graph
     std::size_t slot_ = 0;                                 ///< of the last frame

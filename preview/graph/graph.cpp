@@ -16,6 +16,27 @@ namespace {
     throw std::logic_error("render graph: " + message);
 }
 
+Resource image_resource(std::string_view name, const ImageDesc& desc) {
+    if (desc.width == 0 || desc.height == 0) {
+        fault(fmt::format("image '{}' is empty ({}x{})", name, desc.width, desc.height));
+    }
+    Resource resource;
+    resource.name = name;
+    resource.image = desc;
+    return resource;
+}
+
+Resource buffer_resource(std::string_view name, std::uint64_t bytes) {
+    if (bytes == 0) {
+        fault(fmt::format("buffer '{}' is empty", name));
+    }
+    Resource resource;
+    resource.name = name;
+    resource.kind = ResourceKind::buffer;
+    resource.bytes = bytes;
+    return resource;
+}
+
 /// What a compute shader writes.
 Use written(BindingType binding) {
     Use use;
@@ -42,41 +63,55 @@ std::uint32_t Graph::add_resource(Resource resource) {
     return static_cast<std::uint32_t>(versions_.size() - 1);
 }
 
+std::uint32_t Graph::add_persistent(Resource resource, std::string_view still_right) {
+    for (const Resource& other : resources_) {
+        if (other.origin == Origin::persistent && other.name == resource.name) {
+            fault(fmt::format("two persistent resources are named '{}'", resource.name));
+        }
+    }
+    resource.origin = Origin::persistent;
+    resource.still_right = still_right;
+    return add_resource(std::move(resource));
+}
+
 ImageHandle Graph::image(std::string_view name, const ImageDesc& desc) {
-    if (desc.width == 0 || desc.height == 0)
-        fault(fmt::format("image '{}' is empty ({}x{})", name, desc.width, desc.height));
-    Resource resource;
-    resource.name = name;
-    resource.image = desc;
-    return {add_resource(std::move(resource))};
+    return {add_resource(image_resource(name, desc))};
 }
 
 BufferHandle Graph::buffer(std::string_view name, std::uint64_t bytes) {
-    if (bytes == 0)
-        fault(fmt::format("buffer '{}' is empty", name));
-    Resource resource;
-    resource.name = name;
-    resource.kind = ResourceKind::buffer;
-    resource.bytes = bytes;
-    return {add_resource(std::move(resource))};
+    return {add_resource(buffer_resource(name, bytes))};
 }
 
-ImageHandle Graph::import(std::string_view name, const gpu::Image& image, const ImageDesc& desc) {
+ImageHandle Graph::persistent_image(std::string_view name, const ImageDesc& desc,
+                                    std::string_view still_right) {
+    return {add_persistent(image_resource(name, desc), still_right)};
+}
+
+BufferHandle Graph::persistent_buffer(std::string_view name, std::uint64_t bytes,
+                                      std::string_view still_right) {
+    return {add_persistent(buffer_resource(name, bytes), still_right)};
+}
+
+ImageHandle Graph::import_image(std::string_view name, const gpu::Image& image,
+                                std::uint64_t serial, const ImageDesc& desc) {
     Resource resource;
     resource.name = name;
     resource.origin = Origin::imported;
     resource.image = desc;
     resource.imported_image = &image;
+    resource.serial = serial;
     return {add_resource(std::move(resource))};
 }
 
-BufferHandle Graph::import(std::string_view name, const gpu::Buffer& buffer, std::uint64_t bytes) {
+BufferHandle Graph::import_buffer(std::string_view name, const gpu::Buffer& buffer,
+                                  std::uint64_t serial, std::uint64_t bytes) {
     Resource resource;
     resource.name = name;
     resource.kind = ResourceKind::buffer;
     resource.origin = Origin::imported;
     resource.bytes = bytes;
     resource.imported_buffer = &buffer;
+    resource.serial = serial;
     return {add_resource(std::move(resource))};
 }
 
@@ -136,7 +171,7 @@ void Graph::withhold(std::string_view name, std::string_view reason) {
 void Graph::present_version(std::uint32_t version) {
     current(version, "the frame's end");
     const Resource& resource = resource_of(version);
-    if (resource.origin == Origin::transient && versions_[version].producer == Version::none)
+    if (resource.is_written() && versions_[version].producer == Version::none)
         fault(fmt::format("'{}' is presented and was never written", resource.name));
     if (std::find(presented_.begin(), presented_.end(), version) == presented_.end())
         presented_.push_back(version);
@@ -157,6 +192,18 @@ const Version& Graph::current(std::uint32_t version, std::string_view user) cons
     return versions_[version];
 }
 
+/// What is kept is the last version: an earlier one could not be had again.
+void Graph::refuse_overwriting_what_was_read(std::uint32_t version, std::string_view writer) const {
+    for (const PassRecord& pass : passes_) {
+        for (const Use& use : pass.uses) {
+            if (use.version == version && !use.writes) {
+                fault(fmt::format("'{}' overwrites the persistent '{}', which '{}' has read",
+                                  writer, resource_of(version).name, pass.name));
+            }
+        }
+    }
+}
+
 PassRecord& Pass::record() {
     return graph_->passes_[index_];
 }
@@ -165,7 +212,7 @@ void Pass::add_read(std::uint32_t version, Use use) {
     if (version != Version::none) {
         const Version& read = graph_->current(version, record().name);
         const Resource& resource = graph_->resources_[read.resource];
-        if (resource.origin == Origin::transient && read.producer == Version::none)
+        if (resource.is_written() && read.producer == Version::none)
             fault(fmt::format("'{}' reads '{}', which no pass has written", record().name,
                               resource.name));
         use.version = version;
@@ -176,7 +223,7 @@ void Pass::add_read(std::uint32_t version, Use use) {
 std::uint32_t Pass::add_write(std::uint32_t version, Use use, bool keeps) {
     const Version old = graph_->current(version, record().name);
     const Resource& resource = graph_->resources_[old.resource];
-    if (resource.origin != Origin::transient)
+    if (!resource.is_written())
         fault(fmt::format("'{}' writes '{}', which the frame may only read", record().name,
                           resource.name));
     if (keeps && old.producer == Version::none)
@@ -186,6 +233,9 @@ std::uint32_t Pass::add_write(std::uint32_t version, Use use, bool keeps) {
         if (other.version != Version::none &&
             graph_->versions_[other.version].resource == old.resource)
             fault(fmt::format("'{}' reads and writes '{}' at once", record().name, resource.name));
+    if (resource.origin == Origin::persistent) {
+        graph_->refuse_overwriting_what_was_read(version, record().name);
+    }
     graph_->versions_[version].retired = true;
     graph_->versions_.push_back({old.resource, index_, keeps ? version : Version::none, false});
     use.version = static_cast<std::uint32_t>(graph_->versions_.size() - 1);

@@ -34,6 +34,12 @@
 // retires the old one; reading a retired handle is an error, so the order of declaration is an
 // order of execution. An empty handle stands for something that the frame withholds: an image binds
 // its neutral stand-in.
+//
+// Resources that outlive the frame: persistent_image() and persistent_buffer() are declared and
+// written in every frame as transients are. Whose contents an earlier frame left, and all that they
+// were made from is the same, is not written again: its passes are left out. "All" is what its
+// passes say (shaders, constants, push constants, draws) and what they read, up to the bytes of
+// data() and to which object was imported, so a pass that shall rest reads no more than it needs.
 #pragma once
 
 #include "preview/gpu/types.h"
@@ -99,9 +105,10 @@ constexpr AccessMask mask(Access access) {
 }
 
 enum class Origin : std::uint8_t {
-    transient, ///< lives within the frame, memory is shared with others
-    imported,  ///< owned by somebody else, read only, ready for any read
-    data,      ///< bytes given with the graph; uploaded only when they differ from the last frame's
+    transient,  ///< lives within the frame, memory is shared with others
+    persistent, ///< owned by the executor, outlives the frame while frames need it
+    imported,   ///< owned by somebody else, read only, ready for any read
+    data, ///< bytes given with the graph; uploaded only when they differ from the last frame's
 };
 
 struct Resource {
@@ -112,7 +119,11 @@ struct Resource {
     std::uint64_t bytes = 0; ///< of a buffer
     const gpu::Image* imported_image = nullptr;
     const gpu::Buffer* imported_buffer = nullptr;
+    std::uint64_t serial = 0; ///< tells what is imported from anything else that ever was
     std::vector<std::byte> data;
+    std::string still_right; ///< of a persistent one: why an earlier frame's contents may serve
+    /// Its contents are made by passes of the frame.
+    bool is_written() const { return origin == Origin::transient || origin == Origin::persistent; }
     friend bool operator==(const Resource&, const Resource&) = default;
 };
 
@@ -231,9 +242,25 @@ class Graph {
     // Transients: no contents until a pass writes them.
     ImageHandle image(std::string_view name, const ImageDesc& desc);
     BufferHandle buffer(std::string_view name, std::uint64_t bytes);
-    // Imported: read only; must outlive the frame.
-    ImageHandle import(std::string_view name, const gpu::Image& image, const ImageDesc& desc);
-    BufferHandle import(std::string_view name, const gpu::Buffer& buffer, std::uint64_t bytes);
+    // Persistent: what an earlier frame made serves again while it is right. `name` identifies it
+    // from frame to frame; a frame that does not need it drops it. `still_right` completes, for
+    // people, "kept from an earlier frame: ...".
+    ImageHandle persistent_image(std::string_view name, const ImageDesc& desc,
+                                 std::string_view still_right);
+    BufferHandle persistent_buffer(std::string_view name, std::uint64_t bytes,
+                                   std::string_view still_right);
+    // Imported: read only; must outlive the frame. Templates only so that the type may be
+    // incomplete here. Nothing persistent may be made from what is rewritten in place.
+    template <class Image = gpu::Image>
+    ImageHandle import(std::string_view name, const std::type_identity_t<Image>& image,
+                       const ImageDesc& desc) {
+        return import_image(name, image, image.serial(), desc);
+    }
+    template <class Buffer = gpu::Buffer>
+    BufferHandle import(std::string_view name, const std::type_identity_t<Buffer>& buffer,
+                        std::uint64_t bytes) {
+        return import_buffer(name, buffer, buffer.serial(), bytes);
+    }
     /// A small buffer with these contents, for uniform() and storage(). `name` identifies it from
     /// frame to frame: unchanged contents are not uploaded again.
     BufferHandle data(std::string_view name, std::span<const std::byte> bytes);
@@ -277,9 +304,15 @@ class Graph {
 
   private:
     friend class Pass;
+    ImageHandle import_image(std::string_view name, const gpu::Image& image, std::uint64_t serial,
+                             const ImageDesc& desc);
+    BufferHandle import_buffer(std::string_view name, const gpu::Buffer& buffer,
+                               std::uint64_t serial, std::uint64_t bytes);
     std::uint32_t add_resource(Resource resource);
+    std::uint32_t add_persistent(Resource resource, std::string_view still_right);
     void present_version(std::uint32_t version);
     const Version& current(std::uint32_t version, std::string_view user) const;
+    void refuse_overwriting_what_was_read(std::uint32_t version, std::string_view writer) const;
 
     std::vector<Resource> resources_;
     std::vector<Version> versions_;

@@ -1,9 +1,10 @@
 #include "preview/graph/plan.h"
 
+#include "preview/graph/fingerprint.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace preview {
 
@@ -31,15 +32,8 @@ constexpr AccessInfo accesses[] = {
 };
 static_assert(std::size(accesses) == access_count);
 
-/// What has happened to a resource so far in the frame.
-struct State {
-    AccessMask last_write = 0;
-    AccessMask reads = 0; ///< since the last write; each already waits for it
-    Layout layout = Layout::undefined;
-};
-
 /// The barrier that `access` needs, if any, and the state after it.
-bool advance(State& state, Access access, bool is_image, bool keeps, Barrier& barrier) {
+bool advance(ResourceState& state, Access access, bool is_image, bool keeps, Barrier& barrier) {
     const bool writes = is_write(access);
     const Layout layout = is_image ? layout_of(access) : Layout::undefined;
     const bool moves = layout != state.layout;
@@ -60,40 +54,145 @@ bool advance(State& state, Access access, bool is_image, bool keeps, Barrier& ba
 
 class Planner {
   public:
-    explicit Planner(const Graph& graph) : graph_(graph) {
-        plan_.pass_lives.assign(graph.passes().size(), false);
-        plan_.version_lives.assign(graph.versions().size(), false);
+    Planner(const Graph& graph, const HeldResources& held)
+        : graph_(graph), held_(held), rests_(graph.resources().size(), false),
+          states_(graph.resources().size()) {
         plan_.reasons.resize(graph.passes().size());
     }
 
     Plan run() {
-        sweep_backwards();
+        Sweep sweep = sweep_backwards();
+        for (std::uint32_t pass = 0; pass < sweep.passes.size(); ++pass) {
+            if (sweep.passes[pass]) {
+                plan_.needed.push_back(pass);
+            }
+        }
+        plan_.version_lives = std::move(sweep.versions);
+        const std::vector<bool> is_needed = std::move(sweep.passes);
+        find_persistent();
+        plan_.pass_lives = run_or_rest();
         sweep_forwards();
-        for (std::size_t pass = 0; pass < plan_.reasons.size(); ++pass)
-            if (!plan_.pass_lives[pass])
-                plan_.reasons[pass] = reason_for(pass);
+        for (std::size_t pass = 0; pass < plan_.reasons.size(); ++pass) {
+            if (!plan_.pass_lives[pass]) {
+                plan_.reasons[pass] = reason_for(pass, is_needed[pass]);
+            }
+        }
+        for (auto& [resource, held] : persistent_) {
+            held.state = states_[resource];
+            plan_.held.emplace(graph_.resources()[resource].name, std::move(held));
+        }
         return std::move(plan_);
     }
 
   private:
-    void sweep_backwards() {
-        for (const std::uint32_t version : graph_.presented())
-            plan_.version_lives[version] = true;
+    struct Sweep {
+        std::vector<bool> passes, versions;
+    };
+
+    std::uint32_t resource_of(const Use& use) const {
+        return graph_.versions()[use.version].resource;
+    }
+
+    /// What is wanted when the resources that rest need no writer.
+    Sweep sweep_backwards() const {
+        Sweep out{std::vector<bool>(graph_.passes().size(), false),
+                  std::vector<bool>(graph_.versions().size(), false)};
+        for (const std::uint32_t version : graph_.presented()) {
+            out.versions[version] = true;
+        }
         for (std::size_t index = graph_.passes().size(); index-- > 0;) {
             const PassRecord& pass = graph_.passes()[index];
-            const bool wanted =
+            out.passes[index] =
                 std::any_of(pass.uses.begin(), pass.uses.end(), [&](const Use& use) {
-                    return use.writes && plan_.version_lives[use.version];
+                    return use.writes && out.versions[use.version] && !rests_[resource_of(use)];
                 });
-            if (!wanted)
+            if (!out.passes[index]) {
                 continue;
-            plan_.pass_lives[index] = true;
+            }
             for (const Use& use : pass.uses) {
                 const std::uint32_t read = use.writes && use.version != Version::none
                                                ? graph_.versions()[use.version].previous
                                                : use.version;
-                if (read != Version::none)
-                    plan_.version_lives[read] = true;
+                if (read != Version::none) {
+                    out.versions[read] = true;
+                }
+            }
+        }
+        return out;
+    }
+
+    /// What the needed passes ask of persistent resources, and whose contents are still right.
+    void find_persistent() {
+        for (const std::uint32_t pass : plan_.needed) {
+            for (const Use& use : graph_.passes()[pass].uses) {
+                if (use.version != Version::none && !dropped(use)) {
+                    ask(use.version, use.access);
+                }
+            }
+        }
+        for (const std::uint32_t version : graph_.presented()) {
+            ask(version, Access::transfer_read);
+        }
+        for (auto& [resource, wanted] : persistent_) {
+            const std::uint32_t last = last_version(resource);
+            if (plan_.version_lives[last]) {
+                wanted.fingerprint = fingerprint_of(graph_, last);
+            }
+            const auto found = held_.find(graph_.resources()[resource].name);
+            if (found == held_.end() || !serves(found->second, wanted)) {
+                plan_.made.push_back(resource);
+                continue;
+            }
+            wanted.accesses = found->second.accesses;
+            states_[resource] = found->second.state;
+            rests_[resource] =
+                !wanted.fingerprint.empty() && wanted.fingerprint == found->second.fingerprint;
+        }
+    }
+
+    void ask(std::uint32_t version, Access access) {
+        const std::uint32_t index = graph_.versions()[version].resource;
+        const Resource& resource = graph_.resources()[index];
+        if (resource.origin == Origin::persistent) {
+            Held& wanted = persistent_[index];
+            wanted.kind = resource.kind;
+            wanted.image = resource.image;
+            wanted.bytes = resource.bytes;
+            wanted.accesses |= mask(access);
+        }
+    }
+
+    static bool serves(const Held& held, const Held& wanted) {
+        return held.kind == wanted.kind && held.image == wanted.image &&
+               held.bytes == wanted.bytes && (wanted.accesses & ~held.accesses) == 0;
+    }
+
+    std::uint32_t last_version(std::uint32_t resource) const {
+        std::uint32_t last = Version::none;
+        for (std::uint32_t version = 0; version < graph_.versions().size(); ++version) {
+            if (graph_.versions()[version].resource == resource) {
+                last = version;
+            }
+        }
+        return last;
+    }
+
+    /// The passes that run. One that runs for another of its results writes what could have
+    /// rested, and then all that leads to that has to run too.
+    std::vector<bool> run_or_rest() {
+        for (;;) {
+            std::vector<bool> runs = sweep_backwards().passes;
+            bool is_settled = true;
+            for (std::size_t pass = 0; pass < runs.size(); ++pass) {
+                for (const Use& use : graph_.passes()[pass].uses) {
+                    if (runs[pass] && use.writes && rests_[resource_of(use)]) {
+                        rests_[resource_of(use)] = false;
+                        is_settled = false;
+                    }
+                }
+            }
+            if (is_settled) {
+                return runs;
             }
         }
     }
@@ -104,74 +203,98 @@ class Planner {
     }
 
     void sweep_forwards() {
-        std::vector<State> states(graph_.resources().size());
-        std::vector<std::uint32_t> lifetime_of(graph_.resources().size(), Version::none);
-        for (std::uint32_t index = 0; index < graph_.passes().size(); ++index) {
-            if (!plan_.pass_lives[index])
-                continue;
-            const auto step_index = static_cast<std::uint32_t>(plan_.steps.size());
+        lifetime_of_.assign(graph_.resources().size(), Version::none);
+        for (std::uint32_t place = 0; place < plan_.needed.size(); ++place) {
+            const std::uint32_t index = plan_.needed[place];
             Step step;
             step.pass = index;
+            step.needed = place;
             for (const Use& use : graph_.passes()[index].uses) {
-                if (use.version == Version::none || dropped(use))
+                if (use.version == Version::none || dropped(use) ||
+                    !graph_.resource_of(use.version).is_written()) {
                     continue;
-                const Version& version = graph_.versions()[use.version];
-                if (graph_.resource_of(use.version).origin != Origin::transient)
-                    continue;
-                add_barrier(step, states, use, version);
-                if (lifetime_of[version.resource] == Version::none) {
-                    lifetime_of[version.resource] =
-                        static_cast<std::uint32_t>(plan_.lifetimes.size());
-                    plan_.lifetimes.push_back({version.resource, step_index, step_index});
                 }
-                plan_.lifetimes[lifetime_of[version.resource]].last = step_index;
+                lives(resource_of(use), place);
+                if (plan_.pass_lives[index]) {
+                    add_barrier(step, use);
+                }
             }
-            plan_.steps.push_back(std::move(step));
+            if (plan_.pass_lives[index]) {
+                plan_.steps.push_back(std::move(step));
+            }
         }
         for (const std::uint32_t version : graph_.presented()) {
             const std::uint32_t resource = graph_.versions()[version].resource;
-            if (graph_.resource_of(version).origin != Origin::transient)
+            if (!graph_.resource_of(version).is_written()) {
                 continue;
+            }
             Presented end;
             end.version = version;
             end.barrier.resource = resource;
-            advance(states[resource], Access::transfer_read,
+            advance(states_[resource], Access::transfer_read,
                     graph_.resources()[resource].kind == ResourceKind::image, true, end.barrier);
             plan_.presented.push_back(end);
-            plan_.lifetimes[lifetime_of[resource]].last =
-                static_cast<std::uint32_t>(plan_.steps.size());
+            lives(resource, static_cast<std::uint32_t>(plan_.needed.size()));
         }
     }
 
-    void add_barrier(Step& step, std::vector<State>& states, const Use& use,
-                     const Version& version) const {
-        const bool is_image = graph_.resources()[version.resource].kind == ResourceKind::image;
-        // The same resource read twice in one pass needs one barrier.
-        for (Barrier& barrier : step.barriers)
-            if (barrier.resource == version.resource && !use.writes &&
-                barrier.new_layout == (is_image ? layout_of(use.access) : Layout::undefined)) {
-                barrier.to |= mask(use.access);
-                states[version.resource].reads |= mask(use.access);
-                return;
-            }
-        Barrier barrier;
-        barrier.resource = version.resource;
-        const bool keeps = version.previous != Version::none;
-        if (advance(states[version.resource], use.access, is_image, keeps, barrier))
-            step.barriers.push_back(barrier);
+    void lives(std::uint32_t resource, std::uint32_t place) {
+        if (graph_.resources()[resource].origin != Origin::transient) {
+            return;
+        }
+        if (lifetime_of_[resource] == Version::none) {
+            lifetime_of_[resource] = static_cast<std::uint32_t>(plan_.lifetimes.size());
+            plan_.lifetimes.push_back({resource, place, place});
+        }
+        plan_.lifetimes[lifetime_of_[resource]].last = place;
     }
 
-    std::string reason_for(std::size_t pass) const {
+    void add_barrier(Step& step, const Use& use) {
+        const std::uint32_t resource = resource_of(use);
+        const bool is_image = graph_.resources()[resource].kind == ResourceKind::image;
+        // The same resource read twice in one pass needs one barrier.
+        for (Barrier& barrier : step.barriers) {
+            if (barrier.resource == resource && !use.writes &&
+                barrier.new_layout == (is_image ? layout_of(use.access) : Layout::undefined)) {
+                barrier.to |= mask(use.access);
+                states_[resource].reads |= mask(use.access);
+                return;
+            }
+        }
+        Barrier barrier;
+        barrier.resource = resource;
+        const bool keeps = graph_.versions()[use.version].previous != Version::none;
+        if (advance(states_[resource], use.access, is_image, keeps, barrier)) {
+            step.barriers.push_back(barrier);
+        }
+    }
+
+    std::string reason_for(std::size_t pass, bool is_needed) const {
         std::string names;
-        for (const Use& use : graph_.passes()[pass].uses)
-            if (use.writes)
-                names += (names.empty() ? "'" : ", '") + graph_.resource_of(use.version).name + "'";
-        return names.empty() ? std::string("it writes nothing")
-                             : fmt::format("nothing that is shown reads {}", names);
+        for (const Use& use : graph_.passes()[pass].uses) {
+            if (!use.writes) {
+                continue;
+            }
+            const Resource& resource = graph_.resource_of(use.version);
+            if (is_needed && rests_[resource_of(use)]) {
+                return "kept from an earlier frame: " + resource.still_right;
+            }
+            names += (names.empty() ? "'" : ", '") + resource.name + "'";
+        }
+        if (names.empty()) {
+            return "it writes nothing";
+        }
+        return is_needed ? fmt::format("what reads {} is kept from an earlier frame", names)
+                         : fmt::format("nothing that is shown reads {}", names);
     }
 
     const Graph& graph_;
+    const HeldResources& held_;
     Plan plan_;
+    std::map<std::uint32_t, Held> persistent_; ///< of the frame, by resource
+    std::vector<bool> rests_;                  ///< by resource: its contents are kept as they are
+    std::vector<ResourceState> states_;        ///< by resource
+    std::vector<std::uint32_t> lifetime_of_;   ///< by resource
 };
 
 } // namespace
@@ -184,69 +307,8 @@ bool is_write(Access access) {
     return accesses[static_cast<std::size_t>(access)].writes;
 }
 
-Plan make_plan(const Graph& graph) {
-    return Planner(graph).run();
-}
-
-Placement place(std::span<const Lifetime> lifetimes, std::span<const Extent> extents) {
-    Placement placement;
-    placement.offsets.assign(lifetimes.size(), 0);
-    std::vector<std::size_t> order(lifetimes.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return extents[a].size > extents[b].size;
-    });
-    std::vector<std::size_t> placed;
-    for (const std::size_t index : order) {
-        std::vector<std::size_t> rivals;
-        for (const std::size_t other : placed)
-            if (lifetimes[other].first <= lifetimes[index].last &&
-                lifetimes[index].first <= lifetimes[other].last)
-                rivals.push_back(other);
-        std::sort(rivals.begin(), rivals.end(), [&](std::size_t a, std::size_t b) {
-            return placement.offsets[a] < placement.offsets[b];
-        });
-        const std::uint64_t alignment = extents[index].alignment;
-        std::uint64_t offset = 0;
-        for (const std::size_t rival : rivals) {
-            if (offset + extents[index].size <= placement.offsets[rival])
-                break;
-            const std::uint64_t end = placement.offsets[rival] + extents[rival].size;
-            offset = std::max(offset, (end + alignment - 1) / alignment * alignment);
-        }
-        placement.offsets[index] = offset;
-        placement.bytes = std::max(placement.bytes, offset + extents[index].size);
-        placed.push_back(index);
-    }
-    return placement;
-}
-
-std::string explain(const Graph& graph, const Plan& plan) {
-    std::size_t width = 0;
-    for (const PassRecord& pass : graph.passes())
-        width = std::max(width, pass.name.size());
-    for (const Withheld& item : graph.withheld())
-        width = std::max(width, item.name.size());
-    std::string text;
-    for (std::size_t index = 0; index < graph.passes().size(); ++index) {
-        const PassRecord& pass = graph.passes()[index];
-        std::string outputs;
-        for (const Use& use : pass.uses) {
-            if (!use.writes)
-                continue;
-            const Version& version = graph.versions()[use.version];
-            const bool lives = plan.version_lives[use.version];
-            if (plan.pass_lives[index] && (lives || use.access != Access::color_write))
-                outputs +=
-                    (outputs.empty() ? "writes " : ", ") + graph.resources()[version.resource].name;
-        }
-        text += plan.pass_lives[index]
-                    ? fmt::format("kept      {:<{}}  {}\n", pass.name, width, outputs)
-                    : fmt::format("left out  {:<{}}  {}\n", pass.name, width, plan.reasons[index]);
-    }
-    for (const Withheld& item : graph.withheld())
-        text += fmt::format("left out  {:<{}}  {}\n", item.name, width, item.reason);
-    return text;
+Plan make_plan(const Graph& graph, const HeldResources& held) {
+    return Planner(graph, held).run();
 }
 
 } // namespace preview

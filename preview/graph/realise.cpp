@@ -1,5 +1,7 @@
 #include "preview/graph/realise.h"
 
+#include "preview/graph/byte_text.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -57,25 +59,7 @@ constexpr vk::ImageLayout layouts[] = {
     vk::ImageLayout::eTransferDstOptimal,
 };
 
-/// Everything of a graph that its Vulkan objects depend on, as bytes to compare.
-class Shape {
-  public:
-    template <class T>
-    void add(const T& value) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        text_.append(reinterpret_cast<const char*>(&value), sizeof(T));
-    }
-    void add_text(const std::string& text) {
-        add(text.size());
-        text_ += text;
-    }
-    std::string take() { return std::move(text_); }
-
-  private:
-    std::string text_;
-};
-
-void add_resource(Shape& shape, const Resource& resource) {
+void add_resource(ByteText& shape, const Resource& resource) {
     shape.add(resource.origin);
     shape.add(resource.kind);
     shape.add(resource.image.format);
@@ -84,12 +68,10 @@ void add_resource(Shape& shape, const Resource& resource) {
     shape.add(resource.image.depth);
     shape.add(resource.image.layers);
     shape.add(resource.bytes);
-    if (resource.imported_image != nullptr)
-        shape.add(resource.imported_image->serial());
-    if (resource.imported_buffer != nullptr)
-        shape.add(resource.imported_buffer->serial());
-    if (resource.origin == Origin::data)
+    shape.add(resource.serial);
+    if (resource.origin == Origin::data || resource.origin == Origin::persistent) {
         shape.add_text(resource.name);
+    }
 }
 
 gpu::PipelineKey key_of(const Graph& graph, const Plan& plan, const PassRecord& pass) {
@@ -141,9 +123,9 @@ vk::ImageLayout vk_layout(Layout layout) {
 }
 
 std::string shape_of(const Graph& graph, const Plan& plan) {
-    Shape shape;
-    for (const Step& step : plan.steps) {
-        const PassRecord& pass = graph.passes()[step.pass];
+    ByteText shape;
+    for (const std::uint32_t needed : plan.needed) {
+        const PassRecord& pass = graph.passes()[needed];
         shape.add(pass.kind);
         shape.add_text(pass.shader);
         shape.add_text(pass.fragment_shader);
@@ -187,29 +169,40 @@ NeutralResources::NeutralResources(const gpu::Device& device)
 }
 
 Realised::Realised(const gpu::Device& device, gpu::Pipelines& pipelines,
-                   const NeutralResources& neutral, DataBlocks& data, const Graph& graph,
-                   const Plan& plan)
-    : device_(device), pipelines_(pipelines), neutral_(neutral), data_(data) {
+                   const NeutralResources& neutral, DataBlocks& data, PersistentObjects& persistent,
+                   const Graph& graph, const Plan& plan)
+    : device_(device), pipelines_(pipelines), neutral_(neutral), data_(data),
+      persistent_(persistent) {
+    make_persistent(graph, plan);
     allocate(graph, plan);
     make_data_blocks(graph);
     std::vector<gpu::PipelineKey> keys;
-    for (const Step& step : plan.steps)
-        keys.push_back(key_of(graph, plan, graph.passes()[step.pass]));
+    for (const std::uint32_t needed : plan.needed) {
+        keys.push_back(key_of(graph, plan, graph.passes()[needed]));
+    }
     make_descriptor_pool(keys);
-    steps_.resize(plan.steps.size());
-    for (std::size_t index = 0; index < plan.steps.size(); ++index) {
-        const PassRecord& pass = graph.passes()[plan.steps[index].pass];
-        if (pass.kind == PassKind::fill)
+    passes_.resize(plan.needed.size());
+    for (std::size_t index = 0; index < plan.needed.size(); ++index) {
+        const PassRecord& pass = graph.passes()[plan.needed[index]];
+        if (pass.kind == PassKind::fill) {
             continue;
-        steps_[index].pipeline = &pipelines_.get(keys[index]);
-        if (!keys[index].bindings.empty())
-            write_set(graph, pass, steps_[index]);
+        }
+        passes_[index].pipeline = &pipelines_.get(keys[index]);
+        if (!keys[index].bindings.empty()) {
+            write_set(graph, pass, passes_[index]);
+        }
     }
 }
 
 const gpu::Image& Realised::image(const Graph& graph, std::uint32_t version) const {
-    const std::uint32_t id = graph.versions()[version].resource;
+    return image_of_resource(graph, graph.versions()[version].resource);
+}
+
+const gpu::Image& Realised::image_of_resource(const Graph& graph, std::uint32_t id) const {
     const Resource& resource = graph.resources()[id];
+    if (resource.origin == Origin::persistent) {
+        return persistent_.images.at(resource.name);
+    }
     return resource.imported_image != nullptr ? *resource.imported_image : images_[id].value();
 }
 
@@ -218,7 +211,30 @@ const gpu::Buffer& Realised::buffer(const Graph& graph, std::uint32_t version) c
     const Resource& resource = graph.resources()[id];
     if (resource.origin == Origin::data)
         return data_.at(resource.name).buffer;
+    if (resource.origin == Origin::persistent) {
+        return persistent_.buffers.at(resource.name);
+    }
     return resource.imported_buffer != nullptr ? *resource.imported_buffer : buffers_[id].value();
+}
+
+void Realised::make_persistent(const Graph& graph, const Plan& plan) {
+    const auto is_dropped = [&](const auto& object) { return !plan.held.contains(object.first); };
+    std::erase_if(persistent_.images, is_dropped);
+    std::erase_if(persistent_.buffers, is_dropped);
+    for (const std::uint32_t id : plan.made) {
+        const Resource& resource = graph.resources()[id];
+        const AccessFlags flags = flags_of(plan.held.at(resource.name).accesses);
+        persistent_.images.erase(resource.name);
+        persistent_.buffers.erase(resource.name);
+        if (resource.kind == ResourceKind::image) {
+            persistent_.images.emplace(resource.name,
+                                       gpu::Image(device_, resource.image, flags.image_usage));
+        } else {
+            persistent_.buffers.emplace(resource.name,
+                                        gpu::Buffer(device_, (resource.bytes + 3) / 4 * 4,
+                                                    flags.buffer_usage, gpu::BufferMemory::device));
+        }
+    }
 }
 
 void Realised::allocate(const Graph& graph, const Plan& plan) {
@@ -231,10 +247,13 @@ void Realised::allocate(const Graph& graph, const Plan& plan) {
         image_usage[resource] |= flags_of(mask(access)).image_usage;
         buffer_usage[resource] |= flags_of(mask(access)).buffer_usage;
     };
-    for (const Step& step : plan.steps)
-        for (const Use& use : graph.passes()[step.pass].uses)
-            if (use.version != Version::none)
+    for (const std::uint32_t needed : plan.needed) {
+        for (const Use& use : graph.passes()[needed].uses) {
+            if (use.version != Version::none) {
                 add_usage(use.version, use.access);
+            }
+        }
+    }
     for (const Presented& end : plan.presented)
         add_usage(end.version, Access::transfer_read);
 
@@ -316,7 +335,7 @@ void Realised::make_descriptor_pool(const std::vector<gpu::PipelineKey>& keys) {
                                           static_cast<std::uint32_t>(keys.size()), sizes)};
 }
 
-void Realised::write_set(const Graph& graph, const PassRecord& pass, RealisedStep& step) {
+void Realised::write_set(const Graph& graph, const PassRecord& pass, RealisedPass& step) {
     vk::raii::DescriptorSets sets(device_.vk(), {*descriptors_, *step.pipeline->set_layout});
     step.set = std::move(sets.front());
     std::vector<vk::DescriptorImageInfo> images(pass.uses.size());

@@ -1,5 +1,5 @@
 // The Vulkan objects behind one shape of graph: memory and views of the living transients, and each
-// step's pipeline and descriptor set. Internal to the executor.
+// needed pass's pipeline and descriptor set. Internal to the executor.
 #pragma once
 
 #include "preview/gpu/memory.h"
@@ -41,7 +41,13 @@ struct NeutralResources {
     gpu::Buffer buffer;
 };
 
-struct RealisedStep {
+/// Images and buffers that outlive a frame, by name.
+struct PersistentObjects {
+    std::map<std::string, gpu::Image> images;
+    std::map<std::string, gpu::Buffer> buffers;
+};
+
+struct RealisedPass {
     const gpu::Pipeline* pipeline = nullptr; ///< null for a fill
     std::optional<vk::raii::DescriptorSet> set;
 };
@@ -49,32 +55,33 @@ struct RealisedStep {
 class Realised {
   public:
     Realised(const gpu::Device& device, gpu::Pipelines& pipelines, const NeutralResources& neutral,
-             DataBlocks& data, const Graph& graph, const Plan& plan);
+             DataBlocks& data, PersistentObjects& persistent, const Graph& graph, const Plan& plan);
 
     const gpu::Image& image(const Graph& graph, std::uint32_t version) const;
     const gpu::Buffer& buffer(const Graph& graph, std::uint32_t version) const;
-    const gpu::Image& image_of_resource(std::uint32_t resource) const {
-        return images_[resource].value();
-    }
-    const RealisedStep& step(std::size_t index) const { return steps_[index]; }
+    const gpu::Image& image_of_resource(const Graph& graph, std::uint32_t resource) const;
+    /// By its place in Plan::needed.
+    const RealisedPass& pass(std::size_t needed) const { return passes_[needed]; }
     std::uint64_t pool_bytes() const { return pool_bytes_; }
     std::uint64_t unshared_bytes() const { return unshared_bytes_; }
 
   private:
+    void make_persistent(const Graph& graph, const Plan& plan);
     void allocate(const Graph& graph, const Plan& plan);
     void make_data_blocks(const Graph& graph);
     void make_descriptor_pool(const std::vector<gpu::PipelineKey>& keys);
-    void write_set(const Graph& graph, const PassRecord& pass, RealisedStep& step);
+    void write_set(const Graph& graph, const PassRecord& pass, RealisedPass& step);
 
     const gpu::Device& device_;
     gpu::Pipelines& pipelines_;
     const NeutralResources& neutral_;
     DataBlocks& data_;
+    PersistentObjects& persistent_;
     std::vector<vk::raii::DeviceMemory> memory_;
     std::vector<std::optional<gpu::Image>> images_;   ///< by resource
     std::vector<std::optional<gpu::Buffer>> buffers_; ///< by resource
     vk::raii::DescriptorPool descriptors_ = nullptr;
-    std::vector<RealisedStep> steps_;
+    std::vector<RealisedPass> passes_;
     std::uint64_t pool_bytes_ = 0;
     std::uint64_t unshared_bytes_ = 0;
 };

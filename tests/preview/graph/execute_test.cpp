@@ -112,6 +112,67 @@ TEST_F(ExecuteTest, a_repeated_frame_presents_again_and_computes_nothing) {
     EXPECT_EQ(as<float>(executor.read_image(copy)), texels);
 }
 
+TEST_F(ExecuteTest, persistent_resources_are_made_once_and_survive_frames_and_other_shapes) {
+    const ImageDesc desc{Format::rgba32f, 64, 32};
+    const auto texels = ramp(desc.width, desc.height);
+    const gpu::Image image = upload(desc, texels);
+    Executor executor(device());
+    // The words of a persistent buffer and, of a persistent image, a copy in that format.
+    const auto render = [&](std::uint32_t word, Format format) {
+        Graph graph;
+        Pass pass = graph.compute("copy once", "copy.comp");
+        pass.read(graph.import("source", image, desc));
+        const ImageHandle once =
+            pass.write(graph.persistent_image("once", desc, "the source is the same"));
+        pass.dispatch_over(desc.width, desc.height);
+        const ImageHandle copy = add_copy(graph, once, format);
+        const BufferHandle words =
+            graph.fill("fill", graph.persistent_buffer("words", 16, "the word is the same"), word);
+        graph.present(copy);
+        graph.present(words);
+        executor.render(graph);
+        EXPECT_EQ(as<std::uint32_t>(executor.read_buffer(words)),
+                  (std::vector<std::uint32_t>(4, word)));
+        if (format == Format::rgba32f) {
+            EXPECT_EQ(as<float>(executor.read_image(copy)), texels);
+        }
+        return executor.plan().steps.size();
+    };
+    EXPECT_EQ(render(1, Format::rgba32f), 3U);
+    EXPECT_EQ(render(1, Format::rgba32f), 1U); // the copy
+    EXPECT_EQ(render(2, Format::rgba32f), 2U);
+    EXPECT_EQ(render(2, Format::rgba32f), 1U);
+    EXPECT_EQ(executor.rebuilds(), 1U);
+    EXPECT_EQ(render(2, Format::rgba16f), 1U); // other transients
+    EXPECT_EQ(executor.rebuilds(), 2U);
+    EXPECT_EQ(render(2, Format::rgba32f), 1U);
+}
+
+TEST_F(ExecuteTest, a_persistent_resource_that_frames_do_not_need_is_given_back) {
+    const ImageDesc desc{Format::rgba32f, 64, 32};
+    const gpu::Image image = upload(desc, ramp(desc.width, desc.height));
+    Executor executor(device());
+    const auto render = [&](bool is_needed) {
+        Graph graph;
+        const ImageHandle source = graph.import("source", image, desc);
+        Pass pass = graph.compute("copy once", "copy.comp");
+        pass.read(source);
+        const ImageHandle once =
+            pass.write(graph.persistent_image("once", desc, "the source is the same"));
+        pass.dispatch_over(desc.width, desc.height);
+        graph.present(add_copy(graph, is_needed ? once : source, Format::rgba32f));
+        executor.render(graph);
+    };
+    render(true);
+    EXPECT_EQ(executor.plan().held.size(), 1U);
+    EXPECT_EQ(executor.persistent_count(), 1U);
+    render(false);
+    EXPECT_EQ(executor.persistent_count(), 0U);
+    render(true);
+    EXPECT_EQ(executor.plan().steps.size(), 2U);
+    EXPECT_EQ(executor.persistent_count(), 1U);
+}
+
 TEST_F(ExecuteTest, every_step_is_timed_by_name) {
     const ImageDesc desc{Format::rgba32f, 64, 32};
     const gpu::Image image = upload(desc, ramp(desc.width, desc.height));

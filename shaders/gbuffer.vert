@@ -13,5 +13,5 @@ void main() {
     Object object = objects[gl_InstanceIndex];
     normal = transform_normal(object, decode_octahedral(unpackSnorm2x16(vertex.normal)));
     material = object.material.x;
-    gl_Position = view.clip * vec4(transform_point(object, vertex.position), 1.0);
+    gl_Position = view.clip * vec4(transform_point(object.model, vertex.position), 1.0);
 }

@@ -49,7 +49,7 @@ void main() {
     vec3 normal_of[3];
     for (int i = 0; i < 3; ++i) {
         Vertex vertex = vertices[uint(int(indices[first + i]) + cluster.vertex_offset)];
-        corners[i] = view.clip * vec4(transform_point(object, vertex.position), 1.0);
+        corners[i] = view.clip * vec4(transform_point(object.model, vertex.position), 1.0);
         normal_of[i] = decode_octahedral(unpackSnorm2x16(vertex.normal));
     }
     vec2 screen = (vec2(at) + 0.5) / vec2(size) * 2.0 - 1.0;

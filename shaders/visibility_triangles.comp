@@ -148,7 +148,7 @@ uint outside_of(vec4 p, vec2 guard) {
 }
 
 vec4 place(Object object, uint vertex) {
-    return view.clip * vec4(transform_point(object, vertices[vertex].position), 1.0);
+    return view.clip * vec4(transform_point(object.model, vertices[vertex].position), 1.0);
 }
 
 void main() {

@@ -27,7 +27,7 @@ BufferHandle data_or_nothing(Graph& graph, std::string_view name, const std::vec
 
 struct DeclaredScene {
     SceneHandles handles;
-    std::vector<ShadowMap> shadow_maps;
+    ShadowMaps shadows;
     std::vector<Draw> visible;
 };
 
@@ -53,6 +53,8 @@ std::vector<PointLight> shining_lights(Graph& graph, const std::vector<PointLigh
 DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
                             Size size) {
     DeclaredScene out;
+    out.shadows.size = settings.shadow_size;
+    out.shadows.are_kept = !settings.force_all;
     const Scene& scene = *inputs.scene;
     const GpuScene& gpu_scene = *inputs.gpu_scene;
     const Geometry& geometry = gpu_scene.geometry;
@@ -69,9 +71,8 @@ DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const Frame
             graph.withhold("shadow of " + lights[index].name, casters.reason);
             layers.push_back(-1);
         } else {
-            layers.push_back(static_cast<int>(out.shadow_maps.size()));
-            out.shadow_maps.push_back(
-                {lights[index].name, index, draws_of(scene, geometry, casters.objects)});
+            layers.push_back(static_cast<int>(out.shadows.maps.size()));
+            out.shadows.add(lights[index], scene, geometry, casters.objects);
         }
     }
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
@@ -96,8 +97,7 @@ ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSet
                          Size size, FrameHandles& handles) {
     const Scene& scene = *inputs.scene;
     DeclaredScene declared = declare_scene(graph, inputs, settings, size);
-    handles.shadow_maps =
-        add_shadows(graph, declared.handles, settings.shadow_size, std::move(declared.shadow_maps));
+    handles.shadow_maps = add_shadows(graph, declared.handles, std::move(declared.shadows));
     handles.surfaces =
         settings.raster == Raster::compute
             ? add_visibility(graph, declared.handles, size, declared.visible, settings.visibility)

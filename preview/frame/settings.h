@@ -47,7 +47,7 @@ struct FrameSettings : PictureSettings {
     /// Present the HDR result before tone mapping too.
     bool keep_hdr = false;
     /// Run every pass, even those that this scene does not need: every skip that measures or looks
-    /// at the scene is off.
+    /// at the scene is off, and nothing is kept from an earlier frame.
     bool force_all = false;
 
     bool shows_intermediate() const { return view != nullptr || effect_view != nullptr; }

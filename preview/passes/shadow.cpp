@@ -1,21 +1,44 @@
 #include "preview/passes/shadow.h"
 
+#include <span>
+
 namespace preview {
 
-ImageHandle add_shadows(Graph& graph, const SceneHandles& scene, std::uint32_t size,
-                        std::vector<ShadowMap> maps) {
-    if (maps.empty())
+void ShadowMaps::add(const PointLight& light, const Scene& scene, const Geometry& geometry,
+                     const std::vector<std::uint32_t>& objects) {
+    if (casters.empty()) {
+        casters = caster_blocks(scene);
+    }
+    ShadowMap map{light.name, shadow_clip(light), draws_of(scene, geometry, objects)};
+    std::uint32_t object = 0;
+    std::uint32_t caster = 0;
+    for (Draw& draw : map.draws) { // by object, in rising order
+        for (; object < draw.first_instance; ++object) {
+            caster += scene.objects[object].casts_shadow ? 1U : 0U;
+        }
+        draw.first_instance = caster;
+    }
+    maps.push_back(std::move(map));
+}
+
+ImageHandle add_shadows(Graph& graph, const SceneHandles& scene, ShadowMaps shadows) {
+    if (shadows.maps.empty()) {
         return {};
-    const auto layers = static_cast<std::uint32_t>(maps.size());
-    ImageHandle array = graph.image("shadow maps", {Format::d32, size, size, 0, layers});
+    }
+    const auto layers = static_cast<std::uint32_t>(shadows.maps.size());
+    const ImageDesc desc{Format::d32, shadows.size, shadows.size, 0, layers};
+    ImageHandle array = shadows.are_kept ? graph.persistent_image("shadow maps", desc,
+                                                                  "no light or caster has moved")
+                                         : graph.image("shadow maps", desc);
+    const BufferHandle casters =
+        graph.data("shadow casters", std::as_bytes(std::span(shadows.casters)));
     for (std::uint32_t layer = 0; layer < layers; ++layer) {
-        ShadowMap& map = maps[layer];
+        ShadowMap& map = shadows.maps[layer];
         Pass pass = graph.raster("shadow of " + map.name, "shadow.vert", "");
         pass.storage(scene.vertices);
-        pass.storage(scene.objects);
-        pass.storage(scene.lights);
+        pass.storage(casters);
         pass.index_buffer(scene.indices);
-        pass.push(map.light);
+        pass.push(map.clip);
         pass.draws(std::move(map.draws));
         // Meshes may be open, so both sides cast. The bias grows with the slope; the lighting pass
         // moves along the normal for the rest.

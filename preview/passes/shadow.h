@@ -3,17 +3,31 @@
 
 #include "preview/scene/scene_data.h"
 
+#include <string>
+#include <vector>
+
 namespace preview {
 
 /// What one light's map shows.
 struct ShadowMap {
     std::string name;        ///< of the light, for people
-    std::uint32_t light = 0; ///< its number
-    std::vector<Draw> draws;
+    glm::mat4 clip{1};       ///< world to the light's clip space
+    std::vector<Draw> draws; ///< the instance is the caster's number
 };
 
-/// The array of all maps, each `size` texels square, in their order; empty where there are none.
-ImageHandle add_shadows(Graph& graph, const SceneHandles& scene, std::uint32_t size,
-                        std::vector<ShadowMap> maps);
+/// What all maps show, and nothing else: the maps are right as long as this stays.
+struct ShadowMaps {
+    std::uint32_t size = 1024; ///< of the side of each, in texels
+    bool are_kept = true;      ///< from frame to frame; else drawn in each
+    std::vector<ShadowMap> maps;
+    std::vector<CasterBlock> casters; ///< of the scene; as many whatever a light sees of them
+
+    /// The map of a light over these casters, in rising order.
+    void add(const PointLight& light, const Scene& scene, const Geometry& geometry,
+             const std::vector<std::uint32_t>& objects);
+};
+
+/// The array of all maps in their order; empty where there are none.
+ImageHandle add_shadows(Graph& graph, const SceneHandles& scene, ShadowMaps shadows);
 
 } // namespace preview

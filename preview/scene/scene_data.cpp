@@ -23,6 +23,13 @@ std::uint32_t snorm16(float v) {
            0xffffU;
 }
 
+/// The rows of an affine transform.
+void set_rows(glm::vec4 (&rows)[3], const glm::mat4& transform) {
+    for (int row = 0; row < 3; ++row) {
+        rows[row] = {transform[0][row], transform[1][row], transform[2][row], transform[3][row]};
+    }
+}
+
 /// True when all corners of the box lie outside one and the same plane of the frustum.
 bool outside(const Bounds& box, const glm::mat4& to_clip) {
     int beyond[6] = {};
@@ -83,12 +90,22 @@ std::vector<ObjectBlock> object_blocks(const Scene& scene) {
         const glm::vec3 c[3] = {side * glm::cross(y, z), side * glm::cross(z, x),
                                 side * glm::cross(x, y)};
         ObjectBlock block;
+        set_rows(block.model, m);
         for (int row = 0; row < 3; ++row) {
-            block.model[row] = {m[0][row], m[1][row], m[2][row], m[3][row]};
             block.normal[row] = {c[0][row], c[1][row], c[2][row], 0};
         }
         block.material.x = object.material;
         blocks.push_back(block);
+    }
+    return blocks;
+}
+
+std::vector<CasterBlock> caster_blocks(const Scene& scene) {
+    std::vector<CasterBlock> blocks;
+    for (const Object& object : scene.objects) {
+        if (object.casts_shadow) {
+            set_rows(blocks.emplace_back().model, object.transform);
+        }
     }
     return blocks;
 }

@@ -42,6 +42,11 @@ struct ObjectBlock {
     glm::uvec4 material{0};
 };
 
+/// What a shadow map needs of an object.
+struct CasterBlock {
+    glm::vec4 model[3]{}; ///< rows of the affine transform
+};
+
 struct MaterialBlock {
     glm::vec4 albedo_roughness{0};
     glm::vec4 emission_metalness{0};
@@ -67,6 +72,8 @@ struct ViewBlock {
 };
 
 std::vector<ObjectBlock> object_blocks(const Scene& scene);
+/// Of the objects that cast shadows.
+std::vector<CasterBlock> caster_blocks(const Scene& scene);
 std::vector<MaterialBlock> material_blocks(const Scene& scene);
 EnvironmentBlock environment_block(const Environment& environment);
 ViewBlock view_block(const Orbit& orbit, float aspect);

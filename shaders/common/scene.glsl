@@ -13,6 +13,10 @@ struct Object {
     uvec4 material;
 };
 
+struct Caster {
+    vec4 model[3];
+};
+
 struct Material {
     vec4 albedo_roughness;
     vec4 emission_metalness;
@@ -30,9 +34,10 @@ struct View {
     vec4 forward, right, up;
 };
 
-vec3 transform_point(Object object, vec3 p) {
+/// By the rows of an affine transform.
+vec3 transform_point(vec4 rows[3], vec3 p) {
     vec4 q = vec4(p, 1.0);
-    return vec3(dot(object.model[0], q), dot(object.model[1], q), dot(object.model[2], q));
+    return vec3(dot(rows[0], q), dot(rows[1], q), dot(rows[2], q));
 }
 
 vec3 transform_normal(Object object, vec3 n) {

@@ -69,21 +69,22 @@ class GeometryTest : public GpuTest {
         handles.environment = graph.data_of("environment", environment_block(scene.environment));
         const ViewBlock view = view_block(scene.orbit, 1.5F);
         handles.view = graph.data_of("view", view);
-        std::vector<ShadowMap> maps;
+        ShadowMaps shadows;
+        shadows.size = 512;
         std::vector<int> layers;
         for (std::uint32_t index = 0; index < scene.lights.size(); ++index) {
             const auto casters = shadow_casters(scene, gpu_scene.geometry, scene.lights[index]);
-            layers.push_back(casters.objects.empty() ? -1 : static_cast<int>(maps.size()));
-            if (!casters.objects.empty())
-                maps.push_back(
-                    {"light", index, draws_of(scene, gpu_scene.geometry, casters.objects)});
+            layers.push_back(casters.objects.empty() ? -1 : static_cast<int>(shadows.maps.size()));
+            if (!casters.objects.empty()) {
+                shadows.add(scene.lights[index], scene, gpu_scene.geometry, casters.objects);
+            }
         }
         const auto lights = light_blocks(scene.lights, layers, 512);
         if (!lights.empty())
             handles.lights = graph.data("lights", std::as_bytes(std::span(lights)));
         handles.light_count = static_cast<std::uint32_t>(lights.size());
         LightingInputs inputs;
-        inputs.shadow_maps = add_shadows(graph, handles, 512, std::move(maps));
+        inputs.shadow_maps = add_shadows(graph, handles, std::move(shadows));
         inputs.surfaces =
             add_gbuffer(graph, handles, size,
                         draws_of(scene, gpu_scene.geometry,

@@ -1,6 +1,7 @@
 #include "preview/gpu/device.h"
 
 #include "lutlib/error.h"
+#include "preview/gpu/commands.h"
 
 #include <fmt/format.h>
 
@@ -262,8 +263,6 @@ Device::Device(const DeviceOptions& options) : messages_(std::make_unique<Messag
     vk::DeviceCreateInfo info({}, queue_info, {}, options.device_extensions, nullptr, &features);
     device_ = {physical_, info};
     queue_ = {device_, queue_family_, 0};
-    once_pool_ = {device_, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient,
-                                                     queue_family_)};
 }
 
 Device::~Device() {
@@ -296,17 +295,10 @@ vk::raii::DeviceMemory Device::allocate(const vk::MemoryAllocateInfo& info) cons
 }
 
 void Device::run_once(const std::function<void(const vk::raii::CommandBuffer&)>& record) const {
-    const vk::raii::CommandBuffers buffers(device_,
-                                           {*once_pool_, vk::CommandBufferLevel::ePrimary, 1});
-    const vk::raii::CommandBuffer& commands = buffers.front();
-    commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-    record(commands);
-    commands.end();
-    const vk::CommandBufferSubmitInfo submitted(*commands);
-    const vk::raii::Fence fence(device_, vk::FenceCreateInfo());
-    queue_.submit2(vk::SubmitInfo2({}, {}, submitted), *fence);
-    if (device_.waitForFences(*fence, VK_TRUE, UINT64_MAX) != vk::Result::eSuccess)
-        throw lutlib::Error("the GPU did not finish");
+    Commands commands(*this);
+    record(commands.begin());
+    commands.submit();
+    commands.wait();
 }
 
 std::vector<std::string> Device::validation_messages() const {

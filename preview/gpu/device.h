@@ -79,7 +79,6 @@ class Device {
     vk::raii::PhysicalDevice physical_ = nullptr;
     vk::raii::Device device_ = nullptr;
     vk::raii::Queue queue_ = nullptr;
-    vk::raii::CommandPool once_pool_ = nullptr;
     std::uint32_t queue_family_ = 0;
     std::string name_;
     bool has_int64_atomics_ = false;

@@ -1,6 +1,7 @@
 #include "preview/gpu/memory.h"
 
 #include "lutlib/error.h"
+#include "preview/gpu/commands.h"
 
 #include <fmt/format.h>
 
@@ -28,23 +29,6 @@ std::uint64_t next_serial() {
     return ++serial;
 }
 
-vk::BufferImageCopy whole(const Image& image) {
-    const ImageDesc& desc = image.desc();
-    return {0,         0,
-            0,         {image.aspect(), 0, 0, std::max(desc.layers, 1U)},
-            {0, 0, 0}, {desc.width, desc.height, std::max(desc.depth, 1U)}};
-}
-
-void move_layout(const vk::raii::CommandBuffer& commands, const Image& image, vk::ImageLayout from,
-                 vk::ImageLayout to) {
-    constexpr auto stage = vk::PipelineStageFlagBits2::eAllCommands;
-    constexpr auto access = vk::AccessFlagBits2::eMemoryRead | vk::AccessFlagBits2::eMemoryWrite;
-    const vk::ImageMemoryBarrier2 barrier(stage, access, stage, access, from, to,
-                                          VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
-                                          image.vk(), image.range());
-    commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, barrier));
-}
-
 void check_size(const Device& device, const ImageDesc& desc) {
     const std::uint32_t limit =
         desc.depth > 0 ? device.limits().maxImageDimension3D : device.limits().maxImageDimension2D;
@@ -54,6 +38,18 @@ void check_size(const Device& device, const ImageDesc& desc) {
 }
 
 } // namespace
+
+vk::BufferImageCopy whole(const Image& image) {
+    const ImageDesc& desc = image.desc();
+    return {0,         0,
+            0,         {image.aspect(), 0, 0, std::max(desc.layers, 1U)},
+            {0, 0, 0}, {desc.width, desc.height, std::max(desc.depth, 1U)}};
+}
+
+void move_layout(const vk::raii::CommandBuffer& commands, const Image& image, vk::ImageLayout from,
+                 vk::ImageLayout to) {
+    record(commands, image_barrier(image.vk(), image.aspect(), everything, everything, from, to));
+}
 
 vk::Format vk_format(Format format) {
     return vk_formats[static_cast<std::size_t>(format)];
@@ -94,12 +90,14 @@ void Image::make_views() {
                       : desc_.layers > 0 ? vk::ImageViewType::e2DArray
                                          : vk::ImageViewType::e2D;
     const vk::Format format = vk_format(desc_.format);
+    const vk::ImageSubresourceRange all(aspect_, 0, VK_REMAINING_MIP_LEVELS, 0,
+                                        VK_REMAINING_ARRAY_LAYERS);
     constexpr auto viewed = vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eStorage |
                             vk::ImageUsageFlagBits::eColorAttachment |
                             vk::ImageUsageFlagBits::eDepthStencilAttachment;
     if (!(usage_ & viewed))
         return;
-    view_ = {device_->vk(), vk::ImageViewCreateInfo({}, *image_, type, format, {}, range())};
+    view_ = {device_->vk(), vk::ImageViewCreateInfo({}, *image_, type, format, {}, all)};
     constexpr auto attached =
         vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eDepthStencilAttachment;
     if (!(usage_ & attached))
@@ -176,10 +174,7 @@ Buffer make_buffer(const Device& device, std::span<const std::byte> bytes) {
     std::memcpy(staging.mapped().data(), bytes.data(), bytes.size());
     device.run_once([&](const vk::raii::CommandBuffer& commands) {
         commands.copyBuffer(staging.vk(), buffer.vk(), vk::BufferCopy(0, 0, bytes.size()));
-        const vk::MemoryBarrier2 to_all(
-            vk::PipelineStageFlagBits2::eAllTransfer, vk::AccessFlagBits2::eTransferWrite,
-            vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eMemoryRead);
-        commands.pipelineBarrier2(vk::DependencyInfo({}, to_all));
+        record(commands, memory_barrier(transfer_write, everything));
     });
     return buffer;
 }
@@ -194,10 +189,7 @@ std::vector<std::byte> read_image(const Device& device, const Image& image,
                                    whole(image));
         if (layout != vk::ImageLayout::eTransferSrcOptimal)
             move_layout(commands, image, vk::ImageLayout::eTransferSrcOptimal, layout);
-        const vk::MemoryBarrier2 to_host(
-            vk::PipelineStageFlagBits2::eAllTransfer, vk::AccessFlagBits2::eTransferWrite,
-            vk::PipelineStageFlagBits2::eHost, vk::AccessFlagBits2::eHostRead);
-        commands.pipelineBarrier2(vk::DependencyInfo({}, to_host));
+        record(commands, memory_barrier(transfer_write, host_read));
     });
     return {staging.mapped().begin(), staging.mapped().end()};
 }

@@ -30,9 +30,6 @@ class Image {
     vk::ImageView layer_view(std::uint32_t layer) const {
         return layer_views_.empty() ? *view_ : *layer_views_[layer];
     }
-    vk::ImageSubresourceRange range() const {
-        return {aspect_, 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
-    }
     /// Tells this image from any other that was ever made.
     std::uint64_t serial() const { return serial_; }
 
@@ -80,6 +77,13 @@ class Buffer {
     std::span<std::byte> mapped_;
     std::uint64_t serial_ = 0;
 };
+
+/// All texels of an image, tightly packed in a buffer from its beginning on.
+vk::BufferImageCopy whole(const Image& image);
+
+/// Moves an image to another layout: after all that came before, ahead of all that comes later.
+void move_layout(const vk::raii::CommandBuffer& commands, const Image& image, vk::ImageLayout from,
+                 vk::ImageLayout to);
 
 /// A sampled image with these texels, rows from the top, tightly packed in its format.
 Image make_image(const Device& device, const ImageDesc& desc, std::span<const std::byte> texels);

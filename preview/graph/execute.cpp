@@ -1,5 +1,6 @@
 #include "preview/graph/execute.h"
 
+#include "preview/gpu/commands.h"
 #include "preview/gpu/timers.h"
 #include "preview/graph/realise.h"
 
@@ -12,37 +13,26 @@ namespace preview {
 
 namespace {
 
+gpu::Scope scope_of(AccessMask accesses) {
+    const AccessFlags flags = flags_of(accesses);
+    return {flags.stages, flags.memory};
+}
+
 vk::ImageMemoryBarrier2 image_barrier(const gpu::Image& image, const Barrier& barrier) {
-    const AccessFlags from = flags_of(barrier.from);
-    const AccessFlags to = flags_of(barrier.to);
-    return {from.stages,
-            from.memory,
-            to.stages,
-            to.memory,
-            vk_layout(barrier.old_layout),
-            vk_layout(barrier.new_layout),
-            VK_QUEUE_FAMILY_IGNORED,
-            VK_QUEUE_FAMILY_IGNORED,
-            image.vk(),
-            image.range()};
+    return gpu::image_barrier(image.vk(), image.aspect(), scope_of(barrier.from),
+                              scope_of(barrier.to), vk_layout(barrier.old_layout),
+                              vk_layout(barrier.new_layout));
 }
 
-vk::MemoryBarrier2 memory_barrier(AccessMask from_mask, AccessMask to_mask) {
-    const AccessFlags from = flags_of(from_mask);
-    const AccessFlags to = flags_of(to_mask);
-    return {from.stages, from.memory, to.stages, to.memory};
-}
-
-void global_barrier(const vk::raii::CommandBuffer& commands, AccessMask from, AccessMask to) {
-    const vk::MemoryBarrier2 barrier = memory_barrier(from, to);
-    commands.pipelineBarrier2(vk::DependencyInfo({}, barrier));
+vk::MemoryBarrier2 memory_barrier(AccessMask from, AccessMask to) {
+    return gpu::memory_barrier(scope_of(from), scope_of(to));
 }
 
 } // namespace
 
 struct Executor::Slot {
-    vk::raii::CommandBuffer commands = nullptr;
-    vk::raii::Fence fence = nullptr;
+    explicit Slot(const gpu::Device& device) : commands(device) {}
+    gpu::Commands commands;
     std::optional<gpu::Timers> timers;
     std::vector<std::string> step_names;
     std::map<std::string, gpu::Buffer> copies; ///< of presented buffers
@@ -59,19 +49,10 @@ struct Executor::Shared {
 
 Executor::Executor(const gpu::Device& device, std::uint32_t frames_in_flight)
     : device_(device), shared_(std::make_unique<Shared>(device)),
-      pool_(device.vk(),
-            vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer,
-                                      device.queue_family())) {
-    vk::raii::CommandBuffers commands(
-        device.vk(), {*pool_, vk::CommandBufferLevel::ePrimary, frames_in_flight + 1});
-    for (vk::raii::CommandBuffer& buffer : commands) {
-        Slot slot;
-        slot.commands = std::move(buffer);
-        slot.fence = {device.vk(), vk::FenceCreateInfo(vk::FenceCreateFlagBits::eSignaled)};
-        slots_.push_back(std::move(slot));
+      repeated_(std::make_unique<Slot>(device)) {
+    for (std::uint32_t slot = 0; slot < frames_in_flight; ++slot) {
+        slots_.emplace_back(device);
     }
-    repeated_ = std::make_unique<Slot>(std::move(slots_.back()));
-    slots_.pop_back();
 }
 
 Executor::~Executor() {
@@ -82,15 +63,11 @@ Executor::~Executor() {
     }
 }
 
-void Executor::wait_for(const Slot& slot) const {
-    if (device_.vk().waitForFences(*slot.fence, VK_TRUE, UINT64_MAX) != vk::Result::eSuccess)
-        throw std::runtime_error("the GPU did not finish");
-}
-
 void Executor::wait() {
-    for (const Slot& slot : slots_)
-        wait_for(slot);
-    wait_for(*repeated_);
+    for (const Slot& slot : slots_) {
+        slot.commands.wait();
+    }
+    repeated_->commands.wait();
 }
 
 void Executor::render(const Graph& graph, const FrameEnd& end) {
@@ -115,11 +92,11 @@ void Executor::render(const Graph& graph, const FrameEnd& end) {
     const std::uint64_t frame = slots_[slot_].frame + 1;
     slot_ = (slot_ + 1) % slots_.size();
     Slot& slot = slots_[slot_];
-    wait_for(slot);
-    wait_for(*repeated_); // so that no more than frames_in_flight hold the caller's semaphores
+    // So that no more than frames_in_flight hold the caller's semaphores.
+    repeated_->commands.wait();
     slot.frame = frame;
     record(graph, slot, end);
-    submit(slot, end);
+    slot.commands.submit(end.waits, end.signals);
     held_ = plan_.held;
 }
 
@@ -127,27 +104,19 @@ void Executor::repeat(const FrameEnd& end) {
     if (!realised_)
         throw std::logic_error("there is no frame to repeat");
     wait();
-    repeated_->commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-    if (end.record)
-        end.record(repeated_->commands);
-    repeated_->commands.end();
-    submit(*repeated_, end);
-}
-
-void Executor::submit(const Slot& slot, const FrameEnd& end) const {
-    device_.vk().resetFences(*slot.fence);
-    const vk::CommandBufferSubmitInfo commands(*slot.commands);
-    device_.queue().submit2(vk::SubmitInfo2({}, end.waits, commands, end.signals), *slot.fence);
+    const vk::raii::CommandBuffer& commands = repeated_->commands.begin();
+    if (end.record) {
+        end.record(commands);
+    }
+    repeated_->commands.submit(end.waits, end.signals);
 }
 
 void Executor::record(const Graph& graph, Slot& slot, const FrameEnd& end) {
+    const vk::raii::CommandBuffer& commands = slot.commands.begin();
     const auto stamps = static_cast<std::uint32_t>(plan_.steps.size() + 1);
     if (!slot.timers || slot.timers->capacity() < stamps)
         slot.timers.emplace(device_, std::max(stamps, 64U));
     slot.step_names.clear();
-
-    const vk::raii::CommandBuffer& commands = slot.commands;
-    commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     slot.timers->reset(commands);
     upload_changed(graph, commands);
     slot.timers->stamp(commands);
@@ -157,9 +126,9 @@ void Executor::record(const Graph& graph, Slot& slot, const FrameEnd& end) {
         slot.step_names.push_back(graph.passes()[plan_.steps[step].pass].name);
     }
     record_presented(graph, slot, commands);
-    if (end.record)
+    if (end.record) {
         end.record(commands);
-    commands.end();
+    }
 }
 
 void Executor::upload_changed(const Graph& graph, const vk::raii::CommandBuffer& commands) {
@@ -171,8 +140,9 @@ void Executor::upload_changed(const Graph& graph, const vk::raii::CommandBuffer&
         const auto found = shared_->data.find(resource.name);
         if (found == shared_->data.end() || found->second.bytes == resource.data)
             continue;
-        if (first)
-            global_barrier(commands, 0, mask(Access::transfer_write));
+        if (first) {
+            gpu::record(commands, memory_barrier(0, mask(Access::transfer_write)));
+        }
         first = false;
         for (std::size_t at = 0; at < resource.data.size(); at += chunk) {
             const std::size_t bytes = std::min(chunk, resource.data.size() - at);
@@ -184,10 +154,12 @@ void Executor::upload_changed(const Graph& graph, const vk::raii::CommandBuffer&
         found->second.bytes = resource.data;
         ++uploads_;
     }
-    if (!first)
-        global_barrier(commands, mask(Access::transfer_write),
-                       mask(Access::compute_read) | mask(Access::graphics_read) |
-                           mask(Access::index_read) | mask(Access::indirect_read));
+    if (!first) {
+        gpu::record(commands,
+                    memory_barrier(mask(Access::transfer_write),
+                                   mask(Access::compute_read) | mask(Access::graphics_read) |
+                                       mask(Access::index_read) | mask(Access::indirect_read)));
+    }
 }
 
 void Executor::record_barriers(const Graph& graph, std::span<const Barrier> barriers,
@@ -303,10 +275,7 @@ void Executor::record_presented(const Graph& graph, Slot& slot,
         copied = true;
     }
     if (copied) {
-        const vk::MemoryBarrier2 to_host(
-            vk::PipelineStageFlagBits2::eAllTransfer, vk::AccessFlagBits2::eTransferWrite,
-            vk::PipelineStageFlagBits2::eHost, vk::AccessFlagBits2::eHostRead);
-        commands.pipelineBarrier2(vk::DependencyInfo({}, to_host));
+        gpu::record(commands, gpu::memory_barrier(gpu::transfer_write, gpu::host_read));
     }
 }
 
@@ -334,8 +303,7 @@ std::vector<std::byte> Executor::read_buffer(BufferHandle presented) {
 std::vector<std::byte> Executor::finished_buffer(const std::string& name) const {
     const Slot* newest = nullptr;
     for (const Slot& slot : slots_)
-        if (slot.frame > 0 && slot.copies.count(name) > 0 &&
-            slot.fence.getStatus() == vk::Result::eSuccess &&
+        if (slot.frame > 0 && slot.copies.count(name) > 0 && slot.commands.is_done() &&
             (newest == nullptr || slot.frame > newest->frame))
             newest = &slot;
     if (newest == nullptr)

@@ -81,8 +81,6 @@ class Executor {
         const gpu::Image* image = nullptr;
     };
 
-    void wait_for(const Slot& slot) const;
-    void submit(const Slot& slot, const FrameEnd& end) const;
     void record(const Graph& graph, Slot& slot, const FrameEnd& end);
     void upload_changed(const Graph& graph, const vk::raii::CommandBuffer& commands);
     void record_barriers(const Graph& graph, std::span<const Barrier> barriers,
@@ -95,7 +93,6 @@ class Executor {
 
     const gpu::Device& device_;
     std::unique_ptr<Shared> shared_;
-    vk::raii::CommandPool pool_;
     std::vector<Slot> slots_;
     std::unique_ptr<Slot> repeated_;
     std::unique_ptr<Realised> realised_;

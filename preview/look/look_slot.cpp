@@ -1,15 +1,12 @@
 #include "preview/look/look_slot.h"
 
-#include "lutlib/error.h"
-
-#include <algorithm>
 #include <cstring>
 
 namespace preview {
 
 namespace {
 
-constexpr std::uint32_t uploads_in_flight = 3;
+constexpr int uploads_in_flight = 3;
 
 bool same_shape(const Texels& a, const Texels& b) {
     return a.desc == b.desc && a.bytes.empty() == b.bytes.empty();
@@ -28,30 +25,11 @@ LookData shape_of(const LookData& data) {
     return shape;
 }
 
-void barrier(const vk::raii::CommandBuffer& commands, const gpu::Image& image, vk::ImageLayout from,
-             vk::ImageLayout to) {
-    constexpr auto stage = vk::PipelineStageFlagBits2::eAllCommands;
-    constexpr auto access = vk::AccessFlagBits2::eMemoryRead | vk::AccessFlagBits2::eMemoryWrite;
-    const vk::ImageMemoryBarrier2 change(stage, access, stage, access, from, to,
-                                         VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
-                                         image.vk(), image.range());
-    commands.pipelineBarrier2(vk::DependencyInfo({}, {}, {}, change));
-}
-
 } // namespace
 
-LookSlot::LookSlot(const gpu::Device& device)
-    : device_(device),
-      pool_(device.vk(),
-            vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer,
-                                      device.queue_family())) {
-    vk::raii::CommandBuffers commands(
-        device.vk(), {*pool_, vk::CommandBufferLevel::ePrimary, uploads_in_flight});
-    for (vk::raii::CommandBuffer& buffer : commands) {
-        Upload upload;
-        upload.commands = std::move(buffer);
-        upload.fence = {device.vk(), vk::FenceCreateInfo(vk::FenceCreateFlagBits::eSignaled)};
-        uploads_.push_back(std::move(upload));
+LookSlot::LookSlot(const gpu::Device& device) : device_(device) {
+    for (int upload = 0; upload < uploads_in_flight; ++upload) {
+        uploads_.push_back({gpu::Commands(device), {}});
     }
 }
 
@@ -74,11 +52,8 @@ void LookSlot::set(const LoadedLook& look) {
 void LookSlot::copy(const LookData& data) {
     turn_ = (turn_ + 1) % uploads_.size();
     Upload& upload = uploads_[turn_];
-    if (device_.vk().waitForFences(*upload.fence, VK_TRUE, UINT64_MAX) != vk::Result::eSuccess)
-        throw lutlib::Error("the GPU did not finish");
-    device_.vk().resetFences(*upload.fence);
+    const vk::raii::CommandBuffer& commands = upload.commands.begin();
     upload.staging.clear();
-    upload.commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     const auto add = [&](const Texels& texels, const std::optional<gpu::Image>& image) {
         if (!image)
             return;
@@ -86,23 +61,17 @@ void LookSlot::copy(const LookData& data) {
             device_, texels.bytes.size(), vk::BufferUsageFlagBits::eTransferSrc,
             gpu::BufferMemory::upload);
         std::memcpy(staging.mapped().data(), texels.bytes.data(), texels.bytes.size());
-        barrier(upload.commands, *image, vk::ImageLayout::eReadOnlyOptimal,
-                vk::ImageLayout::eTransferDstOptimal);
-        const ImageDesc& desc = image->desc();
-        const vk::BufferImageCopy whole(0, 0, 0, {image->aspect(), 0, 0, std::max(desc.layers, 1U)},
-                                        {0, 0, 0},
-                                        {desc.width, desc.height, std::max(desc.depth, 1U)});
-        upload.commands.copyBufferToImage(staging.vk(), image->vk(),
-                                          vk::ImageLayout::eTransferDstOptimal, whole);
-        barrier(upload.commands, *image, vk::ImageLayout::eTransferDstOptimal,
-                vk::ImageLayout::eReadOnlyOptimal);
+        gpu::move_layout(commands, *image, vk::ImageLayout::eReadOnlyOptimal,
+                         vk::ImageLayout::eTransferDstOptimal);
+        commands.copyBufferToImage(staging.vk(), image->vk(), vk::ImageLayout::eTransferDstOptimal,
+                                   gpu::whole(*image));
+        gpu::move_layout(commands, *image, vk::ImageLayout::eTransferDstOptimal,
+                         vk::ImageLayout::eReadOnlyOptimal);
     };
     add(data.picture, look_->picture);
     add(data.volume, look_->volume);
     add(data.shaper, look_->shaper);
-    upload.commands.end();
-    const vk::CommandBufferSubmitInfo commands(*upload.commands);
-    device_.queue().submit2(vk::SubmitInfo2({}, {}, commands, {}), *upload.fence);
+    upload.commands.submit();
 }
 
 } // namespace preview

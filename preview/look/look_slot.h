@@ -1,6 +1,7 @@
 // The look of one side on the GPU, replaced while frames are in flight.
 #pragma once
 
+#include "preview/gpu/commands.h"
 #include "preview/look/gpu_look.h"
 #include "preview/look/look_bake.h"
 
@@ -20,15 +21,13 @@ class LookSlot {
 
   private:
     struct Upload {
-        vk::raii::CommandBuffer commands = nullptr;
-        vk::raii::Fence fence = nullptr;
+        gpu::Commands commands;
         std::vector<gpu::Buffer> staging;
     };
 
     void copy(const LookData& data);
 
     const gpu::Device& device_;
-    vk::raii::CommandPool pool_;
     std::vector<Upload> uploads_;
     std::size_t turn_ = 0;
     std::optional<GpuLook> look_;

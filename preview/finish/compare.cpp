@@ -7,14 +7,12 @@
 
 namespace preview {
 
-namespace {
-
-constexpr double bins_per_unit = 40;
-
-} // namespace
-
 const Compare* compare_named(std::string_view name) {
     return lutlib::find_named(compares, name);
+}
+
+int index_of(const Compare& row) {
+    return static_cast<int>(&row - compares.data());
 }
 
 Size picture_size(Size output, const Compare& compare) {
@@ -33,7 +31,7 @@ DifferenceFigures difference_figures(std::span<const std::uint32_t> counted, std
         return static_cast<std::uint64_t>(part * static_cast<double>(texels));
     };
     for (std::size_t bin = bins.size() - 1; bin > 0; --bin) {
-        const double middle = (static_cast<double>(bin) + 0.5) / bins_per_unit;
+        const double middle = (static_cast<double>(bin) + 0.5) / DifferenceBins::per_unit;
         sum += middle * static_cast<double>(bins[bin]);
         const std::uint64_t before = above;
         above += bins[bin];

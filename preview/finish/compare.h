@@ -1,4 +1,4 @@
-// How two looks are shown together, as a table; shaders/common/finish.glsl has the same numbers.
+// How two looks are shown together, as a table.
 #pragma once
 
 #include "preview/gpu/size.h"
@@ -13,26 +13,26 @@ namespace preview {
 struct Compare {
     std::string_view name;
     std::string_view label;
-    std::uint32_t shader;
+    std::string_view shader; ///< the function of shaders/common/compare.glsl that shows it
     bool shows_a, shows_b;
 };
 
 inline constexpr std::array<Compare, 5> compares{{
-    {.name = "a", .label = "side A alone", .shader = 0, .shows_a = true, .shows_b = false},
-    {.name = "b", .label = "side B alone", .shader = 1, .shows_a = false, .shows_b = true},
+    {.name = "a", .label = "side A alone", .shader = "show_a", .shows_a = true, .shows_b = false},
+    {.name = "b", .label = "side B alone", .shader = "show_b", .shows_a = false, .shows_b = true},
     {.name = "split",
      .label = "A left and B right of a line that can be moved",
-     .shader = 2,
+     .shader = "show_split",
      .shows_a = true,
      .shows_b = true},
     {.name = "side",
      .label = "A and B side by side, each half as wide as the output",
-     .shader = 3,
+     .shader = "show_side",
      .shows_a = true,
      .shows_b = true},
     {.name = "diff",
      .label = "their difference in dE2000 as a heat map with its scale",
-     .shader = 4,
+     .shader = "show_difference",
      .shows_a = true,
      .shows_b = true},
 }};
@@ -43,9 +43,17 @@ inline constexpr const Compare& compare_side = compares[3];
 inline constexpr const Compare& compare_difference = compares[4];
 
 const Compare* compare_named(std::string_view name);
+/// The row's place in the table, by which shaders know it.
+int index_of(const Compare& row);
 
 /// The size at which a scene is rendered so that its finished picture is `output` wide and high.
 Size picture_size(Size output, const Compare& compare);
+
+/// How the finishing pass counts differences: those from n / per_unit on in bin n.
+struct DifferenceBins {
+    static constexpr std::uint32_t count = 4096;
+    static constexpr double per_unit = 40; ///< of dE2000
+};
 
 /// The differences of all texels of a picture, in dE2000.
 struct DifferenceFigures {

@@ -10,7 +10,7 @@ namespace preview {
 
 namespace {
 
-constexpr std::uint64_t figures_bytes = 4 * (1 + 4096);
+constexpr std::uint64_t figures_bytes = sizeof(std::uint32_t) * (1 + DifferenceBins::count);
 
 // Of finish_shared.comp.
 constexpr std::uint32_t tile_width = 32, tile_height = 128;
@@ -90,7 +90,9 @@ void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing) {
         format == Format::rgba8 || format == Format::rgb10a2 || format == Format::rgba16;
     const int tonemap = settings.tonemap ? index_of(*settings.tonemap) : -1;
     pass.constants({static_cast<std::uint32_t>(tonemap), layers, taps, plan.threshold > 0,
-                    shader_of(a), shader_of(b), settings.compare->shader, unit, settings.has_line});
+                    shader_of(a), shader_of(b),
+                    static_cast<std::uint32_t>(index_of(*settings.compare)), unit,
+                    settings.has_line});
     pass.push(Push{std::exp2(settings.exposure), plan.strength, plan.threshold, plan.knee,
                    settings.split, settings.heat_scale});
 }

@@ -2,6 +2,7 @@
 // numbers by which specialisation constants know them. The build runs it before it compiles the
 // shaders: a row whose function is missing does not compile.
 #include "lutlib/error.h"
+#include "preview/finish/compare.h"
 #include "preview/finish/tonemaps.h"
 #include "preview/look/gpu_lookups.h"
 
@@ -100,6 +101,25 @@ std::string shared_lookup_choice() {
            cases + "    default:\n        return c;\n    }\n}\n";
 }
 
+std::string compare_choice() {
+    std::string cases;
+    for (const Compare& row : compares) {
+        cases += fmt::format("    case {}: // {}\n        {}(target, at, size, c, how);\n"
+                             "        break;\n",
+                             index_of(row), row.name, row.shader);
+    }
+    return fmt::format("// Written by the build from preview/finish/compare.h.\n"
+                       "#include \"common/compare.glsl\"\n\n"
+                       "const uint difference_bins = {}u;\n"
+                       "const float difference_bins_per_unit = {:.1f};\n\n"
+                       "/// `row` is a specialisation constant wherever this is called, so one "
+                       "branch remains.\n"
+                       "void show(int row, writeonly image2D target, ivec2 at, ivec2 size, vec3 c, "
+                       "Shown how) {{\n    switch (row) {{\n",
+                       DifferenceBins::count, DifferenceBins::per_unit) +
+           cases + "    }\n}\n";
+}
+
 /// Leaves a file alone that says the same already, so that no shader is compiled for nothing.
 void write(const std::filesystem::path& path, const std::string& text) {
     std::ostringstream known;
@@ -115,6 +135,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
 void write_tables(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder);
     write(folder / "tonemaps.glsl", tonemap_choice());
+    write(folder / "compares.glsl", compare_choice());
     write(folder / "lookups.glsl", lookup_choice());
     write(folder / "shared_lookups.glsl", shared_lookup_choice());
 }

@@ -8,3 +8,13 @@ float bloom_share(float brightness, float threshold, float knee) {
     float light = over < knee ? soft * soft / (4.0 * knee) : over;
     return light / brightness;
 }
+
+/// Light of which `share` has gone into a glow.
+vec3 with_bloom(vec3 light, float share, vec3 glow, float strength) {
+    return light + strength * (glow - light * share);
+}
+
+/// A layer of the bloom at a place in its own texels.
+vec3 layer_at(sampler2D layer, vec2 at) {
+    return textureLod(layer, at / vec2(textureSize(layer, 0)), 0.0).rgb;
+}

@@ -1,6 +1,8 @@
-// What finishes a texel: the bloom's last filter, exposure and tone map, and the looks that come
-// after (common/graded.glsl). preview/passes/finish.h, bind_finish(), binds all that is declared here;
-// the passes' own bindings follow from 15 on.
+// All that a pass which finishes texels is given: preview/passes/finish.h, bind_finish(), binds it, and
+// the passes' own bindings follow from 15 on. Only the functions here, those of common/graded.glsl and
+// the shaders themselves read it; every other function takes what it uses.
+#ifndef FINISH_GLSL
+#define FINISH_GLSL
 #include "common/bloom.glsl"
 #include "common/sanitise.glsl"
 #include "rows/lookups.glsl"
@@ -40,43 +42,44 @@ layout(push_constant) uniform Push {
     float heat_scale;
 } push;
 
-vec3 bloom_at(vec2 at, sampler2D layer, vec4 scale_weight) {
-    vec2 uv = at * scale_weight.x / vec2(textureSize(layer, 0));
-    return textureLod(layer, uv, 0.0).rgb * scale_weight.y;
-}
-
 vec3 picture_at(ivec2 at) {
     return texelFetch(picture, at, 0).rgb;
 }
 
-vec3 bloomed(ivec2 at, vec3 light) {
-    if (bloom_layers == 0)
-        return light;
+/// What the bloom's last filter adds up about a texel.
+vec3 glow_at(ivec2 at) {
     vec2 centre = vec2(at) + 0.5;
     vec3 glow = vec3(0.0);
     if (bloom_layers == 1) {
-        vec2 texel = 1.0 / vec2(textureSize(layer_0, 0));
         vec2 from = centre * final_filter.layers[0].x;
         for (int i = 0; i < bloom_taps; ++i) {
             vec4 tap = final_filter.taps[i];
-            glow += textureLod(layer_0, (from + tap.xy) * texel, 0.0).rgb * tap.z;
+            glow += layer_at(layer_0, from + tap.xy) * tap.z;
         }
-    } else {
-        glow = bloom_at(centre, layer_0, final_filter.layers[0]);
-        if (bloom_layers > 1)
-            glow += bloom_at(centre, layer_1, final_filter.layers[1]);
-        if (bloom_layers > 2)
-            glow += bloom_at(centre, layer_2, final_filter.layers[2]);
-        if (bloom_layers > 3)
-            glow += bloom_at(centre, layer_3, final_filter.layers[3]);
+        return glow;
     }
-    vec3 own = light;
-    if (bloom_threshold)
-        own *= bloom_share(max(light.r, max(light.g, light.b)), push.threshold, push.knee);
-    return light + push.strength * (glow - own);
+    glow = layer_at(layer_0, centre * final_filter.layers[0].x) * final_filter.layers[0].y;
+    if (bloom_layers > 1)
+        glow += layer_at(layer_1, centre * final_filter.layers[1].x) * final_filter.layers[1].y;
+    if (bloom_layers > 2)
+        glow += layer_at(layer_2, centre * final_filter.layers[2].x) * final_filter.layers[2].y;
+    if (bloom_layers > 3)
+        glow += layer_at(layer_3, centre * final_filter.layers[3].x) * final_filter.layers[3].y;
+    return glow;
 }
 
-/// `texel` is the picture's at `at`.
+/// The light of a texel, which is `light` in the picture, with its bloom.
+vec3 bloomed(ivec2 at, vec3 light) {
+    if (bloom_layers == 0)
+        return light;
+    float brightest = max(light.r, max(light.g, light.b));
+    float share = bloom_threshold ? bloom_share(brightest, push.threshold, push.knee) : 1.0;
+    return with_bloom(light, share, glow_at(at), push.strength);
+}
+
+/// The same after exposure and tone map.
 vec3 display_encoded(ivec2 at, vec3 texel) {
     return tonemap_row < 0 ? texel : tonemap(tonemap_row, sanitise(bloomed(at, texel) * push.exposure));
 }
+
+#endif

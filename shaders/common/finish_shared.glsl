@@ -7,20 +7,18 @@ layout(local_size_x = 8, local_size_y = 128) in;
 #include "rows/shared_lookups.glsl"
 
 // A tone map's result, and what an integer format holds, lies within 0..1.
-vec3 unit(vec3 c) {
-    return tonemap_row >= 0 || unit_picture ? c : saturate(c);
-}
+const bool is_unit = tonemap_row >= 0 || unit_picture;
 
 vec3 graded_a(vec3 c) {
     if (is_shared(lookup_a))
-        return shared_lookup(lookup_a, unit(c));
+        return shared_lookup(lookup_a, is_unit ? c : saturate(c));
     return apply_lookup(lookup_a, picture_a, volume_a, shaper_a, look_a, c);
 }
 
 // There is shared memory for one lattice only; the second is read from its picture.
 vec3 graded_b(vec3 c) {
     if (is_shared(lookup_b) && !is_shared(lookup_a))
-        return shared_lookup(lookup_b, unit(c));
+        return shared_lookup(lookup_b, is_unit ? c : saturate(c));
     return apply_lookup(lookup_b, picture_b, volume_b, shaper_b, look_b, c);
 }
 

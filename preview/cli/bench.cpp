@@ -75,7 +75,7 @@ std::vector<float> picture_texels(Size size, float brightest) {
     std::vector<float> texels;
     texels.reserve(std::size_t{4} * size.width * size.height);
     std::uint32_t state = 1;
-    for (std::uint32_t y = 0; y < size.height; ++y)
+    for (std::uint32_t y = 0; y < size.height; ++y) {
         for (std::uint32_t x = 0; x < size.width; ++x) {
             const float u = static_cast<float>(x) / static_cast<float>(size.width);
             const float v = static_cast<float>(y) / static_cast<float>(size.height);
@@ -89,20 +89,23 @@ std::vector<float> picture_texels(Size size, float brightest) {
                            base * (block ? v : 0.2F + 0.6F * v) + noise,
                            base * (0.5F + 0.4F * std::sin(7 * u + 3 * v)) + noise, 1.0F});
         }
+    }
     return texels;
 }
 
 std::vector<std::uint8_t> codes_of(const std::vector<float>& texels) {
     std::vector<std::uint8_t> codes;
     codes.reserve(texels.size());
-    for (const float v : texels)
+    for (const float v : texels) {
         codes.push_back(static_cast<std::uint8_t>(lutlib::CodeDepth{8}.code(v)));
+    }
     return codes;
 }
 
 double median(std::vector<double> values) {
-    if (values.empty())
+    if (values.empty()) {
         throw lutlib::Error("this device cannot time passes: it has no timestamps");
+    }
     std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2),
                      values.end());
     return values[values.size() / 2];
@@ -113,11 +116,14 @@ double median(std::vector<double> values) {
 std::uint64_t bytes_moved(const Graph& graph) {
     const Plan plan = make_plan(graph, make_plan(graph).held);
     std::uint64_t bytes = 0;
-    for (const Step& step : plan.steps)
-        for (const Use& use : graph.passes()[step.pass].uses)
+    for (const Step& step : plan.steps) {
+        for (const Use& use : graph.passes()[step.pass].uses) {
             if (use.version != Version::none && plan.version_lives[use.version] &&
-                graph.resource_of(use.version).kind == ResourceKind::image)
+                graph.resource_of(use.version).kind == ResourceKind::image) {
                 bytes += graph.resource_of(use.version).image.bytes();
+            }
+        }
+    }
     return bytes;
 }
 
@@ -164,14 +170,17 @@ class Bench {
         executor_.render(graph);
         executor_.wait();
         const auto settled = std::chrono::steady_clock::now() + settling;
-        for (int frame = 0; frame < warm_up || std::chrono::steady_clock::now() < settled; ++frame)
+        for (int frame = 0; frame < warm_up || std::chrono::steady_clock::now() < settled;
+             ++frame) {
             executor_.render(graph);
+        }
         std::vector<double> sums;
         for (int frame = 0; frame < options_.frames; ++frame) {
             executor_.render(graph);
             double sum = 0;
-            for (const StepTime& step : executor_.timings())
+            for (const StepTime& step : executor_.timings()) {
                 sum += counts(step.name) ? step.milliseconds : 0;
+            }
             sums.push_back(sum / divisor);
         }
         return median(sums);
@@ -183,8 +192,9 @@ class Bench {
         Graph once;
         once.present(declare(once));
         Graph graph;
-        for (int repeat = 0; repeat < repeats; ++repeat)
+        for (int repeat = 0; repeat < repeats; ++repeat) {
             graph.present(declare(graph));
+        }
         Row row;
         row.group = std::move(group);
         row.name = std::move(name);
@@ -217,8 +227,9 @@ class Bench {
         copy_ = time_copy(formats);
         add(copy_, copy_);
         for (const GpuLookup& lookup : gpu_lookups()) {
-            if (lookup.source == GpuLookup::Source::none)
+            if (lookup.source == GpuLookup::Source::none) {
                 continue;
+            }
             GpuLook look(device_, look_for(sample_look(lookup.shared() ? 16 : 33), lookup).data);
             const auto time_look = [&](const std::string& name) {
                 Row row = measure("lut, " + formats, name, "finish", [&](Graph& graph) {
@@ -240,7 +251,7 @@ class Bench {
     void time_finishing() {
         const GpuLook look(device_,
                            look_for(sample_look(16), *gpu_lookup_named("shared-tetrahedral")).data);
-        for (const Bloom& bloom : blooms())
+        for (const Bloom& bloom : blooms()) {
             for (const float threshold : {0.0F, 1.0F}) {
                 Graph graph;
                 // Written just before, as it is in a frame.
@@ -265,6 +276,7 @@ class Bench {
                     graph, [](const std::string& step) { return step != "copy"; }, 1);
                 add(std::move(row), copy_);
             }
+        }
     }
 
     /// Counting reads the picture once; drawing costs the same for every picture.
@@ -309,8 +321,9 @@ class Bench {
             time_frame(std::string(choice.name), inputs, settings);
             frames_.push_back({std::string(choice.name), frame_});
         }
-        if (settings.raster != Raster::compute)
+        if (settings.raster != Raster::compute) {
             return;
+        }
         for (const std::uint32_t side : {8U, 24U, 32U}) {
             settings.visibility.small_side = side;
             time_frame(fmt::format("compute, small up to {}", side), inputs, settings);
@@ -345,21 +358,23 @@ std::string table_of(const Bench& bench, const std::string& device, Size size) {
     std::string text = fmt::format("{}, {}x{}\n\n{:<24} {:<28} {:>10} {:>9} {:>8} {:>11} {:>7}\n",
                                    device, size.width, size.height, "group", "pass", "median ms",
                                    "MB", "x copy", "allowed ms", "GB/s");
-    for (const Row& row : bench.rows())
+    for (const Row& row : bench.rows()) {
         text += fmt::format("{:<24} {:<28} {:>10.4f} {:>9.1f} {:>8.2f} {:>11.4f} {:>7.0f}{}\n",
                             row.group, row.name, row.milliseconds,
                             static_cast<double>(row.bytes) * 1e-6, row.ratio, row.allowed,
                             static_cast<double>(row.bytes) * 1e-6 / row.milliseconds,
                             row.exact ? "" : "  filtered by the texture unit");
-    for (const FrameTimings& frame : bench.frames())
+    }
+    for (const FrameTimings& frame : bench.frames()) {
         text += fmt::format("\nThe frame, pass by pass, {} raster\n{}", frame.raster,
                             to_table(frame.timings));
+    }
     return text;
 }
 
 std::string json_of(const Bench& bench, const std::string& device, Size size) {
     nlohmann::json rows = nlohmann::json::array();
-    for (const Row& row : bench.rows())
+    for (const Row& row : bench.rows()) {
         rows.push_back({{"group", row.group},
                         {"name", row.name},
                         {"median_ms", row.milliseconds},
@@ -367,9 +382,11 @@ std::string json_of(const Bench& bench, const std::string& device, Size size) {
                         {"ratio_to_copy", row.ratio},
                         {"allowed_ms", row.allowed},
                         {"exact", row.exact}});
+    }
     nlohmann::json frames = nlohmann::json::object();
-    for (const FrameTimings& frame : bench.frames())
+    for (const FrameTimings& frame : bench.frames()) {
         frames[frame.raster] = nlohmann::json::parse(to_json(frame.timings, device, size));
+    }
     nlohmann::json all = {{"device", device},
                           {"width", size.width},
                           {"height", size.height},
@@ -389,8 +406,9 @@ int run(const Options& options) {
     std::fputs(options.json ? json.c_str() : table_of(bench, device.name(), size).c_str(), stdout);
     if (!options.output.empty()) {
         std::ofstream file(options.output, std::ios::binary);
-        if (!(file << json))
+        if (!(file << json)) {
             throw lutlib::Error("cannot be written", {options.output, 0, {}});
+        }
     }
     return 0;
 }

@@ -28,8 +28,9 @@ std::vector<T> values_of(const std::vector<std::byte>& bytes) {
 
 /// The inputs with the HDR maximum measured, where the frame has one.
 FrameInputs measured(Executor& executor, FrameInputs inputs, const FrameSettings& settings) {
-    if (settings.shows_intermediate() || settings.force_all)
+    if (settings.shows_intermediate() || settings.force_all) {
         return inputs;
+    }
     Graph graph;
     const FrameHandles handles = build_frame(graph, inputs, settings);
     executor.render(graph);
@@ -38,8 +39,9 @@ FrameInputs measured(Executor& executor, FrameInputs inputs, const FrameSettings
 }
 
 PassTiming statistics(std::string name, std::vector<double> times) {
-    if (times.empty())
+    if (times.empty()) {
         return {std::move(name), 0, 0};
+    }
     std::sort(times.begin(), times.end());
     const auto at = [&](double share) {
         return times[std::min(static_cast<std::size_t>(share * static_cast<double>(times.size())),
@@ -65,12 +67,15 @@ Rendered render_frame(Executor& executor, const FrameInputs& inputs,
     out.explanation = explain(graph, executor.plan());
     out.size = size_of(graph, handles.output);
     out.rgba = values_of<std::uint8_t>(executor.read_image(handles.output));
-    if (settings.shows_intermediate())
+    if (settings.shows_intermediate()) {
         return out;
+    }
     if (settings.keep_hdr) {
         out.hdr_size = size_of(graph, handles.hdr);
-        for (const std::uint16_t half : values_of<std::uint16_t>(executor.read_image(handles.hdr)))
+        for (const std::uint16_t half :
+             values_of<std::uint16_t>(executor.read_image(handles.hdr))) {
             out.hdr.push_back(lutlib::float_from_half(half));
+        }
     }
     if (handles.figures) {
         const Size size = size_of(graph, handles.graded);
@@ -78,8 +83,9 @@ Rendered render_frame(Executor& executor, const FrameInputs& inputs,
             difference_figures(values_of<std::uint32_t>(executor.read_buffer(handles.figures)),
                                std::uint64_t{size.width} * size.height);
     }
-    if (handles.probe)
+    if (handles.probe) {
         out.probe = probe_from(executor.read_buffer(handles.probe));
+    }
     return out;
 }
 
@@ -98,8 +104,9 @@ Timings time_frames(Executor& executor, const FrameInputs& inputs, const FrameSe
         executor.wait();
         const std::chrono::duration<double, std::milli> took =
             std::chrono::steady_clock::now() - start;
-        if (frame < warm_up_frames)
+        if (frame < warm_up_frames) {
             continue;
+        }
         std::map<std::string, double> sums;
         double total = 0;
         for (const StepTime& step : executor.timings()) {
@@ -110,15 +117,17 @@ Timings time_frames(Executor& executor, const FrameInputs& inputs, const FrameSe
             sums[step.name] += step.milliseconds;
             total += step.milliseconds;
         }
-        for (const auto& [name, milliseconds] : sums)
+        for (const auto& [name, milliseconds] : sums) {
             by_name[name].push_back(milliseconds);
+        }
         gpu.push_back(total);
         wall.push_back(took.count());
     }
     Timings out;
     out.frames = frames;
-    for (const std::string& name : order)
+    for (const std::string& name : order) {
         out.passes.push_back(statistics(name, by_name[name]));
+    }
     out.gpu = statistics("frame (GPU)", gpu);
     out.wall = statistics("frame (wall)", wall);
     return out;
@@ -129,8 +138,9 @@ std::string to_table(const Timings& timings) {
     const auto line = [&](const PassTiming& timing) {
         text += fmt::format("{:<24} {:>12.4f} {:>12.4f}\n", timing.name, timing.median, timing.p95);
     };
-    for (const PassTiming& pass : timings.passes)
+    for (const PassTiming& pass : timings.passes) {
         line(pass);
+    }
     line(timings.gpu);
     line(timings.wall);
     return text;
@@ -138,8 +148,9 @@ std::string to_table(const Timings& timings) {
 
 std::string to_json(const Timings& timings, const std::string& device, Size size) {
     nlohmann::json passes = nlohmann::json::array();
-    for (const PassTiming& pass : timings.passes)
+    for (const PassTiming& pass : timings.passes) {
         passes.push_back(json_of(pass));
+    }
     const nlohmann::json all = {{"device", device},
                                 {"width", size.width},
                                 {"height", size.height},

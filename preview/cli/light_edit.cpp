@@ -20,8 +20,9 @@ PointLight& light_named(std::vector<PointLight>& lights, const std::string& name
                         const std::string& text) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < lights.size(); ++i) {
-        if (lights[i].name == name || std::to_string(i) == name)
+        if (lights[i].name == name || std::to_string(i) == name) {
             return lights[i];
+        }
         names.push_back(light_name(lights[i], i));
     }
     reject(text, lutlib::no_such_name("light", name,
@@ -30,9 +31,10 @@ PointLight& light_named(std::vector<PointLight>& lights, const std::string& name
 
 const LightControl& control_named(const std::string& name, const std::string& text) {
     const LightControl* const row = lutlib::find_named(light_controls(), name);
-    if (row == nullptr)
+    if (row == nullptr) {
         reject(text, lutlib::no_such_name("control of a light", name,
                                           lutlib::name_list(light_controls())));
+    }
     return *row;
 }
 
@@ -45,11 +47,13 @@ glm::vec3 values_of(const LightControl& control, const std::string& values,
     for (int i = 0; i < count; ++i) {
         const auto [rest, failed] = std::from_chars(at, end, out[i]);
         const bool separated = i + 1 < count ? rest != end && *rest == ',' : rest == end;
-        if (failed != std::errc{} || !separated)
+        if (failed != std::errc{} || !separated) {
             reject(text, count == 1 ? "the value is no number" : "the value is not three numbers");
-        if (!(out[i] >= control.min && out[i] <= control.max))
+        }
+        if (!(out[i] >= control.min && out[i] <= control.max)) {
             reject(text,
                    fmt::format("{} goes from {} to {}", control.name, control.min, control.max));
+        }
         at = rest + 1;
     }
     return out;
@@ -61,8 +65,9 @@ void edit_light(std::vector<PointLight>& lights, const std::string& text) {
     const std::size_t equals = text.find('=');
     // A light's name may hold dots, a control's does not.
     const std::size_t dot = equals == std::string::npos ? equals : text.rfind('.', equals);
-    if (dot == std::string::npos)
+    if (dot == std::string::npos) {
         reject(text, "it has no '.' before a '='");
+    }
     PointLight& light = light_named(lights, text.substr(0, dot), text);
     const LightControl& control = control_named(text.substr(dot + 1, equals - dot - 1), text);
     control.set(light, values_of(control, text.substr(equals + 1), text));

@@ -66,12 +66,14 @@ Rendering::Rendering(const Options& options)
       lights(lights_of(options, shown->scene)), on_gpu(device, shown) {
     for (const std::string& line : shown->left_out) {
         notes += "left out  of " + shown->name + ": " + line + "\n";
-        if (!options.explain)
+        if (!options.explain) {
             std::fprintf(stderr, "lutpreview: %s: not supported, left out: %s\n",
                          shown->name.c_str(), line.c_str());
+        }
     }
-    if (shown->scene)
+    if (shown->scene) {
         settings.orbit = orbit_of(options, *shown->scene);
+    }
     settings.raster = options.raster->on(device, picture_size(settings.output, *settings.compare));
     settings.keep_hdr = holds_light(options.output);
     const bool force = options.frame.force_all;
@@ -88,27 +90,32 @@ FrameInputs Rendering::inputs() const {
 }
 
 void write(const Options& options, const FrameSettings& settings, const Rendered& rendered) {
-    if (settings.keep_hdr && !settings.shows_intermediate() && settings.scope == nullptr)
+    if (settings.keep_hdr && !settings.shows_intermediate() && settings.scope == nullptr) {
         write_light(options.output, rendered);
-    else
+    } else {
         write_picture(options.output, rendered);
+    }
 }
 
 void render_once(const Options& options, const Rendering& rendering, Executor& executor) {
     const FrameSettings& settings = rendering.settings;
     const Rendered rendered = render_frame(executor, rendering.inputs(), settings);
-    if (options.explain)
+    if (options.explain) {
         std::printf("%s%s%s", rendered.explanation.c_str(), rendering.notes.c_str(),
                     settings_text(settings).c_str());
-    if (rendered.probe)
+    }
+    if (rendered.probe) {
         std::fputs(options.json ? probe_json(*rendered.probe, *settings.probe).c_str()
                                 : probe_table(*rendered.probe, *settings.probe).c_str(),
                    stdout);
-    if (rendered.figures)
+    }
+    if (rendered.figures) {
         std::printf("dE2000  mean %.3f  p95 %.3f  p99 %.3f  max %.3f\n", rendered.figures->mean,
                     rendered.figures->p95, rendered.figures->p99, rendered.figures->max);
-    if (!options.output.empty())
+    }
+    if (!options.output.empty()) {
         write(options, settings, rendered);
+    }
 }
 
 void print_timings(const Options& options, const Rendering& rendering, Executor& executor) {
@@ -134,8 +141,9 @@ void print_list() {
 }
 
 void render_cube(const Options& options) {
-    if (options.output.empty())
+    if (options.output.empty()) {
         throw lutlib::UsageError("--cube-view needs -o FILE");
+    }
     const LoadedLook look = options.cube_view == "a" ? load_look(options.look_a, use_a(options))
                                                      : load_look(options.look_b, use_b(options));
     Rendered out;
@@ -151,29 +159,34 @@ void render_cube(const Options& options) {
 
 void render(const Options& options) {
     const bool prints = options.explain || options.timings || !options.probe.empty();
-    if (options.output.empty() && !prints)
+    if (options.output.empty() && !prints) {
         throw lutlib::UsageError("--headless needs -o FILE, --timings, --probe or --explain");
+    }
     const Rendering rendering(options);
     Executor executor(rendering.device);
-    if (!options.output.empty() || options.explain || rendering.settings.probe)
+    if (!options.output.empty() || options.explain || rendering.settings.probe) {
         render_once(options, rendering, executor);
-    if (options.timings)
+    }
+    if (options.timings) {
         print_timings(options, rendering, executor);
-    for (const std::string& message : rendering.device.validation_messages())
+    }
+    for (const std::string& message : rendering.device.validation_messages()) {
         std::fprintf(stderr, "lutpreview: %s\n", message.c_str());
+    }
 }
 
 void run(const Options& options) {
     const bool has_result = options.headless || options.explain || options.timings ||
                             !options.probe.empty() || !options.output.empty();
-    if (options.list)
+    if (options.list) {
         print_list();
-    else if (!options.cube_view.empty())
+    } else if (!options.cube_view.empty()) {
         render_cube(options);
-    else if (has_result)
+    } else if (has_result) {
         render(options);
-    else
+    } else {
         open_window(options);
+    }
 }
 
 } // namespace preview

@@ -268,8 +268,9 @@ FrameSettings settings_of(const Options& options, Size input_size) {
 
 std::vector<PointLight> lights_of(const Options& options, const std::optional<Scene>& scene) {
     std::vector<PointLight> lights = scene ? scene->lights : std::vector<PointLight>();
-    for (const std::string& text : options.lights)
+    for (const std::string& text : options.lights) {
         edit_light(lights, text);
+    }
     return lights;
 }
 

@@ -10,9 +10,10 @@ lutlib::io::PngImage code_image(const Rendered& rendered) {
     image.width = static_cast<int>(rendered.size.width);
     image.height = static_cast<int>(rendered.size.height);
     image.srgb_tag = true;
-    for (std::size_t at = 0; at < rendered.rgba.size(); at += 4)
+    for (std::size_t at = 0; at < rendered.rgba.size(); at += 4) {
         image.samples.insert(image.samples.end(), rendered.rgba.begin() + static_cast<long>(at),
                              rendered.rgba.begin() + static_cast<long>(at) + 3);
+    }
     return image;
 }
 
@@ -23,8 +24,9 @@ void write_picture(const std::string& path, const Rendered& rendered) {
         return;
     }
     lutlib::io::FloatImage floats{image.width, image.height, {}, 3, false, {}};
-    for (const std::uint8_t code : rendered.rgba)
+    for (const std::uint8_t code : rendered.rgba) {
         floats.rgba.push_back(static_cast<float>(code) / 255);
+    }
     lutlib::io::write_image(path, floats, {lutlib::io::Depth::uint8, false, {}});
 }
 

@@ -32,15 +32,17 @@ editor::State opening_state(const Options& options, const FrameSettings& given,
     if (!options.is_compare_given) {
         state.compare = usual;
     }
-    if (given.scope != nullptr)
+    if (given.scope != nullptr) {
         state.scopes_seen.seen[index_of(*given.scope)] = true;
+    }
     state.scopes_seen.side = given.scope_side;
     state.scopes_seen.logarithmic = given.scope_logarithmic;
     take_shown(state, shown);
     state.effects = given.effects;
     state.lights = lights_of(options, shown->scene);
-    if (shown->scene)
+    if (shown->scene) {
         state.orbit = orbit_of(options, *shown->scene);
+    }
     for (std::size_t i = 0; i < state.sides.size(); ++i) {
         const GpuLookup* const lookup = lookup_of(i == 0 ? options.engine_a : options.engine_b);
         if (lookup != nullptr && lookup->engine != nullptr) {
@@ -66,8 +68,9 @@ void open_window(const Options& options) {
     setup.frame.force_all = given.force_all;
     setup.state = opening_state(options, given, shown);
     setup.raster = options.raster;
-    if (!options.size.empty())
+    if (!options.size.empty()) {
         setup.size = settings_of(options, {}).output;
+    }
     setup.device = options.device;
     setup.validation = options.validate;
     setup.font = options.font;

@@ -37,8 +37,9 @@ void open_look(State& state, const io::Look& look) {
     const auto shows_recipe = [](const Side& side) {
         return side.source == SideSource::recipe || side.source == SideSource::baked;
     };
-    if (!shows_recipe(next.sides[0]) && !shows_recipe(next.sides[1]))
+    if (!shows_recipe(next.sides[0]) && !shows_recipe(next.sides[1])) {
         next.sides[1].source = SideSource::recipe;
+    }
     state = std::move(next);
 }
 
@@ -78,10 +79,12 @@ std::string export_lut(const State& state, const std::string& path) {
     lut.title = state.recipe.title;
     const io::Encoded written = io::write_lut(path, lut);
     std::string report = fmt::format("{} -> {}\n", source_name(state), path);
-    if (written.losses.empty())
+    if (written.losses.empty()) {
         report += "  nothing was lost to the format\n";
-    for (const lutlib::Loss& loss : written.losses)
+    }
+    for (const lutlib::Loss& loss : written.losses) {
         report += fmt::format("  lost: {}: {:.4g} {}\n", loss.what, loss.figure, loss.unit);
+    }
     return report;
 }
 

@@ -10,10 +10,12 @@ std::vector<InputEvent> InputQueue::next_frame() {
         const InputEvent& event = events_.front();
         const bool belongs_to_key =
             event.kind == Kind::character && !out.empty() && out.back().kind != Kind::button;
-        if (is_full && !belongs_to_key)
+        if (is_full && !belongs_to_key) {
             break;
-        if (event.kind == Kind::button && moved)
+        }
+        if (event.kind == Kind::button && moved) {
             break;
+        }
         moved = moved || event.kind == Kind::move;
         is_full =
             is_full || event.kind == Kind::button ||

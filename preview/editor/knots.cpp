@@ -75,12 +75,14 @@ std::size_t add_knot(const Parameter& parameter, Knots& knots, Knot knot) {
     std::sort(knots.begin(), knots.end(), [](const Knot& a, const Knot& b) { return a.x < b.x; });
     if (knots.empty()) {
         if (parameter.axis.periodic) {
-            for (const double away : {-neighbourhood, neighbourhood})
+            for (const double away : {-neighbourhood, neighbourhood}) {
                 insert(knots, {wrapped(knot.x + away, parameter.axis), parameter.fallback});
+            }
         } else {
             const CurveView view = view_of(parameter, {});
-            for (const double x : {view.x_min, view.x_max})
+            for (const double x : {view.x_min, view.x_max}) {
                 insert(knots, {x, neutral_at(parameter, x)});
+            }
         }
     }
     const double gap = gap_share * (parameter.axis.max - parameter.axis.min);
@@ -105,8 +107,9 @@ void move_knot(const Parameter& parameter, Knots& knots, std::size_t index, Knot
 
 void remove_knot(const Parameter& parameter, Knots& knots, std::size_t index) {
     knots.erase(knots.begin() + static_cast<std::ptrdiff_t>(index));
-    if (is_neutral(parameter, knots))
+    if (is_neutral(parameter, knots)) {
         knots.clear();
+    }
 }
 
 std::optional<std::size_t> knot_at(const CurveView& view, const Knots& knots, Knot at, Knot reach) {

@@ -138,9 +138,11 @@ void LookBaker::refine(const LookRequest& request, BakedLooks baked) {
     if (!table) {
         return;
     }
-    for (std::size_t i = 0; i < baked.sides.size(); ++i)
-        if (shows_recipe(request.sides[i]))
+    for (std::size_t i = 0; i < baked.sides.size(); ++i) {
+        if (shows_recipe(request.sides[i])) {
             baked.sides[i] = measured_look(*table, float_table());
+        }
+    }
     publish(std::move(baked), true);
 }
 
@@ -148,8 +150,9 @@ void LookBaker::run() {
     for (;;) {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [this] { return ends_ || waiting_; });
-        if (ends_)
+        if (ends_) {
             return;
+        }
         const LookRequest request = std::move(*waiting_);
         waiting_.reset();
         bakes_ = true;
@@ -157,8 +160,9 @@ void LookBaker::run() {
         BakedLooks baked;
         const auto start = std::chrono::steady_clock::now();
         try {
-            for (std::size_t i = 0; i < 2; ++i)
+            for (std::size_t i = 0; i < 2; ++i) {
                 baked.sides[i] = look_of(request.recipe, request.sides[i], request.convert);
+            }
         } catch (const std::exception& error) {
             baked.error = error.what();
         }
@@ -169,14 +173,16 @@ void LookBaker::run() {
             baked.error.empty() && std::any_of(request.sides.begin(), request.sides.end(),
                                                [](const Side& side) { return shows_recipe(side); });
         publish(baked, !refines);
-        if (!refines)
+        if (!refines) {
             continue;
+        }
         lock.lock();
         const bool is_followed =
             changed_.wait_for(lock, pause_between_gestures, [this] { return ends_ || waiting_; });
         lock.unlock();
-        if (!is_followed)
+        if (!is_followed) {
             refine(request, std::move(baked));
+        }
     }
 }
 

@@ -31,8 +31,9 @@ bool operator==(const State& a, const State& b) {
 
 State initial_state() {
     State state;
-    for (Side& side : state.sides)
+    for (Side& side : state.sides) {
         side.engine = engine_lookups().front();
+    }
     state.sides[1].source = SideSource::recipe;
     state.compare = &compare_split;
     return state;
@@ -41,11 +42,13 @@ State initial_state() {
 History::History(State first) : states_{first}, draft_(std::move(first)) {}
 
 bool History::settle() {
-    if (draft_ == states_[at_])
+    if (draft_ == states_[at_]) {
         return false;
+    }
     states_.resize(at_ + 1);
-    if (states_.size() == max_steps)
+    if (states_.size() == max_steps) {
         states_.erase(states_.begin());
+    }
     states_.push_back(draft_);
     at_ = states_.size() - 1;
     return true;
@@ -53,16 +56,18 @@ bool History::settle() {
 
 bool History::undo() {
     settle();
-    if (!can_undo())
+    if (!can_undo()) {
         return false;
+    }
     draft_ = states_[--at_];
     return true;
 }
 
 bool History::redo() {
     settle();
-    if (!can_redo())
+    if (!can_redo()) {
         return false;
+    }
     draft_ = states_[++at_];
     return true;
 }
@@ -79,17 +84,20 @@ void move_operation(lutlib::Recipe& recipe, std::size_t at, std::size_t to) {
     const auto first = recipe.operations.begin();
     const auto from = static_cast<std::ptrdiff_t>(at);
     const auto onto = static_cast<std::ptrdiff_t>(to);
-    if (from < onto)
+    if (from < onto) {
         std::rotate(first + from, first + from + 1, first + onto + 1);
-    else
+    } else {
         std::rotate(first + onto, first + from, first + from + 1);
+    }
 }
 
 std::vector<const GpuLookup*> engine_lookups() {
     std::vector<const GpuLookup*> rows;
-    for (const GpuLookup& lookup : gpu_lookups())
-        if (lookup.engine != nullptr)
+    for (const GpuLookup& lookup : gpu_lookups()) {
+        if (lookup.engine != nullptr) {
             rows.push_back(&lookup);
+        }
+    }
     return rows;
 }
 

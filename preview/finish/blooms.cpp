@@ -37,14 +37,16 @@ class Planner {
         step.prefilter = prefilters_ && source == BloomPlan::picture_image;
         // What pre() does to single texels is lost when it sees averages of four; and the whole
         // picture is halved fastest by single texels (shaders/bloom_halve.comp).
-        if (source == BloomPlan::picture_image && !karis)
+        if (source == BloomPlan::picture_image && !karis) {
             step.taps = texel_taps(step.taps);
+        }
         return add(std::move(step), {(from.width + 1) / 2, (from.height + 1) / 2});
     }
 
     int enlarge(int source, std::vector<BloomTap> taps, int own, float keep) {
-        for (BloomTap& tap : taps)
+        for (BloomTap& tap : taps) {
             tap.weight *= 1 - keep;
+        }
         BloomStep step{source, 0, 0.5f, std::move(taps), own, keep};
         return add(std::move(step), extent(own));
     }
@@ -78,14 +80,18 @@ class Planner {
         for (const BloomTap& tap : taps) {
             const float x = std::floor(tap.x - 0.5f), y = std::floor(tap.y - 0.5f);
             const float fx = tap.x - 0.5f - x, fy = tap.y - 0.5f - y;
-            for (const auto& [dx, wx] : {std::pair{0.5f, 1 - fx}, std::pair{1.5f, fx}})
-                for (const auto& [dy, wy] : {std::pair{0.5f, 1 - fy}, std::pair{1.5f, fy}})
-                    if (wx * wy > 0)
+            for (const auto& [dx, wx] : {std::pair{0.5f, 1 - fx}, std::pair{1.5f, fx}}) {
+                for (const auto& [dy, wy] : {std::pair{0.5f, 1 - fy}, std::pair{1.5f, fy}}) {
+                    if (wx * wy > 0) {
                         weights[{y + dy, x + dx}] += wx * wy * tap.weight;
+                    }
+                }
+            }
         }
         std::vector<BloomTap> out;
-        for (const auto& [place, weight] : weights)
+        for (const auto& [place, weight] : weights) {
             out.push_back({place.second, place.first, weight});
+        }
         return out;
     }
 
@@ -173,20 +179,25 @@ int halvings(BloomExtent picture, const BloomSettings& settings, float lines) {
 // Bjorge 2015, "Bandwidth-efficient rendering".
 BloomPlan dual_kawase_plan(BloomExtent picture, const BloomSettings& settings) {
     std::vector<BloomTap> down{{0, 0, 4.0f / 8}}, up;
-    for (const BloomTap& tap : corners(1, 1.0f / 8))
+    for (const BloomTap& tap : corners(1, 1.0f / 8)) {
         down.push_back(tap);
-    for (const BloomTap& tap : corners(0.5f, 2.0f / 12))
+    }
+    for (const BloomTap& tap : corners(0.5f, 2.0f / 12)) {
         up.push_back(tap);
-    for (const auto& [x, y] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}})
+    }
+    for (const auto& [x, y] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
         up.push_back({static_cast<float>(x), static_cast<float>(y), 1.0f / 12});
+    }
 
     Planner planner(picture, settings);
     std::vector<int> levels;
     int image = BloomPlan::picture_image;
-    for (int i = halvings(picture, settings, 34); i > 0; --i)
+    for (int i = halvings(picture, settings, 34); i > 0; --i) {
         levels.push_back(image = planner.halve(image, down));
-    for (std::size_t i = levels.size() - 1; i > 0; --i)
+    }
+    for (std::size_t i = levels.size() - 1; i > 0; --i) {
         image = planner.enlarge(image, up, levels[i - 1], 0);
+    }
     planner.finish(image, 0.5f, up);
     return planner.take();
 }
@@ -196,40 +207,49 @@ BloomPlan dual_kawase_plan(BloomExtent picture, const BloomSettings& settings) {
 // keeps single bright texels from flickering and costs the conservation of energy.
 std::vector<BloomTap> jimenez_down() {
     std::vector<BloomTap> taps;
-    for (const BloomTap& tap : corners(1, 0.5f / 4))
+    for (const BloomTap& tap : corners(1, 0.5f / 4)) {
         taps.push_back(tap);
-    for (const BloomTap& centre : corners(1, 0.125f))
-        for (const BloomTap& tap : corners(1, centre.weight / 4))
+    }
+    for (const BloomTap& centre : corners(1, 0.125f)) {
+        for (const BloomTap& tap : corners(1, centre.weight / 4)) {
             taps.push_back({centre.x + tap.x, centre.y + tap.y, tap.weight});
+        }
+    }
     return taps;
 }
 
 std::vector<BloomTap> merged(const std::vector<BloomTap>& taps) {
     std::map<std::pair<float, float>, float> weights;
-    for (const BloomTap& tap : taps)
+    for (const BloomTap& tap : taps) {
         weights[{tap.y, tap.x}] += tap.weight;
+    }
     std::vector<BloomTap> out;
-    for (const auto& [place, weight] : weights)
+    for (const auto& [place, weight] : weights) {
         out.push_back({place.second, place.first, weight});
+    }
     return out;
 }
 
 BloomPlan jimenez_plan(BloomExtent picture, const BloomSettings& settings) {
     constexpr float scatter = 0.7f;
     std::vector<BloomTap> tent;
-    for (const int y : {-1, 0, 1})
-        for (const int x : {-1, 0, 1})
+    for (const int y : {-1, 0, 1}) {
+        for (const int x : {-1, 0, 1}) {
             tent.push_back({static_cast<float>(x), static_cast<float>(y),
                             static_cast<float>((2 - std::abs(x)) * (2 - std::abs(y))) / 16});
+        }
+    }
 
     Planner planner(picture, settings);
     int image = planner.halve(BloomPlan::picture_image, jimenez_down(), true);
     std::vector<int> levels{image};
     const std::vector<BloomTap> down = merged(jimenez_down());
-    for (int i = halvings(picture, settings, 17); i > 1; --i)
+    for (int i = halvings(picture, settings, 17); i > 1; --i) {
         levels.push_back(image = planner.halve(image, down));
-    for (std::size_t i = levels.size() - 1; i > 0; --i)
+    }
+    for (std::size_t i = levels.size() - 1; i > 0; --i) {
         image = planner.enlarge(image, tent, levels[i - 1], 1 - scatter);
+    }
     planner.finish(image, 0.5f, tent);
     return planner.take();
 }
@@ -258,18 +278,21 @@ const Bloom* bloom_named(std::string_view name) {
 
 BloomPlan bloom_plan(const Bloom& bloom, BloomExtent picture, const BloomSettings& settings) {
     BloomSettings full = settings;
-    if (full.strength < 0)
+    if (full.strength < 0) {
         full.strength = bloom.strength;
+    }
     full.strength = std::min(full.strength, 1.0f);
     return full.strength > 0 ? bloom.plan(picture, full) : BloomPlan{};
 }
 
 double bloom_share(double brightness, double threshold, double knee) {
-    if (threshold <= 0)
+    if (threshold <= 0) {
         return 1;
+    }
     const double over = brightness - threshold;
-    if (!(over > -knee))
+    if (!(over > -knee)) {
         return 0;
+    }
     const double soft = knee > 0 ? std::min(over + knee, 2 * knee) : 0;
     const double light = over < knee ? soft * soft / (4 * knee) : over;
     return light / brightness;
@@ -293,8 +316,9 @@ std::vector<BloomTap> gaussian_taps(float sigma) {
     std::vector<BloomTap> taps{{0, 0, static_cast<float>(weights[0] / total)}};
     for (std::size_t i = 1; i <= static_cast<std::size_t>(radius); i += 2) {
         const double pair = weights[i] + weights[i + 1];
-        if (pair / total < 1e-9)
+        if (pair / total < 1e-9) {
             break;
+        }
         // Most texture units know 8 bits of a fraction; a place that they have gives the same
         // picture everywhere.
         const double fraction = std::round(256 * weights[i + 1] / pair) / 256;

@@ -21,8 +21,9 @@ Size picture_size(Size output, const Compare& compare) {
 
 DifferenceFigures difference_figures(std::span<const std::uint32_t> counted, std::uint64_t texels) {
     DifferenceFigures out;
-    if (counted.empty() || texels == 0)
+    if (counted.empty() || texels == 0) {
         return out;
+    }
     out.max = static_cast<double>(std::bit_cast<float>(counted[0]));
     const auto bins = counted.subspan(1);
     std::uint64_t above = 0;
@@ -35,10 +36,12 @@ DifferenceFigures difference_figures(std::span<const std::uint32_t> counted, std
         sum += middle * static_cast<double>(bins[bin]);
         const std::uint64_t before = above;
         above += bins[bin];
-        if (before <= share(0.01) && above > share(0.01))
+        if (before <= share(0.01) && above > share(0.01)) {
             out.p99 = middle;
-        if (before <= share(0.05) && above > share(0.05))
+        }
+        if (before <= share(0.05) && above > share(0.05)) {
             out.p95 = middle;
+        }
     }
     out.mean = sum / static_cast<double>(texels);
     return out;

@@ -33,8 +33,9 @@ bool operator==(const Probe& a, const Probe& b) {
 
 std::optional<Probe> probe_from(std::span<const std::byte> bytes) {
     std::array<float, 12> values{};
-    if (bytes.size() != sizeof values)
+    if (bytes.size() != sizeof values) {
         return std::nullopt;
+    }
     std::memcpy(values.data(), bytes.data(), sizeof values);
     const auto color = [&](std::size_t at) {
         return lutlib::to_double(lutlib::Rgb{values[at], values[at + 1], values[at + 2]});

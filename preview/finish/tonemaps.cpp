@@ -130,8 +130,9 @@ constexpr auto table = std::to_array<Tonemap>({
 
 std::vector<float> tabulate(const Tonemap& row) {
     std::vector<float> values;
-    if (row.curve == nullptr)
+    if (row.curve == nullptr) {
         return values;
+    }
     for (int node = 0; node < ToneCurve::size; ++node) {
         const double mantissa = 1 + static_cast<double>(node % ToneCurve::nodes) / ToneCurve::nodes;
         const int exponent = ToneCurve::lowest + node / ToneCurve::nodes;

@@ -35,17 +35,19 @@ struct DeclaredScene {
 std::vector<PointLight> shining_lights(Graph& graph, const std::vector<PointLight>& lights,
                                        const FrameSettings& settings) {
     std::vector<PointLight> shining;
-    if (settings.without.has(Effect::lights))
+    if (settings.without.has(Effect::lights)) {
         return shining;
+    }
     for (std::size_t index = 0; index < lights.size(); ++index) {
         PointLight light = lights[index];
         light.name = "light " + (light.name.empty() ? std::to_string(index) : light.name);
-        if (!light.is_on)
+        if (!light.is_on) {
             graph.withhold(light.name, "switched off");
-        else if (!settings.force_all && light.intensity == glm::vec3(0))
+        } else if (!settings.force_all && light.intensity == glm::vec3(0)) {
             graph.withhold(light.name, "its intensity is 0");
-        else
+        } else {
             shining.push_back(std::move(light));
+        }
     }
     return shining;
 }
@@ -109,8 +111,9 @@ ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSet
     const bool has_surroundings = !settings.without.has(Effect::environment);
     lighting.environment =
         has_surroundings && (settings.force_all || !scene.environment.is_black());
-    if (has_surroundings && !lighting.environment)
+    if (has_surroundings && !lighting.environment) {
         graph.withhold("environment", "the surroundings are black");
+    }
     return add_lighting(graph, declared.handles, lighting);
 }
 
@@ -153,28 +156,33 @@ ImageHandle with_effects(Graph& graph, Stage stage, const EffectUses& drawn, Ima
 /// Why there is no bloom; empty when there is.
 std::string_view no_bloom_because(const FrameInputs& inputs, const FrameSettings& settings,
                                   const EffectUses& drawn, const BloomPlan& plan) {
-    if (is_display_encoded(inputs))
+    if (is_display_encoded(inputs)) {
         return "the picture is display-encoded already";
-    if (settings.bloom == nullptr || plan.empty())
+    }
+    if (settings.bloom == nullptr || plan.empty()) {
         return "it is off, or its strength is 0";
+    }
     // What was measured is the light before effects, which may have brightened it.
     const bool is_measured = inputs.hdr_maximum && !has_stage(drawn, Stage::hdr);
     if (!settings.force_all && is_measured &&
-        static_cast<double>(*inputs.hdr_maximum) <= bloom_onset(settings.bloom_settings))
+        static_cast<double>(*inputs.hdr_maximum) <= bloom_onset(settings.bloom_settings)) {
         return "no light is bright enough to bloom";
+    }
     return {};
 }
 
 BloomLayers bloom_of(Graph& graph, ImageHandle hdr, const FrameInputs& inputs,
                      const FrameSettings& settings, const EffectUses& drawn) {
-    if (settings.without.has(Effect::bloom))
+    if (settings.without.has(Effect::bloom)) {
         return {};
+    }
     const Size size = size_of(graph, hdr);
     BloomPlan plan;
-    if (settings.bloom != nullptr)
+    if (settings.bloom != nullptr) {
         plan = bloom_plan(*settings.bloom,
                           {static_cast<int>(size.width), static_cast<int>(size.height)},
                           settings.bloom_settings);
+    }
     const std::string_view reason = no_bloom_because(inputs, settings, drawn, plan);
     if (!reason.empty()) {
         graph.withhold("bloom", reason);
@@ -240,12 +248,15 @@ Finishing finishing_of(Graph& graph, const FrameInputs& inputs, const FrameSetti
     out.settings.compare = settings.compare;
     out.settings.split = settings.split;
     out.settings.heat_scale = settings.heat_scale;
-    if (settings.without.has(Effect::looks))
+    if (settings.without.has(Effect::looks)) {
         return out;
-    if (settings.compare->shows_a && inputs.look_a == nullptr)
+    }
+    if (settings.compare->shows_a && inputs.look_a == nullptr) {
         graph.withhold("look A", "there is none");
-    if (settings.compare->shows_b && inputs.look_b == nullptr)
+    }
+    if (settings.compare->shows_b && inputs.look_b == nullptr) {
         graph.withhold("look B", "there is none");
+    }
     out.look_a = inputs.look_a;
     out.look_b = inputs.look_b;
     return out;
@@ -308,9 +319,11 @@ const DebugView* debug_view_named(std::string_view name) {
 FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings) {
     const Size size = picture_size(settings.output, *settings.compare);
     FrameHandles handles;
-    for (const EffectInfo& row : effects)
-        if (settings.without.has(row.effect))
+    for (const EffectInfo& row : effects) {
+        if (settings.without.has(row.effect)) {
             graph.withhold(row.name, "switched off");
+        }
+    }
 
     if (inputs.picture != nullptr) {
         graph.withhold("scene", "a picture is shown");
@@ -344,10 +357,12 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
     add_instruments(graph, settings, finishing, handles);
     graph.present(handles.output);
     graph.present(handles.hdr_maximum);
-    if (settings.keep_hdr)
+    if (settings.keep_hdr) {
         graph.present(handles.hdr);
-    if (handles.figures)
+    }
+    if (handles.figures) {
         graph.present(handles.figures);
+    }
     return handles;
 }
 

@@ -35,8 +35,9 @@ void add_scopes(Graph& graph, const FrameSettings& settings, FrameHandles& handl
 
 /// A place of the output as one of the picture before its comparison.
 ProbePlace before_comparison(ProbePlace place, const FrameSettings& settings, Size picture) {
-    if (settings.compare == &compare_side)
+    if (settings.compare == &compare_side) {
         place.x %= static_cast<std::int32_t>(picture.width);
+    }
     return place;
 }
 
@@ -47,10 +48,11 @@ void add_instruments(Graph& graph, const FrameSettings& settings, const Finishin
     add_scopes(graph, settings, handles);
     if (settings.scope != nullptr) {
         handles.output = handles.scope_pictures[index_of(*settings.scope)];
-        if (!handles.output)
+        if (!handles.output) {
             throw lutlib::UsageError("this frame has nothing for the " +
                                      std::string(settings.scope->name) +
                                      " to show; --explain says why");
+        }
     }
     if (settings.probe) {
         handles.probe = add_probe(

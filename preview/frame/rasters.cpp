@@ -10,10 +10,12 @@ namespace {
 
 /// Why compute shaders cannot rasterise there; empty when they can.
 std::string_view missing(const gpu::Device& device, Size size) {
-    if (!device.has_int64_atomics())
+    if (!device.has_int64_atomics()) {
         return "the device has no 64-bit atomics on buffers";
-    if (visibility_bytes(size) > device.limits().maxStorageBufferRange)
+    }
+    if (visibility_bytes(size) > device.limits().maxStorageBufferRange) {
         return "the picture is too large for the device's storage buffers";
+    }
     return {};
 }
 
@@ -26,9 +28,10 @@ Raster automatic(const gpu::Device& device, Size size) {
 }
 
 Raster compute(const gpu::Device& device, Size size) {
-    if (const std::string_view why = missing(device, size); !why.empty())
+    if (const std::string_view why = missing(device, size); !why.empty()) {
         throw lutlib::UsageError("--raster compute is not possible: " + std::string(why) +
                                  "; choose hardware or auto");
+    }
     return Raster::compute;
 }
 

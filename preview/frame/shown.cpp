@@ -28,8 +28,9 @@ Shown load_shown(const std::string& input, double seconds) {
     }
     if (!std::filesystem::exists(input)) {
         std::string names;
-        for (const SceneInfo& info : scenes())
+        for (const SceneInfo& info : scenes()) {
             names += (names.empty() ? "" : ", ") + std::string(info.name);
+        }
         throw lutlib::UsageError("'" + input +
                                  "' is neither a file nor a scene; scenes are: " + names);
     }
@@ -45,11 +46,13 @@ Shown load_shown(const std::string& input, double seconds) {
 
 GpuShown::GpuShown(const gpu::Device& device, std::shared_ptr<const Shown> shown)
     : shown_(std::move(shown)) {
-    if (shown_->scene)
+    if (shown_->scene) {
         scene_.emplace(device, *shown_->scene);
-    if (shown_->picture)
+    }
+    if (shown_->picture) {
         picture_.emplace(device, shown_->picture->size, shown_->picture->rgba,
                          shown_->picture->display_encoded);
+    }
 }
 
 FrameInputs GpuShown::inputs() const {

@@ -52,8 +52,9 @@ VKAPI_ATTR VkBool32 VKAPI_CALL collect(VkDebugUtilsMessageSeverityFlagBitsEXT,
     const std::string_view id = data->pMessageIdName != nullptr ? data->pMessageIdName : "";
     const std::string_view text = data->pMessage;
     if (id == "UNASSIGNED-CoreValidation-Shader-InterfaceTypeMismatch" &&
-        text.find("of type `VK_FORMAT_UNDEFINED` does not match") != std::string_view::npos)
+        text.find("of type `VK_FORMAT_UNDEFINED` does not match") != std::string_view::npos) {
         return VK_FALSE;
+    }
     (*static_cast<std::function<void(const char*)>*>(user))(data->pMessage);
     return VK_FALSE;
 }
@@ -96,8 +97,9 @@ struct NeededFeature {
 
 /// The first thing that `device` lacks and we cannot do without; empty: it has all.
 std::string missing_of(const vk::raii::PhysicalDevice& device) {
-    if (device.getProperties().apiVersion < VK_API_VERSION_1_3)
+    if (device.getProperties().apiVersion < VK_API_VERSION_1_3) {
         return "Vulkan 1.3";
+    }
     const auto chain =
         device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan13Features>();
     const auto& base = chain.get<vk::PhysicalDeviceFeatures2>().features;
@@ -113,9 +115,11 @@ std::string missing_of(const vk::raii::PhysicalDevice& device) {
         {"workgroups of 1024", limits.maxComputeWorkGroupInvocations >= 1024},
         {"32 KiB of shared memory", limits.maxComputeSharedMemorySize >= 32768},
     };
-    for (const NeededFeature& feature : needed)
-        if (!feature.present)
+    for (const NeededFeature& feature : needed) {
+        if (!feature.present) {
             return feature.name;
+        }
+    }
     return {};
 }
 
@@ -138,8 +142,9 @@ std::optional<std::uint32_t> multiprocessors(const vk::raii::PhysicalDevice& dev
     if (std::none_of(extensions.begin(), extensions.end(), [](const auto& extension) {
             return std::string_view(extension.extensionName) ==
                    VK_NV_SHADER_SM_BUILTINS_EXTENSION_NAME;
-        }))
+        })) {
         return std::nullopt;
+    }
     return device
         .getProperties2<vk::PhysicalDeviceProperties2,
                         vk::PhysicalDeviceShaderSMBuiltinsPropertiesNV>()
@@ -150,22 +155,26 @@ std::optional<std::uint32_t> multiprocessors(const vk::raii::PhysicalDevice& dev
 std::optional<std::uint32_t> graphics_family(const vk::raii::PhysicalDevice& device) {
     const auto families = device.getQueueFamilyProperties();
     constexpr auto both = vk::QueueFlagBits::eGraphics | vk::QueueFlagBits::eCompute;
-    for (std::uint32_t index = 0; index < families.size(); ++index)
-        if ((families[index].queueFlags & both) == both)
+    for (std::uint32_t index = 0; index < families.size(); ++index) {
+        if ((families[index].queueFlags & both) == both) {
             return index;
+        }
+    }
     return std::nullopt;
 }
 
 std::vector<vk::raii::PhysicalDevice> ranked(const vk::raii::Instance& instance) {
     std::vector<vk::raii::PhysicalDevice> devices;
     try {
-        for (vk::raii::PhysicalDevice& device : vk::raii::PhysicalDevices(instance))
+        for (vk::raii::PhysicalDevice& device : vk::raii::PhysicalDevices(instance)) {
             devices.push_back(std::move(device));
+        }
     } catch (const vk::SystemError&) {
         no_driver();
     }
-    if (devices.empty())
+    if (devices.empty()) {
         no_driver();
+    }
     std::stable_sort(devices.begin(), devices.end(), [](const auto& a, const auto& b) {
         return rank(a.getProperties().deviceType) < rank(b.getProperties().deviceType);
     });
@@ -178,15 +187,17 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& device) {
     info.name = properties.deviceName.data();
     info.kind = kinds[std::min(rank(properties.deviceType), std::size(kinds) - 1)].name;
     info.missing = missing_of(device);
-    if (info.missing.empty() && !graphics_family(device))
+    if (info.missing.empty() && !graphics_family(device)) {
         info.missing = "a queue for graphics and compute";
+    }
     info.usable = info.missing.empty();
     return info;
 }
 
 std::string lower(std::string text) {
-    for (char& c : text)
+    for (char& c : text) {
         c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
     return text;
 }
 
@@ -196,8 +207,9 @@ std::size_t choose(const std::vector<DeviceInfo>& devices, const std::string& wa
         const DeviceInfo& device = devices[index];
         const bool named = wanted == std::to_string(index) ||
                            lower(device.name).find(lower(wanted)) != std::string::npos;
-        if (named && device.usable)
+        if (named && device.usable) {
             return index;
+        }
         names += fmt::format("{}{} {}{}", index == 0 ? "" : ", ", index, device.name,
                              device.usable ? "" : " (lacks " + device.missing + ")");
     }
@@ -212,8 +224,9 @@ std::vector<DeviceInfo> list_devices() {
     const vk::raii::Context context;
     const vk::raii::Instance instance = make_instance(context, {});
     std::vector<DeviceInfo> infos;
-    for (const vk::raii::PhysicalDevice& device : ranked(instance))
+    for (const vk::raii::PhysicalDevice& device : ranked(instance)) {
         infos.push_back(describe(device));
+    }
     return infos;
 }
 
@@ -234,8 +247,9 @@ Device::Device(const DeviceOptions& options) : messages_(std::make_unique<Messag
 
     std::vector<vk::raii::PhysicalDevice> devices = ranked(instance_);
     std::vector<DeviceInfo> infos;
-    for (const vk::raii::PhysicalDevice& device : devices)
+    for (const vk::raii::PhysicalDevice& device : devices) {
         infos.push_back(describe(device));
+    }
     const std::size_t chosen = choose(infos, options.wanted);
     physical_ = std::move(devices[chosen]);
     name_ = infos[chosen].name;
@@ -266,8 +280,9 @@ Device::Device(const DeviceOptions& options) : messages_(std::make_unique<Messag
 }
 
 Device::~Device() {
-    if (*device_)
+    if (*device_) {
         (*device_).waitIdle(*device_.getDispatcher());
+    }
 }
 
 bool Device::has_fast_half() const {
@@ -276,11 +291,14 @@ bool Device::has_fast_half() const {
 
 std::uint32_t Device::memory_type(std::uint32_t type_bits, vk::MemoryPropertyFlags wanted,
                                   vk::MemoryPropertyFlags preferred) const {
-    for (const vk::MemoryPropertyFlags flags : {wanted | preferred, wanted})
-        for (std::uint32_t index = 0; index < memory_.memoryTypeCount; ++index)
+    for (const vk::MemoryPropertyFlags flags : {wanted | preferred, wanted}) {
+        for (std::uint32_t index = 0; index < memory_.memoryTypeCount; ++index) {
             if ((type_bits >> index & 1U) != 0 &&
-                (memory_.memoryTypes[index].propertyFlags & flags) == flags)
+                (memory_.memoryTypes[index].propertyFlags & flags) == flags) {
                 return index;
+            }
+        }
+    }
     throw lutlib::Error("the Vulkan device has no memory of the kind " + vk::to_string(wanted));
 }
 

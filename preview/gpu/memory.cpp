@@ -32,9 +32,10 @@ std::uint64_t next_serial() {
 void check_size(const Device& device, const ImageDesc& desc) {
     const std::uint32_t limit =
         desc.depth > 0 ? device.limits().maxImageDimension3D : device.limits().maxImageDimension2D;
-    if (std::max({desc.width, desc.height, desc.depth}) > limit)
+    if (std::max({desc.width, desc.height, desc.depth}) > limit) {
         throw lutlib::Error(fmt::format("a picture of {}x{} is larger than this GPU's {}x{}",
                                         desc.width, desc.height, limit, limit));
+    }
 }
 
 } // namespace
@@ -95,17 +96,20 @@ void Image::make_views() {
     constexpr auto viewed = vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eStorage |
                             vk::ImageUsageFlagBits::eColorAttachment |
                             vk::ImageUsageFlagBits::eDepthStencilAttachment;
-    if (!(usage_ & viewed))
+    if (!(usage_ & viewed)) {
         return;
+    }
     view_ = {device_->vk(), vk::ImageViewCreateInfo({}, *image_, type, format, {}, all)};
     constexpr auto attached =
         vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eDepthStencilAttachment;
-    if (!(usage_ & attached))
+    if (!(usage_ & attached)) {
         return;
-    for (std::uint32_t layer = 0; layer < desc_.layers; ++layer)
+    }
+    for (std::uint32_t layer = 0; layer < desc_.layers; ++layer) {
         layer_views_.emplace_back(device_->vk(),
                                   vk::ImageViewCreateInfo({}, *image_, vk::ImageViewType::e2D,
                                                           format, {}, {aspect_, 0, 1, layer, 1}));
+    }
 }
 
 Buffer Buffer::unbound(const Device& device, vk::DeviceSize bytes, vk::BufferUsageFlags usage) {
@@ -139,14 +143,16 @@ Buffer::Buffer(const Device& device, vk::DeviceSize bytes, vk::BufferUsageFlags 
     }
     memory_ = device.allocate({needs.size, type});
     bind(memory_, 0);
-    if (memory != BufferMemory::device)
+    if (memory != BufferMemory::device) {
         mapped_ = {static_cast<std::byte*>(memory_.mapMemory(0, VK_WHOLE_SIZE)),
                    static_cast<std::size_t>(bytes)};
+    }
 }
 
 Image make_image(const Device& device, const ImageDesc& desc, std::span<const std::byte> texels) {
-    if (texels.size() != desc.bytes())
+    if (texels.size() != desc.bytes()) {
         throw std::logic_error("make_image: the texels do not fill the image");
+    }
     Image image(device, desc,
                 vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst |
                     vk::ImageUsageFlagBits::eTransferSrc);
@@ -187,8 +193,9 @@ std::vector<std::byte> read_image(const Device& device, const Image& image,
         move_layout(commands, image, layout, vk::ImageLayout::eTransferSrcOptimal);
         commands.copyImageToBuffer(image.vk(), vk::ImageLayout::eTransferSrcOptimal, staging.vk(),
                                    whole(image));
-        if (layout != vk::ImageLayout::eTransferSrcOptimal)
+        if (layout != vk::ImageLayout::eTransferSrcOptimal) {
             move_layout(commands, image, vk::ImageLayout::eTransferSrcOptimal, layout);
+        }
         record(commands, memory_barrier(transfer_write, host_read));
     });
     return {staging.mapped().begin(), staging.mapped().end()};

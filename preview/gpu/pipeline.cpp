@@ -68,21 +68,24 @@ Pipelines::Pipelines(const Device& device) : device_(device) {
 
 const vk::raii::ShaderModule& Pipelines::module_of(const std::string& shader) {
     const auto known = modules_.find(shader);
-    if (known != modules_.end())
+    if (known != modules_.end()) {
         return known->second;
+    }
     const auto all = shaders();
     const auto found = std::find_if(all.begin(), all.end(),
                                     [&](const ShaderCode& code) { return code.name == shader; });
-    if (found == all.end())
+    if (found == all.end()) {
         throw std::logic_error("internal error: no shader is named '" + shader + "'");
+    }
     const vk::ShaderModuleCreateInfo info({}, found->words.size_bytes(), found->words.data());
     return modules_.emplace(shader, vk::raii::ShaderModule(device_.vk(), info)).first->second;
 }
 
 const Pipeline& Pipelines::get(const PipelineKey& key) {
     const auto known = pipelines_.find(key);
-    if (known != pipelines_.end())
+    if (known != pipelines_.end()) {
         return known->second;
+    }
     return pipelines_.emplace(key, make(key)).first->second;
 }
 
@@ -91,24 +94,28 @@ Pipeline Pipelines::make(const PipelineKey& key) {
     made.stages = vk::ShaderStageFlagBits::eCompute;
     if (key.raster) {
         made.stages = vk::ShaderStageFlagBits::eVertex;
-        if (!key.fragment_shader.empty())
+        if (!key.fragment_shader.empty()) {
             made.stages |= vk::ShaderStageFlagBits::eFragment;
+        }
     }
 
     std::vector<vk::DescriptorSetLayoutBinding> bindings;
-    for (std::size_t index = 0; index < key.bindings.size(); ++index)
+    for (std::size_t index = 0; index < key.bindings.size(); ++index) {
         bindings.emplace_back(static_cast<std::uint32_t>(index),
                               descriptor_type(key.bindings[index]), 1, made.stages);
+    }
     made.set_layout = {device_.vk(), vk::DescriptorSetLayoutCreateInfo({}, bindings)};
     const vk::PushConstantRange range(made.stages, 0, key.push_bytes);
     vk::PipelineLayoutCreateInfo layout_info({}, *made.set_layout);
-    if (key.push_bytes > 0)
+    if (key.push_bytes > 0) {
         layout_info.setPushConstantRanges(range);
+    }
     made.layout = {device_.vk(), layout_info};
 
     std::vector<vk::SpecializationMapEntry> entries;
-    for (std::uint32_t id = 0; id < key.constants.size(); ++id)
+    for (std::uint32_t id = 0; id < key.constants.size(); ++id) {
         entries.emplace_back(id, id * 4, 4);
+    }
     const vk::SpecializationInfo constants(static_cast<std::uint32_t>(entries.size()),
                                            entries.data(), key.constants.size() * 4,
                                            key.constants.data());
@@ -125,8 +132,9 @@ Pipeline Pipelines::make(const PipelineKey& key) {
 
     std::vector<vk::PipelineShaderStageCreateInfo> stages{
         stage(vk::ShaderStageFlagBits::eVertex, key.shader)};
-    if (!key.fragment_shader.empty())
+    if (!key.fragment_shader.empty()) {
         stages.push_back(stage(vk::ShaderStageFlagBits::eFragment, key.fragment_shader));
+    }
     // Vertices are pulled from storage buffers by gl_VertexIndex.
     const vk::PipelineVertexInputStateCreateInfo vertex_input;
     const vk::PipelineInputAssemblyStateCreateInfo assembly({},
@@ -151,8 +159,9 @@ Pipeline Pipelines::make(const PipelineKey& key) {
     const vk::DynamicState dynamics[] = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic({}, dynamics);
     std::vector<vk::Format> color_formats;
-    for (const std::optional<Format>& format : key.colors)
+    for (const std::optional<Format>& format : key.colors) {
         color_formats.push_back(format ? vk_format(*format) : vk::Format::eUndefined);
+    }
     const vk::PipelineRenderingCreateInfo rendering(
         0, color_formats, key.depth ? vk_format(*key.depth) : vk::Format::eUndefined);
     const vk::GraphicsPipelineCreateInfo info(

@@ -10,10 +10,13 @@ namespace {
 
 // Codes go to the screen as they are: the finishing pass has encoded them.
 vk::SurfaceFormatKHR choose_format(const std::vector<vk::SurfaceFormatKHR>& formats) {
-    for (const vk::Format wanted : {vk::Format::eB8G8R8A8Unorm, vk::Format::eR8G8B8A8Unorm})
-        for (const vk::SurfaceFormatKHR& format : formats)
-            if (format.format == wanted && format.colorSpace == vk::ColorSpaceKHR::eSrgbNonlinear)
+    for (const vk::Format wanted : {vk::Format::eB8G8R8A8Unorm, vk::Format::eR8G8B8A8Unorm}) {
+        for (const vk::SurfaceFormatKHR& format : formats) {
+            if (format.format == wanted && format.colorSpace == vk::ColorSpaceKHR::eSrgbNonlinear) {
                 return format;
+            }
+        }
+    }
     throw lutlib::Error("this window takes no 8-bit picture of display-encoded codes; use "
                         "--headless");
 }
@@ -22,27 +25,31 @@ vk::SurfaceFormatKHR choose_format(const std::vector<vk::SurfaceFormatKHR>& form
 
 Swapchain::Swapchain(const Device& device, VkSurfaceKHR surface)
     : device_(device), surface_(device.instance(), surface) {
-    if (device.physical().getSurfaceSupportKHR(device.queue_family(), *surface_) == VK_FALSE)
+    if (device.physical().getSurfaceSupportKHR(device.queue_family(), *surface_) == VK_FALSE) {
         throw lutlib::Error("the device '" + device.name() +
                             "' cannot show pictures on this display; choose another with --device");
+    }
     format_ = choose_format(device.physical().getSurfaceFormatsKHR(*surface_));
-    for (std::size_t i = 0; i < acquire_count; ++i)
+    for (std::size_t i = 0; i < acquire_count; ++i) {
         acquired_.emplace_back(device.vk(), vk::SemaphoreCreateInfo());
+    }
 }
 
 void Swapchain::resize(std::uint32_t width, std::uint32_t height) {
     device_.vk().waitIdle();
     const auto can = device_.physical().getSurfaceCapabilitiesKHR(*surface_);
     extent_ = can.currentExtent;
-    if (extent_.width == UINT32_MAX)
+    if (extent_.width == UINT32_MAX) {
         extent_ =
             vk::Extent2D(std::clamp(width, can.minImageExtent.width, can.maxImageExtent.width),
                          std::clamp(height, can.minImageExtent.height, can.maxImageExtent.height));
+    }
     views_.clear();
     finished_.clear();
     images_.clear();
-    if (extent_.width == 0 || extent_.height == 0)
+    if (extent_.width == 0 || extent_.height == 0) {
         return;
+    }
     const std::uint32_t most = can.maxImageCount > 0 ? can.maxImageCount : UINT32_MAX;
     vk::SwapchainCreateInfoKHR info({}, *surface_, std::min(can.minImageCount + 1, most),
                                     format_.format, format_.colorSpace, extent_, 1,
@@ -64,8 +71,9 @@ void Swapchain::resize(std::uint32_t width, std::uint32_t height) {
 }
 
 std::optional<std::uint32_t> Swapchain::acquire() {
-    if (images_.empty())
+    if (images_.empty()) {
         return std::nullopt;
+    }
     turn_ = (turn_ + 1) % acquire_count;
     try {
         return swapchain_.acquireNextImage(UINT64_MAX, *acquired_[turn_]).second;

@@ -101,8 +101,9 @@ void Executor::render(const Graph& graph, const FrameEnd& end) {
 }
 
 void Executor::repeat(const FrameEnd& end) {
-    if (!realised_)
+    if (!realised_) {
         throw std::logic_error("there is no frame to repeat");
+    }
     wait();
     const vk::raii::CommandBuffer& commands = repeated_->commands.begin();
     if (end.record) {
@@ -114,8 +115,9 @@ void Executor::repeat(const FrameEnd& end) {
 void Executor::record(const Graph& graph, Slot& slot, const FrameEnd& end) {
     const vk::raii::CommandBuffer& commands = slot.commands.begin();
     const auto stamps = static_cast<std::uint32_t>(plan_.steps.size() + 1);
-    if (!slot.timers || slot.timers->capacity() < stamps)
+    if (!slot.timers || slot.timers->capacity() < stamps) {
         slot.timers.emplace(device_, std::max(stamps, 64U));
+    }
     slot.step_names.clear();
     slot.timers->reset(commands);
     upload_changed(graph, commands);
@@ -135,11 +137,13 @@ void Executor::upload_changed(const Graph& graph, const vk::raii::CommandBuffer&
     constexpr std::size_t chunk = 65536; // the most that vkCmdUpdateBuffer takes
     bool first = true;
     for (const Resource& resource : graph.resources()) {
-        if (resource.origin != Origin::data)
+        if (resource.origin != Origin::data) {
             continue;
+        }
         const auto found = shared_->data.find(resource.name);
-        if (found == shared_->data.end() || found->second.bytes == resource.data)
+        if (found == shared_->data.end() || found->second.bytes == resource.data) {
             continue;
+        }
         if (first) {
             gpu::record(commands, memory_barrier(0, mask(Access::transfer_write)));
         }
@@ -167,14 +171,16 @@ void Executor::record_barriers(const Graph& graph, std::span<const Barrier> barr
     image_barriers_.clear();
     memory_barriers_.clear();
     for (const Barrier& barrier : barriers) {
-        if (graph.resources()[barrier.resource].kind == ResourceKind::image)
+        if (graph.resources()[barrier.resource].kind == ResourceKind::image) {
             image_barriers_.push_back(
                 image_barrier(realised_->image_of_resource(graph, barrier.resource), barrier));
-        else
+        } else {
             memory_barriers_.push_back(memory_barrier(barrier.from, barrier.to));
+        }
     }
-    if (!image_barriers_.empty() || !memory_barriers_.empty())
+    if (!image_barriers_.empty() || !memory_barriers_.empty()) {
         commands.pipelineBarrier2(vk::DependencyInfo({}, memory_barriers_, {}, image_barriers_));
+    }
 }
 
 void Executor::record_step(const Graph& graph, std::size_t index,
@@ -191,19 +197,22 @@ void Executor::record_step(const Graph& graph, std::size_t index,
     const auto point = pass.kind == PassKind::compute ? vk::PipelineBindPoint::eCompute
                                                       : vk::PipelineBindPoint::eGraphics;
     commands.bindPipeline(point, *objects.pipeline->pipeline);
-    if (objects.set)
+    if (objects.set) {
         commands.bindDescriptorSets(point, *objects.pipeline->layout, 0, **objects.set, {});
-    if (pass.push_bytes > 0)
+    }
+    if (pass.push_bytes > 0) {
         commands.pushConstants<std::byte>(
             *objects.pipeline->layout, objects.pipeline->stages, 0,
             vk::ArrayProxy<const std::byte>(pass.push_bytes, pass.push.data()));
-    if (pass.kind == PassKind::raster)
+    }
+    if (pass.kind == PassKind::raster) {
         record_raster(graph, pass, commands);
-    else if (pass.indirect_use != Version::none)
+    } else if (pass.indirect_use != Version::none) {
         commands.dispatchIndirect(
             realised_->buffer(graph, pass.uses[pass.indirect_use].version).vk(), 0);
-    else
+    } else {
         commands.dispatch(pass.groups[0], pass.groups[1], pass.groups[2]);
+    }
 }
 
 void Executor::record_raster(const Graph& graph, const PassRecord& pass,
@@ -213,10 +222,12 @@ void Executor::record_raster(const Graph& graph, const PassRecord& pass,
     vk::Extent2D extent;
     const gpu::Buffer* indices = nullptr;
     for (const Use& use : pass.uses) {
-        if (use.access == Access::index_read)
+        if (use.access == Access::index_read) {
             indices = &realised_->buffer(graph, use.version);
-        if (use.access != Access::color_write && use.access != Access::depth_write)
+        }
+        if (use.access != Access::color_write && use.access != Access::depth_write) {
             continue;
+        }
         const ImageDesc& desc = graph.resource_of(use.version).image;
         extent = vk::Extent2D(desc.width, desc.height);
         vk::RenderingAttachmentInfo attachment;
@@ -229,8 +240,9 @@ void Executor::record_raster(const Graph& graph, const PassRecord& pass,
             attachment.clearValue.depthStencil = vk::ClearDepthStencilValue(use.clear[0]);
             depth = attachment;
         } else {
-            if (plan_.version_lives[use.version])
+            if (plan_.version_lives[use.version]) {
                 attachment.imageView = realised_->image(graph, use.version).layer_view(use.layer);
+            }
             attachment.clearValue.color = vk::ClearColorValue(use.clear);
             colors_.push_back(attachment);
         }
@@ -241,29 +253,34 @@ void Executor::record_raster(const Graph& graph, const PassRecord& pass,
     commands.setViewport(0, vk::Viewport(0, 0, static_cast<float>(extent.width),
                                          static_cast<float>(extent.height), 0, 1));
     commands.setScissor(0, area);
-    if (indices != nullptr)
+    if (indices != nullptr) {
         commands.bindIndexBuffer(indices->vk(), 0, vk::IndexType::eUint32);
-    for (const Draw& draw : pass.draws)
+    }
+    for (const Draw& draw : pass.draws) {
         commands.drawIndexed(draw.index_count, draw.instance_count, draw.first_index,
                              draw.vertex_offset, draw.first_instance);
+    }
     commands.endRendering();
 }
 
 void Executor::record_presented(const Graph& graph, Slot& slot,
                                 const vk::raii::CommandBuffer& commands) {
     end_barriers_.clear();
-    for (const Presented& end : plan_.presented)
+    for (const Presented& end : plan_.presented) {
         end_barriers_.push_back(end.barrier);
+    }
     record_barriers(graph, end_barriers_, commands);
     bool copied = false;
     for (const Presented& end : plan_.presented) {
         const Resource& resource = graph.resource_of(end.version);
-        if (resource.kind == ResourceKind::image)
+        if (resource.kind == ResourceKind::image) {
             continue;
+        }
         auto found = slot.copies.find(resource.name);
         if (found == slot.copies.end() || found->second.bytes() != resource.bytes) {
-            if (found != slot.copies.end())
+            if (found != slot.copies.end()) {
                 slot.copies.erase(found);
+            }
             found = slot.copies
                         .emplace(resource.name, gpu::Buffer(device_, resource.bytes,
                                                             vk::BufferUsageFlagBits::eTransferDst,
@@ -281,8 +298,9 @@ void Executor::record_presented(const Graph& graph, Slot& slot,
 
 const gpu::Image& Executor::image(ImageHandle presented) const {
     const auto found = presented_.find(presented.version);
-    if (found == presented_.end() || found->second.image == nullptr)
+    if (found == presented_.end() || found->second.image == nullptr) {
         throw std::logic_error("only a presented image can be looked at after its frame");
+    }
     return *found->second.image;
 }
 
@@ -294,20 +312,24 @@ std::vector<std::byte> Executor::read_image(ImageHandle presented) {
 std::vector<std::byte> Executor::read_buffer(BufferHandle presented) {
     wait();
     const auto found = presented_.find(presented.version);
-    if (found == presented_.end() || found->second.image != nullptr)
+    if (found == presented_.end() || found->second.image != nullptr) {
         throw std::logic_error("only a presented buffer can be read after its frame");
+    }
     const auto bytes = slots_[slot_].copies.at(found->second.name).mapped();
     return {bytes.begin(), bytes.end()};
 }
 
 std::vector<std::byte> Executor::finished_buffer(const std::string& name) const {
     const Slot* newest = nullptr;
-    for (const Slot& slot : slots_)
+    for (const Slot& slot : slots_) {
         if (slot.frame > 0 && slot.copies.count(name) > 0 && slot.commands.is_done() &&
-            (newest == nullptr || slot.frame > newest->frame))
+            (newest == nullptr || slot.frame > newest->frame)) {
             newest = &slot;
-    if (newest == nullptr)
+        }
+    }
+    if (newest == nullptr) {
         return {};
+    }
     const auto bytes = newest->copies.at(name).mapped();
     return {bytes.begin(), bytes.end()};
 }
@@ -316,11 +338,14 @@ std::vector<StepTime> Executor::timings() {
     wait();
     const Slot& slot = slots_[slot_];
     std::vector<StepTime> times;
-    if (!slot.timers)
+    if (!slot.timers) {
         return times;
+    }
     const std::vector<double> intervals = slot.timers->intervals();
-    for (std::size_t index = 0; index < intervals.size() && index < slot.step_names.size(); ++index)
+    for (std::size_t index = 0; index < intervals.size() && index < slot.step_names.size();
+         ++index) {
         times.push_back({slot.step_names[index], intervals[index]});
+    }
     return times;
 }
 

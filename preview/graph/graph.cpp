@@ -116,13 +116,16 @@ BufferHandle Graph::import_buffer(std::string_view name, const gpu::Buffer& buff
 }
 
 BufferHandle Graph::data(std::string_view name, std::span<const std::byte> bytes) {
-    if (bytes.empty() || bytes.size() % 4 != 0)
+    if (bytes.empty() || bytes.size() % 4 != 0) {
         fault(fmt::format("data '{}' has {} bytes, not a positive multiple of 4", name,
                           bytes.size()));
-    for (const Resource& other : resources_)
+    }
+    for (const Resource& other : resources_) {
         if (other.origin == Origin::data && other.name == name &&
-            !std::equal(bytes.begin(), bytes.end(), other.data.begin(), other.data.end()))
+            !std::equal(bytes.begin(), bytes.end(), other.data.begin(), other.data.end())) {
             fault(fmt::format("two data blocks are named '{}' and differ", name));
+        }
+    }
     Resource resource;
     resource.name = name;
     resource.kind = ResourceKind::buffer;
@@ -171,24 +174,28 @@ void Graph::withhold(std::string_view name, std::string_view reason) {
 void Graph::present_version(std::uint32_t version) {
     current(version, "the frame's end");
     const Resource& resource = resource_of(version);
-    if (resource.is_written() && versions_[version].producer == Version::none)
+    if (resource.is_written() && versions_[version].producer == Version::none) {
         fault(fmt::format("'{}' is presented and was never written", resource.name));
-    if (std::find(presented_.begin(), presented_.end(), version) == presented_.end())
+    }
+    if (std::find(presented_.begin(), presented_.end(), version) == presented_.end()) {
         presented_.push_back(version);
+    }
 }
 
 const Resource& Graph::resource_of(std::uint32_t version) const {
-    if (version >= versions_.size())
+    if (version >= versions_.size()) {
         fault(version == Version::none ? "an empty handle has no resource"
                                        : "a handle of another graph");
+    }
     return resources_[versions_[version].resource];
 }
 
 const Version& Graph::current(std::uint32_t version, std::string_view user) const {
     const Resource& wanted = resource_of(version);
-    if (versions_[version].retired)
+    if (versions_[version].retired) {
         fault(fmt::format("'{}' uses a version of '{}' that a later pass has overwritten", user,
                           wanted.name));
+    }
     return versions_[version];
 }
 
@@ -212,9 +219,10 @@ void Pass::add_read(std::uint32_t version, Use use) {
     if (version != Version::none) {
         const Version& read = graph_->current(version, record().name);
         const Resource& resource = graph_->resources_[read.resource];
-        if (resource.is_written() && read.producer == Version::none)
+        if (resource.is_written() && read.producer == Version::none) {
             fault(fmt::format("'{}' reads '{}', which no pass has written", record().name,
                               resource.name));
+        }
         use.version = version;
     }
     record().uses.push_back(use);
@@ -223,16 +231,20 @@ void Pass::add_read(std::uint32_t version, Use use) {
 std::uint32_t Pass::add_write(std::uint32_t version, Use use, bool keeps) {
     const Version old = graph_->current(version, record().name);
     const Resource& resource = graph_->resources_[old.resource];
-    if (!resource.is_written())
+    if (!resource.is_written()) {
         fault(fmt::format("'{}' writes '{}', which the frame may only read", record().name,
                           resource.name));
-    if (keeps && old.producer == Version::none)
+    }
+    if (keeps && old.producer == Version::none) {
         fault(fmt::format("'{}' modifies '{}', which no pass has written", record().name,
                           resource.name));
-    for (const Use& other : record().uses)
+    }
+    for (const Use& other : record().uses) {
         if (other.version != Version::none &&
-            graph_->versions_[other.version].resource == old.resource)
+            graph_->versions_[other.version].resource == old.resource) {
             fault(fmt::format("'{}' reads and writes '{}' at once", record().name, resource.name));
+        }
+    }
     if (resource.origin == Origin::persistent) {
         graph_->refuse_overwriting_what_was_read(version, record().name);
     }
@@ -283,9 +295,10 @@ BufferHandle Pass::write(BufferHandle buffer) {
 }
 
 ImageHandle Pass::modify(ImageHandle image) {
-    if (graph_->image_desc(image).format != Format::r32ui)
+    if (graph_->image_desc(image).format != Format::r32ui) {
         fault(fmt::format("'{}' modifies '{}', and only r32ui images can be", record().name,
                           graph_->resource_of(image.version).name));
+    }
     return {add_write(image.version, written(BindingType::storage_image), true)};
 }
 

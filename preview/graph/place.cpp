@@ -16,18 +16,21 @@ Placement place(std::span<const Lifetime> lifetimes, std::span<const Extent> ext
     std::vector<std::size_t> placed;
     for (const std::size_t index : order) {
         std::vector<std::size_t> rivals;
-        for (const std::size_t other : placed)
+        for (const std::size_t other : placed) {
             if (lifetimes[other].first <= lifetimes[index].last &&
-                lifetimes[index].first <= lifetimes[other].last)
+                lifetimes[index].first <= lifetimes[other].last) {
                 rivals.push_back(other);
+            }
+        }
         std::sort(rivals.begin(), rivals.end(), [&](std::size_t a, std::size_t b) {
             return placement.offsets[a] < placement.offsets[b];
         });
         const std::uint64_t alignment = extents[index].alignment;
         std::uint64_t offset = 0;
         for (const std::size_t rival : rivals) {
-            if (offset + extents[index].size <= placement.offsets[rival])
+            if (offset + extents[index].size <= placement.offsets[rival]) {
                 break;
+            }
             const std::uint64_t end = placement.offsets[rival] + extents[rival].size;
             offset = std::max(offset, (end + alignment - 1) / alignment * alignment);
         }

@@ -83,14 +83,17 @@ gpu::PipelineKey key_of(const Graph& graph, const Plan& plan, const PassRecord& 
     key.push_bytes = pass.push_bytes;
     key.state = pass.raster;
     for (const Use& use : pass.uses) {
-        if (use.binding != BindingType::none)
+        if (use.binding != BindingType::none) {
             key.bindings.push_back(use.binding);
-        if (use.access == Access::color_write)
+        }
+        if (use.access == Access::color_write) {
             key.colors.push_back(plan.version_lives[use.version]
                                      ? std::optional(graph.resource_of(use.version).image.format)
                                      : std::nullopt);
-        if (use.access == Access::depth_write)
+        }
+        if (use.access == Access::depth_write) {
             key.depth = graph.resource_of(use.version).image.format;
+        }
     }
     return key;
 }
@@ -104,12 +107,14 @@ std::vector<std::byte> bytes_of(float value) {
 } // namespace
 
 AccessFlags flags_of(AccessMask accesses) {
-    if (accesses == 0)
+    if (accesses == 0) {
         return {Stage::eAllCommands, Memory::eMemoryRead | Memory::eMemoryWrite, {}, {}};
+    }
     AccessFlags all;
     for (unsigned bit = 0; bit < access_count; ++bit) {
-        if ((accesses >> bit & 1U) == 0)
+        if ((accesses >> bit & 1U) == 0) {
             continue;
+        }
         all.stages |= access_flags[bit].stages;
         all.memory |= access_flags[bit].memory;
         all.image_usage |= access_flags[bit].image_usage;
@@ -130,8 +135,9 @@ std::string shape_of(const Graph& graph, const Plan& plan) {
         shape.add_text(pass.shader);
         shape.add_text(pass.fragment_shader);
         shape.add(pass.push_bytes);
-        for (const std::uint32_t word : pass.constants)
+        for (const std::uint32_t word : pass.constants) {
             shape.add(word);
+        }
         shape.add(pass.raster.cull);
         shape.add(pass.raster.depth_test);
         shape.add(pass.raster.depth_write);
@@ -144,16 +150,18 @@ std::string shape_of(const Graph& graph, const Plan& plan) {
             shape.add(use.neutral);
             shape.add(use.layer);
             shape.add(use.writes);
-            if (use.version == Version::none)
+            if (use.version == Version::none) {
                 continue;
+            }
             shape.add(bool{plan.version_lives[use.version]});
             const std::uint32_t resource = graph.versions()[use.version].resource;
             shape.add(resource);
             add_resource(shape, graph.resources()[resource]);
         }
     }
-    for (const std::uint32_t version : graph.presented())
+    for (const std::uint32_t version : graph.presented()) {
         shape.add(version);
+    }
     return shape.take();
 }
 
@@ -209,8 +217,9 @@ const gpu::Image& Realised::image_of_resource(const Graph& graph, std::uint32_t 
 const gpu::Buffer& Realised::buffer(const Graph& graph, std::uint32_t version) const {
     const std::uint32_t id = graph.versions()[version].resource;
     const Resource& resource = graph.resources()[id];
-    if (resource.origin == Origin::data)
+    if (resource.origin == Origin::data) {
         return data_.at(resource.name).buffer;
+    }
     if (resource.origin == Origin::persistent) {
         return persistent_.buffers.at(resource.name);
     }
@@ -254,8 +263,9 @@ void Realised::allocate(const Graph& graph, const Plan& plan) {
             }
         }
     }
-    for (const Presented& end : plan.presented)
+    for (const Presented& end : plan.presented) {
         add_usage(end.version, Access::transfer_read);
+    }
 
     // One pool for each memory_ type that the transients ask for; nearly always there is one.
     std::map<std::uint32_t, std::vector<std::size_t>> by_type;
@@ -290,23 +300,27 @@ void Realised::allocate(const Graph& graph, const Plan& plan) {
         memory_.push_back(device_.allocate({placement.bytes, type}));
         for (std::size_t index = 0; index < lifetimes.size(); ++index) {
             const std::uint32_t id = lifetimes[index].resource;
-            if (images_[id])
+            if (images_[id]) {
                 images_[id]->bind(memory_.back(), placement.offsets[index]);
-            else
+            } else {
                 buffers_[id]->bind(memory_.back(), placement.offsets[index]);
+            }
         }
     }
 }
 
 void Realised::make_data_blocks(const Graph& graph) {
     for (const Resource& resource : graph.resources()) {
-        if (resource.origin != Origin::data)
+        if (resource.origin != Origin::data) {
             continue;
+        }
         const auto known = data_.find(resource.name);
-        if (known != data_.end() && known->second.bytes.size() == resource.data.size())
+        if (known != data_.end() && known->second.bytes.size() == resource.data.size()) {
             continue;
-        if (known != data_.end())
+        }
+        if (known != data_.end()) {
             data_.erase(known);
+        }
         using Usage = vk::BufferUsageFlagBits;
         gpu::Buffer buffer(device_, resource.data.size(),
                            Usage::eStorageBuffer | Usage::eUniformBuffer | Usage::eIndexBuffer |
@@ -319,20 +333,24 @@ void Realised::make_data_blocks(const Graph& graph) {
 void Realised::make_descriptor_pool(const std::vector<gpu::PipelineKey>& keys) {
     const auto count_of = [&](BindingType type) {
         std::size_t count = 0;
-        for (const gpu::PipelineKey& key : keys)
+        for (const gpu::PipelineKey& key : keys) {
             count += static_cast<std::size_t>(
                 std::count(key.bindings.begin(), key.bindings.end(), type));
+        }
         return static_cast<std::uint32_t>(count);
     };
     std::vector<vk::DescriptorPoolSize> sizes;
     for (const BindingType type : {BindingType::sampled_image, BindingType::storage_image,
-                                   BindingType::storage_buffer, BindingType::uniform_buffer})
-        if (const std::uint32_t count = count_of(type); count > 0)
+                                   BindingType::storage_buffer, BindingType::uniform_buffer}) {
+        if (const std::uint32_t count = count_of(type); count > 0) {
             sizes.emplace_back(gpu::descriptor_type(type), count);
-    if (!sizes.empty())
+        }
+    }
+    if (!sizes.empty()) {
         descriptors_ = {device_.vk(), vk::DescriptorPoolCreateInfo(
                                           vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
                                           static_cast<std::uint32_t>(keys.size()), sizes)};
+    }
 }
 
 void Realised::write_set(const Graph& graph, const PassRecord& pass, RealisedPass& step) {
@@ -343,8 +361,9 @@ void Realised::write_set(const Graph& graph, const PassRecord& pass, RealisedPas
     std::vector<vk::WriteDescriptorSet> writes;
     for (std::size_t index = 0; index < pass.uses.size(); ++index) {
         const Use& use = pass.uses[index];
-        if (use.binding == BindingType::none)
+        if (use.binding == BindingType::none) {
             continue;
+        }
         const bool given = use.version != Version::none;
         vk::WriteDescriptorSet write(**step.set, static_cast<std::uint32_t>(writes.size()), 0, 1,
                                      gpu::descriptor_type(use.binding));

@@ -76,18 +76,22 @@ Rgb placed(Rgb output, const CubeView& view) {
 void draw_edges(const Camera& camera, CubeDrawing& drawing) {
     constexpr Rgb8 grey{150, 150, 158};
     unsigned farthest = 0;
-    for (unsigned bits = 1; bits < 8; ++bits)
-        if (camera.see(corner(bits)).depth > camera.see(corner(farthest)).depth)
+    for (unsigned bits = 1; bits < 8; ++bits) {
+        if (camera.see(corner(bits)).depth > camera.see(corner(farthest)).depth) {
             farthest = bits;
-    for (unsigned bits = 0; bits < 8; ++bits)
+        }
+    }
+    for (unsigned bits = 0; bits < 8; ++bits) {
         for (const unsigned axis : {1U, 2U, 4U}) {
-            if ((bits & axis) != 0)
+            if ((bits & axis) != 0) {
                 continue;
+            }
             const bool hidden = bits == farthest || (bits | axis) == farthest;
             (hidden ? drawing.behind : drawing.before)
                 .push_back(line(camera, corner(bits), corner(bits | axis), 1.2F,
                                 hidden ? 0.35F : 0.7F, grey));
         }
+    }
     drawing.behind.push_back(line(camera, corner(0), corner(7), 1, 0.6F, {230, 230, 230}));
 }
 
@@ -96,9 +100,10 @@ void draw_neutrals(const Camera& camera, const NodeCloud& nodes, const CubeView&
     const std::size_t n = nodes.per_side(), diagonal = 1 + n + n * n;
     for (std::size_t i = 0; i + 1 < n; ++i) {
         const Rgb from = nodes.outputs[i * diagonal], to = nodes.outputs[(i + 1) * diagonal];
-        if (is_finite(from) && is_finite(to))
+        if (is_finite(from) && is_finite(to)) {
             drawing.before.push_back(
                 line(camera, placed(from, view), placed(to, view), 2, 0.95F, {255, 255, 255}));
+        }
     }
 }
 
@@ -115,8 +120,9 @@ void draw_nodes(const Camera& camera, const NodeCloud& nodes, const CubeView& vi
     std::vector<DepthDot> sorted;
     sorted.reserve(nodes.outputs.size());
     for (std::size_t i = 0; i < nodes.outputs.size(); ++i) {
-        if (!is_finite(nodes.outputs[i]))
+        if (!is_finite(nodes.outputs[i])) {
             continue;
+        }
         const Rgb out = placed(nodes.outputs[i], view);
         const Rgb in{nodes.inputs[i % n], nodes.inputs[i / n % n], nodes.inputs[i / (n * n)]};
         const Seen seen = camera.see(out);
@@ -125,8 +131,9 @@ void draw_nodes(const Camera& camera, const NodeCloud& nodes, const CubeView& vi
     }
     std::sort(sorted.begin(), sorted.end(),
               [](const DepthDot& a, const DepthDot& b) { return a.depth > b.depth; });
-    for (const DepthDot& dot : sorted)
+    for (const DepthDot& dot : sorted) {
         drawing.dots.push_back(dot.dot);
+    }
 }
 
 /// What the drawing is put on, pixel by pixel.
@@ -135,8 +142,9 @@ class Canvas {
     Canvas(int width, int height)
         : width_(width), height_(height), pixels_(std::size_t{4} * static_cast<std::size_t>(width) *
                                                   static_cast<std::size_t>(height)) {
-        for (std::size_t i = 0; i < pixels_.size(); ++i)
+        for (std::size_t i = 0; i < pixels_.size(); ++i) {
             pixels_[i] = i % 4 < 3 ? cube_ground[i % 4] : std::uint8_t{255};
+        }
     }
 
     /// Blends `color` over every pixel within the box by `coverage` of its middle.
@@ -144,7 +152,7 @@ class Canvas {
     void paint(float left, float top, float right, float bottom, Rgb8 color, Coverage coverage) {
         const int x0 = bounded(std::floor(left), width_), x1 = bounded(std::ceil(right), width_);
         const int y0 = bounded(std::floor(top), height_), y1 = bounded(std::ceil(bottom), height_);
-        for (int y = y0; y < y1; ++y)
+        for (int y = y0; y < y1; ++y) {
             for (int x = x0; x < x1; ++x) {
                 const float share =
                     std::clamp(coverage(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F),
@@ -152,11 +160,13 @@ class Canvas {
                 std::uint8_t* const pixel =
                     &pixels_[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                                   static_cast<std::size_t>(x))];
-                for (std::size_t c = 0; c < 3; ++c)
+                for (std::size_t c = 0; c < 3; ++c) {
                     pixel[c] = static_cast<std::uint8_t>(
                         std::lround(static_cast<float>(pixel[c]) * (1 - share) +
                                     static_cast<float>(color[c]) * share));
+                }
             }
+        }
     }
     std::vector<std::uint8_t> take() { return std::move(pixels_); }
 
@@ -208,15 +218,18 @@ NodeCloud cube_nodes(const lutlib::Lut& look, int most) {
         return low + static_cast<double>(out.inputs[static_cast<std::size_t>(i)]) *
                          (static_cast<double>(domain.max[channel]) - low);
     };
-    for (int b = 0; b < count; ++b)
-        for (int g = 0; g < count; ++g)
-            for (int r = 0; r < count; ++r)
+    for (int b = 0; b < count; ++b) {
+        for (int g = 0; g < count; ++g) {
+            for (int r = 0; r < count; ++r) {
                 out.outputs.push_back(look.cube
                                           ? look.cube->at(chosen[static_cast<std::size_t>(r)],
                                                           chosen[static_cast<std::size_t>(g)],
                                                           chosen[static_cast<std::size_t>(b)])
                                           : lutlib::to_float(lutlib::evaluate_exact(
                                                 look, {input(0, r), input(1, g), input(2, b)})));
+            }
+        }
+    }
     return out;
 }
 
@@ -233,12 +246,15 @@ void draw_cube(const NodeCloud& nodes, const CubeView& view, float width, float 
 
 std::vector<std::uint8_t> rasterised(const CubeDrawing& drawing, int width, int height) {
     Canvas canvas(width, height);
-    for (const CubeLine& line : drawing.behind)
+    for (const CubeLine& line : drawing.behind) {
         paint(canvas, line);
-    for (const CubeDot& dot : drawing.dots)
+    }
+    for (const CubeDot& dot : drawing.dots) {
         paint(canvas, dot);
-    for (const CubeLine& line : drawing.before)
+    }
+    for (const CubeLine& line : drawing.before) {
         paint(canvas, line);
+    }
     return canvas.take();
 }
 

@@ -5,8 +5,9 @@ namespace preview {
 namespace {
 
 std::optional<gpu::Image> upload(const gpu::Device& device, const Texels& texels) {
-    if (texels.bytes.empty())
+    if (texels.bytes.empty()) {
         return std::nullopt;
+    }
     return gpu::make_image(device, texels.desc, texels.bytes);
 }
 
@@ -18,8 +19,9 @@ GpuLook::GpuLook(const gpu::Device& device, const LookData& data)
       half_arithmetic(device.has_fast_half() &&
                       data.lookup->interpolation == lutlib::Interpolation::tetrahedral),
       groups(device.compute_units()) {
-    if (!data.nodes.empty())
+    if (!data.nodes.empty()) {
         nodes = gpu::make_buffer(device, std::as_bytes(std::span(data.nodes)));
+    }
 }
 
 } // namespace preview

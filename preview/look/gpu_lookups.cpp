@@ -55,7 +55,7 @@ std::vector<GpuLookup> make_table() {
          .layout = "strip",
          .interpolation = Interpolation::tetrahedral},
     };
-    for (const lutlib::Engine& engine : lutlib::engines())
+    for (const lutlib::Engine& engine : lutlib::engines()) {
         table.push_back({.name = engine.name,
                          .label = engine.label,
                          .source = Source::picture,
@@ -63,6 +63,7 @@ std::vector<GpuLookup> make_table() {
                          .layout = engine.layout,
                          .engine = &engine,
                          .interpolation = engine.interpolation});
+    }
     return table;
 }
 

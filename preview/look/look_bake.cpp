@@ -19,22 +19,26 @@ constexpr int general_bits = 16; ///< of pictures that no engine's contract fixe
 /// The largest distance of a look from doing nothing. Both are interpolated between the same
 /// nodes, so it is found at the nodes. Infinite where a shaper or a domain is in the way.
 double distance_from_identity(const Lut& look) {
-    if (look.shaper || !look.cube || !look.cube->domain.is_unit())
+    if (look.shaper || !look.cube || !look.cube->domain.is_unit()) {
         return HUGE_VAL;
+    }
     const Lut3D& cube = *look.cube;
     double furthest = 0;
-    for (int b = 0; b < cube.size; ++b)
-        for (int g = 0; g < cube.size; ++g)
+    for (int b = 0; b < cube.size; ++b) {
+        for (int g = 0; g < cube.size; ++g) {
             for (int r = 0; r < cube.size; ++r) {
                 const lutlib::RgbD at = lutlib::node_position(cube, r, g, b);
                 const lutlib::Rgb node = cube.at(r, g, b);
                 for (std::size_t c = 0; c < 3; ++c) {
                     const double distance = std::abs(static_cast<double>(node[c]) - at[c]);
-                    if (std::isnan(distance))
+                    if (std::isnan(distance)) {
                         return HUGE_VAL;
+                    }
                     furthest = std::max(furthest, distance);
                 }
             }
+        }
+    }
     return furthest;
 }
 
@@ -53,8 +57,9 @@ namespace {
 int general_size(const Lut& look, const GpuLookup& lookup) {
     constexpr int shared_size = 16;
     constexpr int without_cube = 33;
-    if (lookup.shared())
+    if (lookup.shared()) {
         return shared_size;
+    }
     return look.cube ? look.cube->size : without_cube;
 }
 
@@ -66,10 +71,11 @@ CodeImage general_codes(const lutlib::Transform& exact, int size, const GpuLooku
     const lutlib::Picture picture =
         lutlib::to_picture(sampled, *lutlib::layout_named(lookup.layout));
     CodeImage codes{picture.width, picture.height, 3, {lookup.shared() ? 8 : general_bits}, {}};
-    for (const lutlib::Rgb& pixel : picture.pixels)
+    for (const lutlib::Rgb& pixel : picture.pixels) {
         for (std::size_t c = 0; c < 3; ++c) {
             codes.samples.push_back(codes.depth.code(pixel[c]));
         }
+    }
     return codes;
 }
 

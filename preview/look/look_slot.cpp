@@ -35,8 +35,9 @@ LookSlot::LookSlot(const gpu::Device& device) : device_(device) {
 
 void LookSlot::set(const LoadedLook& look) {
     shown_ = look.skip_reason.empty();
-    if (!shown_)
+    if (!shown_) {
         return;
+    }
     const LookData& data = look.data;
     if (look_ && data.lookup == shape_.lookup && same_shape(data.picture, shape_.picture) &&
         same_shape(data.volume, shape_.volume) && same_shape(data.shaper, shape_.shaper)) {
@@ -55,8 +56,9 @@ void LookSlot::copy(const LookData& data) {
     const vk::raii::CommandBuffer& commands = upload.commands.begin();
     upload.staging.clear();
     const auto add = [&](const Texels& texels, const std::optional<gpu::Image>& image) {
-        if (!image)
+        if (!image) {
             return;
+        }
         const gpu::Buffer& staging = upload.staging.emplace_back(
             device_, texels.bytes.size(), vk::BufferUsageFlagBits::eTransferSrc,
             gpu::BufferMemory::upload);

@@ -28,9 +28,11 @@ void append(std::vector<std::byte>& bytes, T value) {
 Texels float_volume(const lutlib::Lut3D& cube) {
     const auto n = static_cast<std::uint32_t>(cube.size);
     Texels out{{Format::rgba32f, n, n, n}, {}};
-    for (const lutlib::Rgb& node : cube.nodes)
-        for (const float value : {node.r, node.g, node.b, 1.0f})
+    for (const lutlib::Rgb& node : cube.nodes) {
+        for (const float value : {node.r, node.g, node.b, 1.0f}) {
             append(out.bytes, value);
+        }
+    }
     return out;
 }
 
@@ -40,9 +42,11 @@ Texels filtered_volume(const lutlib::Lut3D& cube) {
         return std::min({node.r, node.g, node.b}) >= 0 && std::max({node.r, node.g, node.b}) <= 1;
     });
     Texels out{{unit ? Format::rgba16 : Format::rgba16f, n, n, n}, {}};
-    for (const lutlib::Rgb& node : cube.nodes)
-        for (const float value : {node.r, node.g, node.b, 1.0f})
+    for (const lutlib::Rgb& node : cube.nodes) {
+        for (const float value : {node.r, node.g, node.b, 1.0f}) {
             append(out.bytes, unit ? lutlib::CodeDepth{16}.code(value) : lutlib::half_from(value));
+        }
+    }
     return out;
 }
 
@@ -51,20 +55,26 @@ Texels shaper_texels(const lutlib::Lut1D& shaper) {
     const std::uint32_t width = std::min(size, shaper_row);
     const std::uint32_t height = (size + width - 1) / width;
     Texels out{{Format::rgba32f, width, height}, {}};
-    for (const lutlib::Rgb& entry : shaper.entries)
-        for (const float value : {entry.r, entry.g, entry.b, 1.0f})
+    for (const lutlib::Rgb& entry : shaper.entries) {
+        for (const float value : {entry.r, entry.g, entry.b, 1.0f}) {
             append(out.bytes, value);
+        }
+    }
     out.bytes.resize(out.desc.bytes());
     return out;
 }
 
 std::vector<std::uint16_t> half_nodes(const lutlib::CodeImage& strip, int size) {
     std::vector<std::uint16_t> nodes;
-    for (int b = 0; b < size; ++b)
-        for (int g = 0; g < size; ++g)
-            for (int r = 0; r < size; ++r)
-                for (std::size_t c = 0; c < 4; ++c)
+    for (int b = 0; b < size; ++b) {
+        for (int g = 0; g < size; ++g) {
+            for (int r = 0; r < size; ++r) {
+                for (std::size_t c = 0; c < 4; ++c) {
                     nodes.push_back(c < 3 ? lutlib::half_from(strip.at({b * size + r, g}, c)) : 0);
+                }
+            }
+        }
+    }
     return nodes;
 }
 
@@ -82,17 +92,20 @@ LookData no_look() {
 
 LookData look_data(const lutlib::CodeImage& codes, int size, const GpuLookup& lookup) {
     const std::string name(lookup.name);
-    if (lookup.source != Source::picture)
+    if (lookup.source != Source::picture) {
         throw lutlib::Error("the lookup '" + name + "' reads a table and no picture");
-    if (lookup.shared() && (size != shared_size || codes.depth.bits != 8))
+    }
+    if (lookup.shared() && (size != shared_size || codes.depth.bits != 8)) {
         throw lutlib::Error("the lookup '" + name +
                             "' reads pictures of 16 nodes and 8 bits, not " + std::to_string(size) +
                             " nodes and " + std::to_string(codes.depth.bits) + " bits");
+    }
     LookData data;
     data.lookup = &lookup;
     data.block.size = size;
-    if (lookup.shared())
+    if (lookup.shared()) {
         data.nodes = half_nodes(codes, size);
+    }
     const bool wide = codes.depth.bits > 8;
     data.picture.desc = {wide ? Format::rgba16 : Format::rgba8,
                          static_cast<std::uint32_t>(codes.width),
@@ -102,10 +115,11 @@ LookData look_data(const lutlib::CodeImage& codes, int size, const GpuLookup& lo
         for (int x = 0; x < codes.width; ++x) {
             for (std::size_t c = 0; c < 4; ++c) {
                 const int code = c < 3 ? codes.at({x, y}, c) : codes.depth.maximum();
-                if (wide)
+                if (wide) {
                     append(data.picture.bytes, static_cast<std::uint16_t>(code * scale));
-                else
+                } else {
                     append(data.picture.bytes, static_cast<std::uint8_t>(code));
+                }
             }
         }
     }
@@ -114,13 +128,15 @@ LookData look_data(const lutlib::CodeImage& codes, int size, const GpuLookup& lo
 
 LookData look_data(const lutlib::Lut& look, const GpuLookup& lookup) {
     const std::string name(lookup.name);
-    if (lookup.source != Source::table)
+    if (lookup.source != Source::table) {
         throw lutlib::Error("the lookup '" + name + "' reads a picture and no table");
+    }
     LookData data;
     data.lookup = &lookup;
     if (lookup.filtered &&
-        (look.shaper || !look.cube || !look.cube->domain.is_unit() || look.cube->size > 256))
+        (look.shaper || !look.cube || !look.cube->domain.is_unit() || look.cube->size > 256)) {
         throw lutlib::Error("the lookup '" + name + "' reads a cube over 0..1 without a shaper");
+    }
     if (look.shaper) {
         data.shaper = shaper_texels(*look.shaper);
         data.block.shaper_min = padded(look.shaper->domain.min);

@@ -36,14 +36,16 @@ bool measure(RecipeTable& table, const lutlib::Encoding& results, const lutlib::
     const lutlib::Transform read = lutlib::Transform::of(table.lut);
     double sum = 0;
     for (std::size_t at = 0; at < colours.size(); at += at_once) {
-        if (stop())
+        if (stop()) {
             return false;
+        }
         const std::vector<lutlib::Rgb> inputs(
             colours.begin() + static_cast<std::ptrdiff_t>(at),
             colours.begin() + static_cast<std::ptrdiff_t>(std::min(at + at_once, colours.size())));
         std::vector<lutlib::RgbD> wanted;
-        for (const lutlib::Rgb& in : inputs)
+        for (const lutlib::Rgb& in : inputs) {
             wanted.push_back(lutlib::to_double(in));
+        }
         std::vector<lutlib::RgbD> got = wanted;
         exact(wanted);
         read(got);

@@ -52,8 +52,9 @@ void look_from(CubeView& view, float turn, float tilt) {
 void controls(Ui& ui, CubeChoice& choice) {
     constexpr const char* names[] = {"A", "B"};
     for (std::size_t i = 0; i < 2; ++i) {
-        if (ImGui::RadioButton((std::string("Side ") + names[i]).c_str(), choice.side == i))
+        if (ImGui::RadioButton((std::string("Side ") + names[i]).c_str(), choice.side == i)) {
             choice.side = i;
+        }
         mark(ui, std::string("cube.side") + names[i]);
         ImGui::SameLine();
     }
@@ -65,12 +66,14 @@ void controls(Ui& ui, CubeChoice& choice) {
     ImGui::SliderInt("Nodes of an axis", &choice.per_side, least_nodes, most_nodes, "at most %d",
                      ImGuiSliderFlags_AlwaysClamp);
     mark(ui, "cube.nodes");
-    if (ImGui::Button("Front"))
+    if (ImGui::Button("Front")) {
         look_from(choice.view, CubeView{}.turn, CubeView{}.tilt);
+    }
     mark(ui, "cube.front");
     ImGui::SameLine();
-    if (ImGui::Button("From above"))
+    if (ImGui::Button("From above")) {
         look_from(choice.view, 0, 90);
+    }
     mark(ui, "cube.above");
 }
 
@@ -81,8 +84,9 @@ void turn_by_mouse(CubeView& view) {
         view.turn = std::remainder(view.turn - degrees_per_pixel * io.MouseDelta.x, 360.0F);
         view.tilt = std::clamp(view.tilt + degrees_per_pixel * io.MouseDelta.y, -90.0F, 90.0F);
     }
-    if (ImGui::IsItemHovered() && io.MouseWheel != 0)
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
         view.zoom = std::clamp(view.zoom * std::pow(zoom_per_notch, io.MouseWheel), 0.3F, 8.0F);
+    }
 }
 
 } // namespace
@@ -107,12 +111,15 @@ void cube_panel(Ui& ui) {
     const ImVec2 end(corner.x + size.x, corner.y + size.y);
     list.AddRectFilled(corner, end, color_of(cube_ground));
     list.PushClipRect(corner, end, true);
-    for (const CubeLine& line : drawing.behind)
+    for (const CubeLine& line : drawing.behind) {
         put(list, corner, line);
-    for (const CubeDot& dot : drawing.dots)
+    }
+    for (const CubeDot& dot : drawing.dots) {
         put(list, corner, dot);
-    for (const CubeLine& line : drawing.before)
+    }
+    for (const CubeLine& line : drawing.before) {
         put(list, corner, line);
+    }
     list.PopClipRect();
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
     ImGui::TextDisabled("%zu nodes in %.2f ms; drag to turn, wheel to zoom", nodes.outputs.size(),

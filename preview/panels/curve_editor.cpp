@@ -84,15 +84,17 @@ void draw_grid(ImDrawList& list, const Canvas& canvas) {
 void draw_counts(ImDrawList& list, const Canvas& canvas, const Parameter& parameter,
                  const std::vector<std::uint32_t>& counts) {
     const CountedAxis* const axis = axis_for(parameter);
-    if (axis == nullptr || counts.size() != counted_axes.size() * axis_bins)
+    if (axis == nullptr || counts.size() != counted_axes.size() * axis_bins) {
         return;
+    }
     const auto row = static_cast<std::size_t>(axis - counted_axes.data());
     const std::uint32_t* const bins = &counts[row * axis_bins];
     // The outermost bins of an open axis hold what is clipped and would dwarf the others.
     const std::size_t ends = parameter.axis.periodic ? 0 : 1;
     const std::uint32_t most = *std::max_element(bins + ends, bins + axis_bins - ends);
-    if (most == 0)
+    if (most == 0) {
         return;
+    }
     const double step = (axis->max - axis->min) / axis_bins;
     const double first = parameter.axis.periodic ? -step / 2 : 0; // bins about their hues
     const float floor_y = canvas.origin.y + canvas.size.y;
@@ -166,8 +168,9 @@ bool curve_editor(Ui& ui, const Parameter& parameter, Knots& knots, const std::s
     const ImGuiIO& io = ImGui::GetIO();
     const Knot mouse = canvas.knot(io.MousePos);
     std::optional<std::size_t> under;
-    if (hovered || active)
+    if (hovered || active) {
         under = knot_at(canvas.view, knots, mouse, canvas.reach_share());
+    }
 
     bool changed = false;
     if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
@@ -190,8 +193,9 @@ bool curve_editor(Ui& ui, const Parameter& parameter, Knots& knots, const std::s
     const ImVec2 corner(origin.x + size.x, origin.y + size.y);
     list.AddRectFilled(origin, corner, IM_COL32(24, 24, 28, 255));
     list.PushClipRect(origin, corner, true);
-    if (parameter.axis.periodic)
+    if (parameter.axis.periodic) {
         draw_ribbon(list, canvas);
+    }
     draw_counts(list, canvas, parameter, ui.facts.measured.axis_counts);
     draw_grid(list, canvas);
     draw_curve(list, canvas, parameter, knots);

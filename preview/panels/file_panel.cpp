@@ -40,13 +40,17 @@ std::string path_or(const std::string& typed, const std::string& usual) {
 void file_panel(Ui& ui) {
     State& state = ui.history.draft();
     ImGui::TextWrapped("Open a recipe, LUT, picture or glTF model, or drop it on the window.");
-    if (path_line(ui, "Open", ui.open_file, "file", "open") && !ui.open_file.empty())
+    if (path_line(ui, "Open", ui.open_file, "file", "open") && !ui.open_file.empty()) {
         ui.to_open.push_back(ui.open_file);
+    }
     for (std::size_t i = 0; i < 2; ++i) {
-        if (i > 0)
+        if (i > 0) {
             ImGui::SameLine();
-        if (ImGui::Button(i == 0 ? "On side A alone" : "On side B alone") && !ui.open_file.empty())
+        }
+        if (ImGui::Button(i == 0 ? "On side A alone" : "On side B alone") &&
+            !ui.open_file.empty()) {
             attempt(ui, [&] { open_side(state.sides[i], lutlib::io::Look::open(ui.open_file)); });
+        }
     }
     ImGui::Separator();
 
@@ -70,9 +74,11 @@ void file_panel(Ui& ui) {
     const std::vector<const GpuLookup*> engines = engine_lookups();
     const GpuLookup* engine = engines[ui.export_engine];
     if (ImGui::BeginCombo("Engine", std::string(engine->label).c_str())) {
-        for (std::size_t i = 0; i < engines.size(); ++i)
-            if (ImGui::Selectable(std::string(engines[i]->label).c_str(), i == ui.export_engine))
+        for (std::size_t i = 0; i < engines.size(); ++i) {
+            if (ImGui::Selectable(std::string(engines[i]->label).c_str(), i == ui.export_engine)) {
                 ui.export_engine = i;
+            }
+        }
         ImGui::EndCombo();
     }
     const std::string strip = stem_of(state) + "-" + std::string(engine->name) + ".png";

@@ -31,20 +31,24 @@ Change operation_buttons(Ui& ui, Operation& operation, const std::string& place,
     ImGui::Checkbox("on", &operation.enabled);
     mark(ui, place + ".on");
     ImGui::SameLine();
-    if (ImGui::ArrowButton("up", ImGuiDir_Up) && !is_first)
+    if (ImGui::ArrowButton("up", ImGuiDir_Up) && !is_first) {
         change = Change::up;
+    }
     mark(ui, place + ".up");
     ImGui::SameLine();
-    if (ImGui::ArrowButton("down", ImGuiDir_Down) && !is_last)
+    if (ImGui::ArrowButton("down", ImGuiDir_Down) && !is_last) {
         change = Change::down;
+    }
     mark(ui, place + ".down");
     ImGui::SameLine();
-    if (ImGui::Button("Reset"))
+    if (ImGui::Button("Reset")) {
         operation.values = lutlib::default_operation(*operation.op).values;
+    }
     mark(ui, place + ".reset");
     ImGui::SameLine();
-    if (ImGui::Button("Remove"))
+    if (ImGui::Button("Remove")) {
         change = Change::remove;
+    }
     mark(ui, place + ".remove");
     return change;
 }
@@ -58,8 +62,9 @@ Change operation_controls(Ui& ui, Operation& operation, std::size_t index, bool 
     Change change = Change::none;
     const bool open = ImGui::CollapsingHeader(heading.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
     mark(ui, place);
-    if (ImGui::IsItemHovered())
+    if (ImGui::IsItemHovered()) {
         ImGui::SetTooltip("%.*s", static_cast<int>(op.help.size()), op.help.data());
+    }
     if (open) {
         change = operation_buttons(ui, operation, place, index == 0, is_last);
         for (std::size_t i = 0; i < op.parameters.size(); ++i) {
@@ -75,17 +80,21 @@ Change operation_controls(Ui& ui, Operation& operation, std::size_t index, bool 
 }
 
 void add_menu(Ui& ui, lutlib::Recipe& recipe) {
-    if (ImGui::Button("Add operator"))
+    if (ImGui::Button("Add operator")) {
         ImGui::OpenPopup("operators");
+    }
     mark(ui, "add");
-    if (!ImGui::BeginPopup("operators"))
+    if (!ImGui::BeginPopup("operators")) {
         return;
+    }
     for (const lutlib::Op* op : lutlib::ops()) {
-        if (ImGui::MenuItem(text_of(op->label).c_str()))
+        if (ImGui::MenuItem(text_of(op->label).c_str())) {
             add_operation(recipe, *op);
+        }
         mark(ui, "add." + text_of(op->name));
-        if (ImGui::IsItemHovered())
+        if (ImGui::IsItemHovered()) {
             ImGui::SetTooltip("%.*s", static_cast<int>(op->help.size()), op->help.data());
+        }
     }
     ImGui::EndPopup();
 }
@@ -156,8 +165,9 @@ void encodings_of_look(Ui& ui, State& state) {
 } // namespace
 
 void lines(const std::vector<std::string>& texts) {
-    for (const std::string& text : texts)
+    for (const std::string& text : texts) {
         ImGui::TextWrapped("%s", text.c_str());
+    }
 }
 
 void look_panel(Ui& ui) {

@@ -11,11 +11,13 @@ void effect_switches(Ui& ui) {
     EffectSet& without = ui.history.draft().without;
     for (const EffectInfo& row : effects) {
         bool is_on = !without.has(row.effect);
-        if (ImGui::Checkbox(std::string(row.label).c_str(), &is_on))
+        if (ImGui::Checkbox(std::string(row.label).c_str(), &is_on)) {
             without.set(row.effect, !is_on);
+        }
         mark(ui, "effect." + std::string(row.name));
-        if (ImGui::IsItemHovered())
+        if (ImGui::IsItemHovered()) {
             ImGui::SetTooltip("off: %s", std::string(row.help).c_str());
+        }
     }
 }
 

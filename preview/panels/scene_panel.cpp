@@ -39,10 +39,12 @@ void control_row(Ui& ui, const LightControl& control, PointLight& light, const s
         break;
     }
     mark(ui, place);
-    if (ImGui::IsItemHovered())
+    if (ImGui::IsItemHovered()) {
         ImGui::SetTooltip("%s", std::string(control.help).c_str());
-    if (changed)
+    }
+    if (changed) {
         control.set(light, value);
+    }
 }
 
 } // namespace
@@ -50,20 +52,24 @@ void control_row(Ui& ui, const LightControl& control, PointLight& light, const s
 void scene_panel(Ui& ui) {
     std::vector<PointLight>& lights = ui.history.draft().lights;
     ImGui::TextDisabled("%s", ui.facts.input.c_str());
-    for (const std::string& line : ui.facts.left_out)
+    for (const std::string& line : ui.facts.left_out) {
         ImGui::TextWrapped("Left out: %s", line.c_str());
-    if (!ui.facts.is_scene)
+    }
+    if (!ui.facts.is_scene) {
         ImGui::TextUnformatted("A picture is shown: it has no lights.");
+    }
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const std::string name = light_name(lights[i], i);
         ImGui::PushID(static_cast<int>(i));
         const bool open =
             ImGui::CollapsingHeader(("Light " + name).c_str(), ImGuiTreeNodeFlags_DefaultOpen);
         mark(ui, "light." + name);
-        if (open)
-            for (const LightControl& control : light_controls())
+        if (open) {
+            for (const LightControl& control : light_controls()) {
                 control_row(ui, control, lights[i],
                             "light." + name + "." + std::string(control.name));
+            }
+        }
         ImGui::PopID();
     }
 }

@@ -29,8 +29,9 @@ std::array<float, scopes.size()> widths_in(const ScopeChoice& choice, const Rect
     const auto count = static_cast<float>(std::count(choice.seen.begin(), choice.seen.end(), true));
     float left = area.width, others = 0;
     for (std::size_t i = 0; i < scopes.size(); ++i) {
-        if (!choice.seen[i])
+        if (!choice.seen[i]) {
             continue;
+        }
         if (scopes[i].bins != ScopeBins::chroma) {
             ++others;
             continue;
@@ -38,9 +39,11 @@ std::array<float, scopes.size()> widths_in(const ScopeChoice& choice, const Rect
         widths[i] = std::floor(std::min(area.height, area.width / count));
         left -= widths[i];
     }
-    for (std::size_t i = 0; i < scopes.size(); ++i)
-        if (choice.seen[i] && widths[i] == 0)
+    for (std::size_t i = 0; i < scopes.size(); ++i) {
+        if (choice.seen[i] && widths[i] == 0) {
             widths[i] = std::floor(left / others);
+        }
+    }
     return widths;
 }
 
@@ -51,20 +54,23 @@ void scopes_panel(Ui& ui) {
     for (std::size_t i = 0; i < scopes.size(); ++i) {
         ImGui::Checkbox(text_of(scopes[i].label).c_str(), &choice.seen[i]);
         mark(ui, "scope." + text_of(scopes[i].name));
-        if (ImGui::IsItemHovered())
+        if (ImGui::IsItemHovered()) {
             ImGui::SetTooltip("%s", text_of(scopes[i].help).c_str());
+        }
     }
     ImGui::Separator();
     ImGui::TextUnformatted("They look at");
     for (const ScopeSide& side : scope_sides) {
-        if (ImGui::RadioButton(text_of(side.label).c_str(), choice.side == &side))
+        if (ImGui::RadioButton(text_of(side.label).c_str(), choice.side == &side)) {
             choice.side = &side;
+        }
         mark(ui, "scope.side." + text_of(side.name));
     }
     ImGui::TextUnformatted("Their brightness and height");
     for (const ScaleRow& row : scales) {
-        if (ImGui::RadioButton(row.label, choice.logarithmic == row.logarithmic))
+        if (ImGui::RadioButton(row.label, choice.logarithmic == row.logarithmic)) {
             choice.logarithmic = row.logarithmic;
+        }
         mark(ui, std::string("scope.scale.") + row.name);
     }
     ImGui::SliderFloat("Height", &choice.height, 0.15F, 0.7F, "%.2f", ImGuiSliderFlags_AlwaysClamp);
@@ -74,8 +80,9 @@ void scopes_panel(Ui& ui) {
 void scope_strip(Ui& ui, const Rect& area) {
     ui.scope_places = {};
     const ScopeChoice& choice = ui.history.draft().scopes_seen;
-    if (area.height < 1)
+    if (area.height < 1) {
         return;
+    }
     ImGui::SetNextWindowPos({area.x, area.y});
     ImGui::SetNextWindowSize({area.width, area.height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
@@ -88,15 +95,17 @@ void scope_strip(Ui& ui, const Rect& area) {
     const std::array<float, scopes.size()> widths = widths_in(choice, area);
     float x = area.x;
     for (std::size_t i = 0; i < scopes.size(); ++i) {
-        if (widths[i] < 1)
+        if (widths[i] < 1) {
             continue;
+        }
         ui.scope_places[i] = {x, area.y, widths[i], area.height};
         ImGui::SetCursorScreenPos({x, area.y});
         ImGui::InvisibleButton(text_of(scopes[i].name).c_str(), {widths[i], area.height});
         mark(ui, "scope.seen." + text_of(scopes[i].name));
-        if (ImGui::IsItemHovered())
+        if (ImGui::IsItemHovered()) {
             ImGui::SetTooltip("%s: %s", text_of(scopes[i].label).c_str(),
                               text_of(scopes[i].help).c_str());
+        }
         x += widths[i];
     }
     if (ui.history.draft().compare == &compare_difference) {

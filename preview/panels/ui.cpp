@@ -49,10 +49,11 @@ constexpr Shortcut shortcuts[] = {
     {"Ctrl+S", "save the recipe to its file", Key::s, true, false,
      [](Ui& ui) {
          State& state = ui.history.draft();
-         if (state.recipe_path.empty())
+         if (state.recipe_path.empty()) {
              ui.errors.emplace_back("the recipe has no file yet: save it under Files");
-         else
+         } else {
              attempt(ui, [&] { save_recipe(state, state.recipe_path); });
+         }
      }},
     {"Ctrl+Shift+R", "make everything on the GPU anew", Key::r, true, true,
      [](Ui& ui) { ui.wants_new_screen = true; }},
@@ -91,8 +92,9 @@ void mark_window(Ui& ui, const std::string& name) {
 }
 
 void help_window(Ui& ui) {
-    if (!ui.shows_help)
+    if (!ui.shows_help) {
         return;
+    }
     ImGui::SetNextWindowPos({30, 30}, ImGuiCond_Appearing);
     const bool open = ImGui::Begin("Help", &ui.shows_help, ImGuiWindowFlags_AlwaysAutoResize);
     mark_window(ui, "help");
@@ -103,37 +105,44 @@ void help_window(Ui& ui) {
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(help);
         };
-        for (const Shortcut& shortcut : shortcuts)
+        for (const Shortcut& shortcut : shortcuts) {
             row(shortcut.keys, shortcut.help);
-        for (const auto& line : mouse_help)
+        }
+        for (const auto& line : mouse_help) {
             row(line[0], line[1]);
+        }
         ImGui::EndTable();
     }
     ImGui::End();
 }
 
 void error_window(Ui& ui) {
-    if (ui.errors.empty())
+    if (ui.errors.empty()) {
         return;
+    }
     ImGui::SetNextWindowPos({30, 60}, ImGuiCond_Appearing);
     ImGui::SetNextWindowSize({520, 0});
     const bool open = ImGui::Begin("Error", nullptr, ImGuiWindowFlags_NoCollapse);
     mark_window(ui, "error");
     if (open) {
-        for (const std::string& error : ui.errors)
+        for (const std::string& error : ui.errors) {
             ImGui::TextWrapped("%s", error.c_str());
-        if (ImGui::Button("Close"))
+        }
+        if (ImGui::Button("Close")) {
             ui.errors.clear();
+        }
         mark(ui, "error.close");
     }
     ImGui::End();
 }
 
 void replace_dialog(Ui& ui) {
-    if (!ui.to_replace.empty() && !ImGui::IsPopupOpen("Replace?"))
+    if (!ui.to_replace.empty() && !ImGui::IsPopupOpen("Replace?")) {
         ImGui::OpenPopup("Replace?");
-    if (!ImGui::BeginPopupModal("Replace?", nullptr, ImGuiWindowFlags_AlwaysAutoResize))
+    }
+    if (!ImGui::BeginPopupModal("Replace?", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
         return;
+    }
     ImGui::Text("%s exists already.", ui.to_replace.c_str());
     bool done = ui.to_replace.empty();
     if (ImGui::Button("Replace it")) {
@@ -142,8 +151,9 @@ void replace_dialog(Ui& ui) {
     }
     mark(ui, "replace.yes");
     ImGui::SameLine();
-    if (ImGui::Button("Keep it"))
+    if (ImGui::Button("Keep it")) {
         done = true;
+    }
     mark(ui, "replace.no");
     if (done) {
         ui.to_replace.clear();
@@ -192,19 +202,25 @@ void handle_shortcuts(Ui& ui) {
     ui.held = nullptr;
     const std::vector<KeyPress> pressed = std::exchange(ui.pressed, {});
     for (const KeyPress& press : pressed) {
-        if (io.WantTextInput && is_for_text(press))
+        if (io.WantTextInput && is_for_text(press)) {
             continue;
-        for (const Shortcut& shortcut : shortcuts)
+        }
+        for (const Shortcut& shortcut : shortcuts) {
             if (press.key == shortcut.key && press.ctrl == shortcut.ctrl &&
-                press.shift == shortcut.shift)
+                press.shift == shortcut.shift) {
                 shortcut.action(ui);
+            }
+        }
     }
-    if (io.WantTextInput)
+    if (io.WantTextInput) {
         return;
-    if (!io.KeyCtrl && is_held(ui, Key::a))
+    }
+    if (!io.KeyCtrl && is_held(ui, Key::a)) {
         ui.held = &compare_a;
-    if (!io.KeyCtrl && is_held(ui, Key::b))
+    }
+    if (!io.KeyCtrl && is_held(ui, Key::b)) {
         ui.held = &compare_b;
+    }
 }
 
 void picture_area(Ui& ui, const Rect& area) {
@@ -225,14 +241,16 @@ void picture_area(Ui& ui, const Rect& area) {
     mark(ui, "picture");
     const ImGuiIO& io = ImGui::GetIO();
     ui.pointer.reset();
-    if (ImGui::IsItemHovered())
+    if (ImGui::IsItemHovered()) {
         ui.pointer = {static_cast<int>((io.MousePos.x - area.x) * io.DisplayFramebufferScale.x),
                       static_cast<int>((io.MousePos.y - area.y) * io.DisplayFramebufferScale.y)};
+    }
     const float line = area.x + state.split * area.width;
     const bool near_line =
         state.compare == &compare_split && std::abs(io.MousePos.x - line) < line_reach;
-    if (ImGui::IsItemActivated())
+    if (ImGui::IsItemActivated()) {
         moves_line = near_line;
+    }
     if (ImGui::IsItemActive() && moves_line) {
         state.split = std::clamp((io.MousePos.x - area.x) / area.width, 0.0F, 1.0F);
     } else if (ImGui::IsItemActive() && ui.facts.is_scene) {
@@ -241,17 +259,20 @@ void picture_area(Ui& ui, const Rect& area) {
         state.orbit.elevation =
             std::clamp(state.orbit.elevation + degrees_per_pixel * io.MouseDelta.y, -89.0F, 89.0F);
     }
-    if (ImGui::IsItemHovered() && near_line)
+    if (ImGui::IsItemHovered() && near_line) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    if (ImGui::IsItemHovered() && ui.facts.is_scene && io.MouseWheel != 0)
+    }
+    if (ImGui::IsItemHovered() && ui.facts.is_scene && io.MouseWheel != 0) {
         state.orbit.distance *= std::pow(zoom_per_notch, io.MouseWheel);
+    }
     ImGui::End();
 }
 
 /// The largest part of `area`, in its middle, that shows the picture as it is.
 Rect fitted(const Ui& ui, const Rect& area) {
-    if (ui.facts.aspect <= 0)
+    if (ui.facts.aspect <= 0) {
         return area;
+    }
     const Compare* compare = ui.held != nullptr ? ui.held : ui.history.draft().compare;
     const float aspect = ui.facts.aspect * (compare == &compare_side ? 2.0F : 1.0F);
     const float width = std::max(std::floor(std::min(area.width, area.height * aspect)), 1.0F);
@@ -275,22 +296,26 @@ Rect draw(Ui& ui) {
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     mark_window(ui, "panels");
     const float width = ImGui::GetWindowWidth();
-    if (ImGui::Button("Undo"))
+    if (ImGui::Button("Undo")) {
         ui.history.undo();
+    }
     mark(ui, "undo");
     ImGui::SameLine();
-    if (ImGui::Button("Redo"))
+    if (ImGui::Button("Redo")) {
         ui.history.redo();
+    }
     mark(ui, "redo");
     ImGui::SameLine();
-    if (ImGui::Button("Help (F1)"))
+    if (ImGui::Button("Help (F1)")) {
         ui.shows_help = true;
+    }
     if (ImGui::BeginTabBar("panels")) {
         for (const Panel& panel : panels) {
             const bool open = ImGui::BeginTabItem(panel.name);
             mark(ui, std::string("tab.") + panel.name);
-            if (!open)
+            if (!open) {
                 continue;
+            }
             ImGui::BeginChild("panel");
             panel.draw(ui);
             ImGui::EndChild();

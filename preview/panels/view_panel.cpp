@@ -110,27 +110,33 @@ void side_controls(Ui& ui, Side& side, const std::string& name, const std::strin
     for (const SideSourceInfo& info : side_sources) {
         ImGui::SameLine();
         ImGui::BeginDisabled(info.source == SideSource::file && !side.lut);
-        if (ImGui::RadioButton(text_of(info.name).c_str(), side.source == info.source))
+        if (ImGui::RadioButton(text_of(info.name).c_str(), side.source == info.source)) {
             side.source = info.source;
+        }
         ImGui::EndDisabled();
         mark(ui, "side" + name + "." + text_of(info.name));
-        if (ImGui::IsItemHovered())
+        if (ImGui::IsItemHovered()) {
             ImGui::SetTooltip("%.*s", static_cast<int>(info.help.size()), info.help.data());
+        }
     }
-    if (side.source == SideSource::recipe)
+    if (side.source == SideSource::recipe) {
         ImGui::TextDisabled("%s",
                             note.empty() ? "being measured against the recipe ..." : note.c_str());
-    if (side.source == SideSource::file)
+    }
+    if (side.source == SideSource::file) {
         ImGui::TextDisabled("%s", side.path.c_str());
-    if (side.source == SideSource::file)
+    }
+    if (side.source == SideSource::file) {
         lines(side.told);
+    }
     if (side.source == SideSource::baked) {
         if (ImGui::BeginCombo("Engine", text_of(side.engine->label).c_str())) {
-            for (const GpuLookup* row : engine_lookups())
+            for (const GpuLookup* row : engine_lookups()) {
                 if (ImGui::Selectable(text_of(row->label).c_str(), row == side.engine)) {
                     side.engine = row;
                     side.size = side.bits = 0;
                 }
+            }
             ImGui::EndCombo();
         }
         const lutlib::Engine& engine = *side.engine->engine;
@@ -150,10 +156,11 @@ void view_panel(Ui& ui) {
     side_controls(ui, state.sides[1], "B", ui.facts.look_notes[1]);
     if (state.compare == &compare_difference) {
         number(ui, "heat-scale");
-        if (ui.facts.measured.figures)
+        if (ui.facts.measured.figures) {
             ImGui::Text("dE2000: mean %.3f, p95 %.3f, p99 %.3f, max %.3f",
                         ui.facts.measured.figures->mean, ui.facts.measured.figures->p95,
                         ui.facts.measured.figures->p99, ui.facts.measured.figures->max);
+        }
     } else {
         number(ui, "split");
     }

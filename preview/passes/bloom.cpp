@@ -10,8 +10,9 @@ namespace {
 
 BufferHandle taps_block(Graph& graph, const std::string& name, const std::vector<BloomTap>& taps) {
     std::array<std::array<float, 4>, BloomPlan::max_taps> block{};
-    for (std::size_t i = 0; i < taps.size(); ++i)
+    for (std::size_t i = 0; i < taps.size(); ++i) {
         block[i] = {taps[i].x, taps[i].y, taps[i].weight, 0};
+    }
     return graph.data_of(name + " taps", block);
 }
 
@@ -19,9 +20,10 @@ BufferHandle taps_block(Graph& graph, const std::string& name, const std::vector
 BufferHandle texel_weights(Graph& graph, const std::string& name,
                            const std::vector<BloomTap>& taps) {
     std::array<std::array<float, 4>, 4> rows{};
-    for (const BloomTap& tap : taps)
+    for (const BloomTap& tap : taps) {
         rows[static_cast<std::size_t>(tap.y + 1.5F)][static_cast<std::size_t>(tap.x + 1.5F)] +=
             tap.weight;
+    }
     return graph.data_of(name + " weights", rows);
 }
 
@@ -57,8 +59,9 @@ BloomLayers add_bloom(Graph& graph, ImageHandle hdr, const BloomPlan& plan, Form
                                         : by_texels ? "bloom_halve.comp"
                                                     : "bloom_filter.comp");
         pass.sample(image(step.source), Sampler::linear_clamp);
-        if (!separable && !by_texels)
+        if (!separable && !by_texels) {
             pass.read(step.own < 0 ? ImageHandle{} : image(step.own));
+        }
         pass.uniform(by_texels ? texel_weights(graph, name, step.taps)
                                : taps_block(graph, name, step.taps));
         images[static_cast<std::size_t>(step.target)] = pass.write(target);
@@ -73,8 +76,9 @@ BloomLayers add_bloom(Graph& graph, ImageHandle hdr, const BloomPlan& plan, Form
         }
         pass.dispatch_over(width, height);
     }
-    for (std::size_t i = 0; i < plan.layers.size(); ++i)
+    for (std::size_t i = 0; i < plan.layers.size(); ++i) {
         out.images[i] = image(plan.layers[i].image);
+    }
     return out;
 }
 

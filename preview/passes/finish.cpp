@@ -22,12 +22,14 @@ struct FilterBlock {
 
 FilterBlock filter_block(const BloomPlan& plan) {
     FilterBlock block;
-    for (std::size_t i = 0; i < plan.layers.size(); ++i)
+    for (std::size_t i = 0; i < plan.layers.size(); ++i) {
         block.layers[i] = {plan.layers[i].scale, plan.layers[i].taps[0].weight, 0, 0};
+    }
     if (plan.layers.size() == 1) {
         const std::vector<BloomTap>& taps = plan.layers[0].taps;
-        for (std::size_t i = 0; i < taps.size(); ++i)
+        for (std::size_t i = 0; i < taps.size(); ++i) {
             block.taps[i] = {taps[i].x, taps[i].y, taps[i].weight, 0};
+        }
     }
     return block;
 }
@@ -54,8 +56,9 @@ void bind_look(Graph& graph, Pass& pass, const std::string& side, const GpuLook*
 
 /// The table of a tone map that is a curve.
 BufferHandle curve_of(Graph& graph, const Tonemap* tonemap) {
-    if (tonemap == nullptr || tonemap->curve == nullptr)
+    if (tonemap == nullptr || tonemap->curve == nullptr) {
         return {};
+    }
     return graph.data("tone curve", std::as_bytes(tabulated_curve(*tonemap)));
 }
 
@@ -73,8 +76,9 @@ void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing) {
     const auto& [picture, bloom, a, b, settings] = finishing;
     const BloomPlan& plan = bloom.plan;
     pass.read(picture);
-    for (const ImageHandle layer : bloom.images)
+    for (const ImageHandle layer : bloom.images) {
         pass.sample(layer, Sampler::linear_clamp);
+    }
     // A frame may have both: one pass that composites the bloom, and one that finds it done.
     pass.uniform(
         graph.data_of(plan.empty() ? "no bloom filter" : "bloom final filter", filter_block(plan)));
@@ -113,8 +117,9 @@ Finished add_finish(Graph& graph, const Finishing& finishing) {
 
     Finished out;
     BufferHandle figures = graph.buffer("figures", difference ? figures_bytes : 8);
-    if (difference)
+    if (difference) {
         figures = graph.fill("clear figures", figures, 0);
+    }
     const ImageHandle target =
         graph.image("finished", {settings.format, side ? 2 * size.width : size.width, size.height});
 
@@ -124,10 +129,12 @@ Finished add_finish(Graph& graph, const Finishing& finishing) {
     bind_finish(graph, pass, shown);
     out.picture = pass.write(target);
     figures = difference ? pass.modify(figures) : pass.write(figures);
-    if (difference)
+    if (difference) {
         out.figures = figures;
-    if (shared)
+    }
+    if (shared) {
         pass.storage(graph.import("look nodes", *shared->nodes, shared->nodes->bytes()));
+    }
 
     if (shared) {
         const std::uint32_t tiles = ((size.width + tile_width - 1) / tile_width) *

@@ -70,8 +70,9 @@ ScopePicture add_scope(Graph& graph, ImageHandle picture, const Scope& scope, Co
     Pass pass = graph.compute("draw " + name, drawing_shader(scope.bins));
     pass.storage(out.counts);
     out.picture = pass.write(graph.image(name, {Format::rgba8, size.width, size.height}));
-    if (scope.bins == ScopeBins::columns)
+    if (scope.bins == ScopeBins::columns) {
         pass.constants({scope.planes});
+    }
     pass.push(DrawPush{scope_plot(scope, size.width, size.height), columns, range.count,
                        graph.image_desc(picture).height, logarithmic});
     pass.dispatch_over(size.width, size.height);

@@ -8,8 +8,9 @@ ImageHandle add_view(Graph& graph, ImageHandle source, const View& view, Size si
     pass.read(source);
     const ImageHandle picture =
         pass.write(graph.image("debug view", {Format::rgba8, size.width, size.height}));
-    if (view.shows_material)
+    if (view.shows_material) {
         pass.storage(materials);
+    }
     pass.dispatch_over(size.width, size.height);
     return picture;
 }

@@ -55,10 +55,12 @@ BufferHandle rasterise(Graph& graph, const SceneHandles& scene, SharedPush size,
 
 std::vector<ClusterBlock> cluster_blocks(const std::vector<Draw>& draws) {
     std::vector<ClusterBlock> blocks;
-    for (const Draw& draw : draws)
-        for (std::uint32_t done = 0; done < draw.index_count / 3; done += ClusterBlock::triangles)
+    for (const Draw& draw : draws) {
+        for (std::uint32_t done = 0; done < draw.index_count / 3; done += ClusterBlock::triangles) {
             blocks.push_back({draw.first_index + 3 * done, draw.vertex_offset, draw.first_instance,
                               std::min(draw.index_count / 3 - done, ClusterBlock::triangles)});
+        }
+    }
     return blocks;
 }
 

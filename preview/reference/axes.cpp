@@ -14,8 +14,9 @@ class Counts {
     void add(std::size_t axis, double value, std::uint32_t count) {
         const CountedAxis& row = counted_axes[axis];
         const double share = (value - row.min) / (row.max - row.min);
-        if (count == 0 || !(share >= 0 && share <= 1.0001))
+        if (count == 0 || !(share >= 0 && share <= 1.0001)) {
             return;
+        }
         const auto bin = static_cast<std::size_t>(share * axis_bins);
         bins_[axis * axis_bins + std::min<std::size_t>(bin, axis_bins - 1)] += count;
     }
@@ -42,8 +43,9 @@ std::vector<std::uint32_t> axis_counts(std::span<const lutlib::RgbD> colors,
         counts.add(2, std::fmod(lutlib::dial_hue(lab.g, lab.b) + 180.0 / axis_bins, 360.0),
                    static_cast<std::uint32_t>(std::lround(hue_unit * lutlib::op::hue_weight(lab))));
         counts.add(3, 0.2126 * codes.r + 0.7152 * codes.g + 0.0722 * codes.b, 1);
-        for (std::size_t channel = 0; channel < 3; ++channel)
+        for (std::size_t channel = 0; channel < 3; ++channel) {
             counts.add(4 + channel, codes[channel], 1);
+        }
     }
     return counts.take();
 }

@@ -32,11 +32,13 @@ RgbD filter(const BloomPlan& plan, const BloomStep& step, const Image& from, int
         } else {
             const bool along_x = step.axis == BloomStep::Axis::x;
             sum = sum + fetch(plan, step, from, x, y, along_x ? a : 0, along_x ? 0 : a) * w;
-            if (i > 0)
+            if (i > 0) {
                 sum = sum + fetch(plan, step, from, x, y, along_x ? -a : 0, along_x ? 0 : -a) * w;
+            }
         }
-        if (!step.karis)
+        if (!step.karis) {
             continue;
+        }
         group_weight += w;
         if (i % 4 == 3) {
             const double mean = largest(group) / group_weight;
@@ -58,8 +60,9 @@ RgbD prefiltered(const BloomPlan& plan, RgbD light) {
 
 Image bloom(const BloomPlan& plan, const Image& hdr) {
     std::vector<Image> images;
-    for (const BloomExtent& extent : plan.images)
+    for (const BloomExtent& extent : plan.images) {
         images.emplace_back(extent.width, extent.height);
+    }
     const auto image = [&](int i) -> const Image& {
         return i == BloomPlan::picture_image ? hdr : images[static_cast<std::size_t>(i)];
     };
@@ -68,8 +71,9 @@ Image bloom(const BloomPlan& plan, const Image& hdr) {
         for (int y = 0; y < target.height; ++y) {
             for (int x = 0; x < target.width; ++x) {
                 RgbD light = filter(plan, step, image(step.source), x, y);
-                if (step.own >= 0)
+                if (step.own >= 0) {
                     light = light + image(step.own).at(x, y) * static_cast<double>(step.keep);
+                }
                 target.at(x, y) = light;
             }
         }
@@ -77,22 +81,26 @@ Image bloom(const BloomPlan& plan, const Image& hdr) {
     Image out(hdr.width, hdr.height);
     for (const BloomPlan::Layer& layer : plan.layers) {
         const double scale = static_cast<double>(layer.scale);
-        for (int y = 0; y < out.height; ++y)
-            for (int x = 0; x < out.width; ++x)
-                for (const BloomTap& tap : layer.taps)
+        for (int y = 0; y < out.height; ++y) {
+            for (int x = 0; x < out.width; ++x) {
+                for (const BloomTap& tap : layer.taps) {
                     out.at(x, y) = out.at(x, y) +
                                    image(layer.image)
                                            .sample(scale * (x + 0.5) + static_cast<double>(tap.x),
                                                    scale * (y + 0.5) + static_cast<double>(tap.y)) *
                                        static_cast<double>(tap.weight);
+                }
+            }
+        }
     }
     return out;
 }
 
 Image with_bloom(const BloomPlan& plan, const Image& hdr) {
     Image out = plan.empty() ? hdr : bloom(plan, hdr);
-    if (plan.empty())
+    if (plan.empty()) {
         return out;
+    }
     for (std::size_t i = 0; i < out.pixels.size(); ++i) {
         const RgbD light = hdr.pixels[i];
         out.pixels[i] =

@@ -72,25 +72,33 @@ Image convolved(const Image& picture, int margin,
     Plane filter(width, height), plane(width, height);
     filter.clear();
     double total = 0;
-    for (int dy = -margin; dy <= margin; ++dy)
-        for (int dx = -margin; dx <= margin; ++dx)
+    for (int dy = -margin; dy <= margin; ++dy) {
+        for (int dx = -margin; dx <= margin; ++dx) {
             total += kernel(dx, dy);
-    for (int dy = -margin; dy <= margin; ++dy)
-        for (int dx = -margin; dx <= margin; ++dx)
+        }
+    }
+    for (int dy = -margin; dy <= margin; ++dy) {
+        for (int dx = -margin; dx <= margin; ++dx) {
             filter.at((dx + width) % width, (dy + height) % height) = kernel(dx, dy) / total;
+        }
+    }
     filter.to_spectrum();
 
     Image out(picture.width, picture.height);
     for (std::size_t channel = 0; channel < 3; ++channel) {
         plane.clear();
-        for (int y = -margin; y < picture.height + margin; ++y)
-            for (int x = -margin; x < picture.width + margin; ++x)
+        for (int y = -margin; y < picture.height + margin; ++y) {
+            for (int x = -margin; x < picture.width + margin; ++x) {
                 plane.at(x + 2 * margin, y + 2 * margin) = picture.clamped(x, y)[channel];
+            }
+        }
         plane.to_spectrum();
         plane.convolve_with(filter);
-        for (int y = 0; y < picture.height; ++y)
-            for (int x = 0; x < picture.width; ++x)
+        for (int y = 0; y < picture.height; ++y) {
+            for (int x = 0; x < picture.width; ++x) {
                 out.at(x, y)[channel] = plane.at(x + 2 * margin, y + 2 * margin);
+            }
+        }
     }
     return out;
 }

@@ -27,8 +27,9 @@ class Fxaa {
                      e = near(1, 0);
         const double brightest = std::max({m, n, s, w, e});
         const double contrast = brightest - std::min({m, n, s, w, e});
-        if (!(contrast >= std::max(least_contrast, relative_contrast * brightest)))
+        if (!(contrast >= std::max(least_contrast, relative_contrast * brightest))) {
             return own;
+        }
         const double nw = near(-1, -1), ne = near(1, -1), sw = near(-1, 1), se = near(1, 1);
         const double mean = (2 * (n + s + w + e) + nw + ne + sw + se) / 12;
         const double apart = std::clamp(std::abs(mean - m) / contrast, 0.0, 1.0);
@@ -50,8 +51,9 @@ class Fxaa {
         const End forth = walk(x, y, across, along, edge, gradient);
         const End nearer = back.reach < forth.reach ? back : forth;
         double shift = 0;
-        if ((m < edge) != (nearer.departure < 0))
+        if ((m < edge) != (nearer.departure < 0)) {
             shift = 0.5 - static_cast<double>(nearer.reach) / (back.reach + forth.reach);
+        }
         shift = std::max(shift, soft);
         return own * (1 - shift) + picture_.clamped(x + across.x, y + across.y) * shift;
     }
@@ -73,8 +75,9 @@ class Fxaa {
             end.reach += step;
             const int u = x + end.reach * along.x, v = y + end.reach * along.y;
             end.departure = 0.5 * (luma(u, v) + luma(u + across.x, v + across.y)) - mean;
-            if (std::abs(end.departure) >= 0.25 * gradient)
+            if (std::abs(end.departure) >= 0.25 * gradient) {
                 break;
+            }
         }
         return end;
     }
@@ -87,9 +90,11 @@ class Fxaa {
 Image fxaa(const Image& picture, double strength) {
     Image out(picture.width, picture.height);
     const Fxaa pass(picture);
-    for (int y = 0; y < out.height; ++y)
-        for (int x = 0; x < out.width; ++x)
+    for (int y = 0; y < out.height; ++y) {
+        for (int x = 0; x < out.width; ++x) {
             out.at(x, y) = picture.at(x, y) * (1 - strength) + pass.texel(x, y) * strength;
+        }
+    }
     return out;
 }
 

@@ -24,8 +24,9 @@ double smith_visibility(double n_dot_l, double n_dot_v, double alpha) {
 
 RgbD shade(const Surface& surface, glm::dvec3 view, glm::dvec3 light) {
     const double n_dot_l = glm::dot(surface.normal, light);
-    if (!(n_dot_l > 0))
+    if (!(n_dot_l > 0)) {
         return {};
+    }
     const double n_dot_v = std::max(glm::dot(surface.normal, view), 1e-4);
     const glm::dvec3 sum = view + light;
     const double length = glm::length(sum);

@@ -23,7 +23,7 @@ std::vector<std::uint32_t> scope_counts(const Scope& scope, std::span<const std:
                                         std::uint32_t columns) {
     std::vector<std::uint32_t> counts(preview::scope_counts(scope, columns));
     const std::size_t height = rgba.size() / 4 / width;
-    for (std::size_t y = 0; y < height; ++y)
+    for (std::size_t y = 0; y < height; ++y) {
         for (std::size_t x = 0; x < range.count; ++x) {
             const std::uint8_t* const rgb = &rgba[4 * (y * width + range.first + x)];
             const std::size_t luma = weighed(luma_weights, rgb, 0);
@@ -40,11 +40,13 @@ std::vector<std::uint32_t> scope_counts(const Scope& scope, std::span<const std:
                          weighed(cb_weights, rgb, 128)];
                 break;
             case ScopeBins::levels:
-                for (std::size_t plane = 0; plane < 4; ++plane)
+                for (std::size_t plane = 0; plane < 4; ++plane) {
                     ++counts[plane * scope_levels + (plane < 3 ? rgb[plane] : luma)];
+                }
                 break;
             }
         }
+    }
     return counts;
 }
 

@@ -25,8 +25,9 @@ float zenith_share(float y) {
 bool Environment::is_black() const {
     const glm::vec3 none{0};
     bool black = zenith == none && horizon == none && ground == none;
-    for (int i = 0; i < soft_box_count; ++i)
+    for (int i = 0; i < soft_box_count; ++i) {
         black = black && soft_boxes[i].radiance == none;
+    }
     return black;
 }
 

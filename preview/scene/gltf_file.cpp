@@ -30,8 +30,9 @@ void append(std::string& bytes, std::size_t value) {
 
 json parsed(std::string_view text, const std::string& path) {
     const auto limit_depth = [&](int depth, json::parse_event_t, json&) {
-        if (depth > import_limits.depth)
+        if (depth > import_limits.depth) {
             throw Error("its JSON is nested too deeply", {path, 0, {}});
+        }
         return true;
     };
     try {
@@ -44,11 +45,13 @@ json parsed(std::string_view text, const std::string& path) {
 
 void check_version(const json& root, const std::string& path) {
     const json::json_pointer at("/asset/version");
-    if (!root.is_object() || !root.contains(at) || !root[at].is_string())
+    if (!root.is_object() || !root.contains(at) || !root[at].is_string()) {
         throw Error("not a glTF file: asset.version is missing", {path, 0, {}});
+    }
     const std::string version = root[at].get<std::string>();
-    if (version.compare(0, 2, "2.") != 0)
+    if (version.compare(0, 2, "2.") != 0) {
         throw Error("it is glTF " + version + "; convert it to glTF 2.0", {path, 0, {}});
+    }
 }
 
 } // namespace
@@ -60,8 +63,9 @@ GltfFile::GltfFile(const std::string& bytes, const std::string& path)
         constexpr std::size_t start = header_bytes + chunk_header_bytes;
         const bool has_json = bytes.size() >= start && word(bytes, 16) == json_chunk &&
                               word(bytes, 12) <= bytes.size() - start;
-        if (!has_json)
+        if (!has_json) {
             throw Error("not a binary glTF file, or cut short", {path, 0, {}});
+        }
         text = std::string_view(bytes).substr(start, word(bytes, 12));
         body = bytes.substr(start + text.size());
     }
@@ -71,8 +75,9 @@ GltfFile::GltfFile(const std::string& bytes, const std::string& path)
 
 std::string GltfFile::to_bytes() const {
     std::string text = root.dump(-1, ' ', false, json::error_handler_t::replace);
-    if (!is_binary)
+    if (!is_binary) {
         return text;
+    }
     text.append((4 - text.size() % 4) % 4, ' ');
     std::string bytes = "glTF";
     append(bytes, 2);
@@ -83,8 +88,9 @@ std::string GltfFile::to_bytes() const {
 }
 
 std::size_t GltfFile::body_bytes() const {
-    if (body.size() < chunk_header_bytes || word(body, 4) != body_chunk)
+    if (body.size() < chunk_header_bytes || word(body, 4) != body_chunk) {
         return 0;
+    }
     const std::size_t length = word(body, 0);
     return length <= body.size() - chunk_header_bytes ? length : 0;
 }
@@ -92,14 +98,18 @@ std::size_t GltfFile::body_bytes() const {
 const json& gltf_list(const json& object, const char* key, const std::string& path) {
     static const json none = json::array();
     const auto found = object.find(key);
-    if (found == object.end())
+    if (found == object.end()) {
         return none;
-    if (!found->is_array())
+    }
+    if (!found->is_array()) {
         throw Error(fmt::format("'{}' is not a list", key), {path, 0, {}});
-    for (const json& row : *found)
-        if (!row.is_object())
+    }
+    for (const json& row : *found) {
+        if (!row.is_object()) {
             throw Error(fmt::format("'{}' holds something that is not an object", key),
                         {path, 0, {}});
+        }
+    }
     return *found;
 }
 

@@ -34,8 +34,9 @@ class ReducedFile : public Assimp::DefaultIOSystem {
         : path_(std::move(path)), bytes_(std::move(bytes)) {}
 
     Assimp::IOStream* Open(const char* file, const char* mode) override {
-        if (file != path_)
+        if (file != path_) {
             return DefaultIOSystem::Open(file, mode);
+        }
         return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes_.data()),
                                           bytes_.size());
     }
@@ -59,10 +60,13 @@ glm::mat4 matrix(const aiMatrix4x4& m) {
 }
 
 bool is_usable(const glm::mat4& m) {
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!(std::abs(m[column][row]) < most_coordinate))
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            if (!(std::abs(m[column][row]) < most_coordinate)) {
                 return false;
+            }
+        }
+    }
     return true;
 }
 
@@ -75,8 +79,9 @@ class MeshImport {
 
     Mesh run() {
         out_.name = given_.mName.C_Str();
-        for (unsigned face = 0; face < given_.mNumFaces; ++face)
+        for (unsigned face = 0; face < given_.mNumFaces; ++face) {
             add(given_.mFaces[face]);
+        }
         return std::move(out_);
     }
 
@@ -97,14 +102,18 @@ class MeshImport {
         }
         const glm::vec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         const float area = glm::length(across);
-        if (!(area > 0))
+        if (!(area > 0)) {
             return; // nobody could see it
+        }
         const glm::vec3 flat = across / area;
-        for (unsigned i = 0; i < 3; ++i)
+        for (unsigned i = 0; i < 3; ++i) {
             out_.indices.push_back(vertex(face.mIndices[i], corners[i], flat, 1));
-        if (is_double_sided_)
-            for (const unsigned i : {0U, 2U, 1U})
+        }
+        if (is_double_sided_) {
+            for (const unsigned i : {0U, 2U, 1U}) {
                 out_.indices.push_back(vertex(face.mIndices[i], corners[i], flat, -1));
+            }
+        }
     }
 
     /// The index of a corner; those with a normal of their own are shared between triangles.
@@ -119,8 +128,9 @@ class MeshImport {
             return at;
         }
         std::vector<std::uint32_t>& shared = side > 0 ? front_ : back_;
-        if (shared.empty())
+        if (shared.empty()) {
             shared.assign(given_.mNumVertices, unknown);
+        }
         if (shared[index] == unknown) {
             shared[index] = at;
             out_.vertices.push_back({position, facing * normal / length});
@@ -144,10 +154,11 @@ void import_meshes(const aiScene& file, const std::string& path, Scene& scene, L
         file.mMaterials[given.mMaterialIndex]->Get(AI_MATKEY_TWOSIDED, two_sided);
         scene.meshes.push_back(MeshImport(given, two_sided != 0, left_out).run());
         vertices += scene.meshes.back().vertices.size();
-        if (vertices > import_limits.vertices)
+        if (vertices > import_limits.vertices) {
             throw Error(fmt::format("it has more than {} vertices, which is the limit",
                                     import_limits.vertices),
                         {path, 0, {}});
+        }
     }
 }
 
@@ -166,16 +177,19 @@ Places import_nodes(const aiScene& file, const std::string& path, Scene& scene, 
         places.emplace(node->mName.C_Str(), place);
         for (unsigned i = 0; i < node->mNumMeshes; ++i) {
             const unsigned mesh = node->mMeshes[i];
-            if (mesh < scene.meshes.size() && !scene.meshes[mesh].indices.empty())
+            if (mesh < scene.meshes.size() && !scene.meshes[mesh].indices.empty()) {
                 scene.objects.push_back({mesh, file.mMeshes[mesh]->mMaterialIndex, place, true});
+            }
         }
-        if (scene.objects.size() > import_limits.nodes)
+        if (scene.objects.size() > import_limits.nodes) {
             throw Error(
                 fmt::format("it has more than {} objects, which is the limit", import_limits.nodes),
                 {path, 0, {}});
+        }
         // The last is taken first.
-        for (unsigned i = node->mNumChildren; i > 0; --i)
+        for (unsigned i = node->mNumChildren; i > 0; --i) {
             open.emplace_back(node->mChildren[i - 1], place);
+        }
     }
     return places;
 }
@@ -185,8 +199,9 @@ glm::mat4 fit_of(const Scene& scene, const std::string& path) {
     const Bounds box = scene.bounds();
     const glm::vec3 size = box.max - box.min;
     const float radius = glm::length(size) / 2;
-    if (box.empty() || !(radius > 0) || !(radius < most_coordinate))
+    if (box.empty() || !(radius > 0) || !(radius < most_coordinate)) {
         throw Error("it holds no triangles to show", {path, 0, {}});
+    }
     const float scale = fit_radius / radius;
     glm::mat4 fit(scale);
     fit[3] = glm::vec4(fit_centre - scale * (box.min + size / 2.0F), 1);
@@ -197,8 +212,9 @@ glm::mat4 fit_of(const Scene& scene, const std::string& path) {
 
 std::vector<std::string> LeftOut::lines() const {
     std::vector<std::string> lines;
-    for (const auto& [what, count] : counts_)
+    for (const auto& [what, count] : counts_) {
         lines.push_back(fmt::format("{} {}", count, what));
+    }
     return lines;
 }
 
@@ -216,9 +232,10 @@ ImportedScene import_scene(const std::string& path) {
     Assimp::Importer importer;
     importer.SetIOHandler(new ReducedFile(path, gltf.to_bytes())); // which owns it
     const aiScene* const file = importer.ReadFile(path, 0);
-    if (file == nullptr || file->mRootNode == nullptr)
+    if (file == nullptr || file->mRootNode == nullptr) {
         throw Error(fmt::format("not a usable glTF file: {}", importer.GetErrorString()),
                     {path, 0, {}});
+    }
 
     ImportedScene out;
     Scene& scene = out.scene;
@@ -226,13 +243,15 @@ ImportedScene import_scene(const std::string& path) {
     const std::string folder = std::filesystem::path(path).parent_path().string();
     for (unsigned i = 0; i < file->mNumMaterials; ++i) {
         scene.materials.push_back(import_material(*file, *file->mMaterials[i], folder, left_out));
-        if (i < facts.emissive_strengths.size())
+        if (i < facts.emissive_strengths.size()) {
             scene.materials.back().emission *= facts.emissive_strengths[i];
+        }
     }
     const Places places = import_nodes(*file, path, scene, left_out);
     const glm::mat4 fit = fit_of(scene, path);
-    for (Object& object : scene.objects)
+    for (Object& object : scene.objects) {
         object.transform = fit * object.transform;
+    }
     import_view(*file, facts, places, fit, scene, left_out);
     out.left_out = left_out.lines();
     return out;

@@ -30,10 +30,12 @@ float unit(float value, float usual) {
 
 io::FloatImage decoded(const aiScene& scene, const std::string& name, const std::string& folder) {
     const aiTexture* const embedded = scene.GetEmbeddedTexture(name.c_str());
-    if (embedded == nullptr)
+    if (embedded == nullptr) {
         return io::read_image((std::filesystem::path(folder) / name).string());
-    if (embedded->mHeight != 0)
+    }
+    if (embedded->mHeight != 0) {
         throw lutlib::Error("a texture in the file has no picture format", {name, 0, {}});
+    }
     return io::decode_image(
         {reinterpret_cast<const char*>(embedded->pcData), std::size_t{embedded->mWidth}},
         embedded->achFormatHint, name);
@@ -41,10 +43,12 @@ io::FloatImage decoded(const aiScene& scene, const std::string& name, const std:
 
 glm::vec3 mean_of(const io::FloatImage& image, bool is_color) {
     double sum[3] = {};
-    for (std::size_t at = 0; at < image.rgba.size(); at += 4)
-        for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t at = 0; at < image.rgba.size(); at += 4) {
+        for (std::size_t c = 0; c < 3; ++c) {
             sum[c] +=
                 static_cast<double>(is_color ? linear(image.rgba[at + c]) : image.rgba[at + c]);
+        }
+    }
     const auto texels = static_cast<double>(std::max<std::size_t>(image.rgba.size() / 4, 1));
     return {unit(static_cast<float>(sum[0] / texels), 1),
             unit(static_cast<float>(sum[1] / texels), 1),
@@ -55,8 +59,9 @@ glm::vec3 mean_of(const io::FloatImage& image, bool is_color) {
 glm::vec3 texture_mean(const aiScene& scene, const aiMaterial& material, aiTextureType type,
                        bool is_color, const std::string& folder, LeftOut& left_out) {
     aiString name;
-    if (material.GetTexture(type, 0, &name) != aiReturn_SUCCESS)
+    if (material.GetTexture(type, 0, &name) != aiReturn_SUCCESS) {
         return glm::vec3(1);
+    }
     try {
         const glm::vec3 mean = mean_of(decoded(scene, name.C_Str(), folder), is_color);
         left_out.add("textures' detail (their mean stands for them)");
@@ -97,8 +102,9 @@ Material import_material(const aiScene& scene, const aiMaterial& material,
     out.metalness = factor(material, AI_MATKEY_METALLIC_FACTOR, 1) * surface.b;
     out.roughness = factor(material, AI_MATKEY_ROUGHNESS_FACTOR, 1) * surface.g;
     out.emission = color(material, AI_MATKEY_COLOR_EMISSIVE, glm::vec3(0));
-    if (out.emission != glm::vec3(0))
+    if (out.emission != glm::vec3(0)) {
         out.emission *= mean(aiTextureType_EMISSIVE, true);
+    }
     return out;
 }
 

@@ -17,8 +17,9 @@ namespace preview {
 class LeftOut {
   public:
     void add(const std::string& what, std::size_t count = 1) {
-        if (count > 0)
+        if (count > 0) {
             counts_[what] += count;
+        }
     }
     std::vector<std::string> lines() const;
 

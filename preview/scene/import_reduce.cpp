@@ -11,18 +11,22 @@ namespace {
 using nlohmann::json;
 
 void keep_only(json& object, std::initializer_list<std::string_view> keys) {
-    for (auto row = object.begin(); row != object.end();)
+    for (auto row = object.begin(); row != object.end();) {
         row = std::find(keys.begin(), keys.end(), row.key()) != keys.end() ? std::next(row)
                                                                            : object.erase(row);
+    }
 }
 
 /// The rows of a list, which check_gltf() has seen.
 template <class F>
 void each_row(json& object, const char* key, F f) {
-    if (const auto rows = object.find(key); rows != object.end() && rows->is_array())
-        for (json& row : *rows)
-            if (row.is_object())
+    if (const auto rows = object.find(key); rows != object.end() && rows->is_array()) {
+        for (json& row : *rows) {
+            if (row.is_object()) {
                 f(row);
+            }
+        }
+    }
 }
 
 std::size_t rows_in(const json& object, const char* key) {
@@ -31,14 +35,17 @@ std::size_t rows_in(const json& object, const char* key) {
 }
 
 void reduce_material(json& material, LeftOut& left_out) {
-    for (const char* map : {"normalTexture", "occlusionTexture"})
+    for (const char* map : {"normalTexture", "occlusionTexture"}) {
         left_out.add("normal and occlusion textures", material.contains(map) ? 1 : 0);
+    }
     left_out.add("transparency of materials",
                  material.value("alphaMode", json("OPAQUE")) != "OPAQUE" ? 1 : 0);
     const auto extensions = material.find("extensions");
-    if (extensions != material.end() && extensions->is_object())
-        for (const auto& [name, unused] : extensions->items())
+    if (extensions != material.end() && extensions->is_object()) {
+        for (const auto& [name, unused] : extensions->items()) {
             left_out.add("materials' " + name, name != "KHR_materials_emissive_strength" ? 1 : 0);
+        }
+    }
     keep_only(material,
               {"name", "pbrMetallicRoughness", "emissiveFactor", "emissiveTexture", "doubleSided"});
 }
@@ -53,8 +60,9 @@ void reduce_primitive(json& primitive, LeftOut& left_out) {
 /// Whether it has triangles: as a list, a strip or a fan, of three corners at least.
 bool has_triangles(const json& primitive, const json& accessors) {
     const json mode = primitive.value("mode", json(4));
-    if (!primitive["attributes"].contains("POSITION") || (mode != 4 && mode != 5 && mode != 6))
+    if (!primitive["attributes"].contains("POSITION") || (mode != 4 && mode != 5 && mode != 6)) {
         return false;
+    }
     const json& corners =
         primitive.contains("indices") ? primitive["indices"] : primitive["attributes"]["POSITION"];
     return accessors[corners.get<std::size_t>()].value("count", json(0)) >= json(3);
@@ -77,8 +85,9 @@ void reduce_mesh(json& mesh, const json& root, LeftOut& left_out) {
 void reduce_node(json& node) {
     keep_only(node, {"name", "children", "matrix", "translation", "rotation", "scale", "mesh",
                      "camera", "extensions"});
-    if (node.contains("extensions"))
+    if (node.contains("extensions")) {
         keep_only(node["extensions"], {"KHR_lights_punctual"});
+    }
 }
 
 /// A number of the object, or `usual`.
@@ -92,16 +101,19 @@ float fraction(const json& object, const char* pointer, float usual) {
 GltfFacts facts_of(const json& root) {
     constexpr float most_emission = 65504;
     GltfFacts facts;
-    if (root.contains("materials"))
+    if (root.contains("materials")) {
         for (const json& material : root["materials"]) {
             const float strength = fraction(
                 material, "/extensions/KHR_materials_emissive_strength/emissiveStrength", 1);
             facts.emissive_strengths.push_back(strength >= 0 ? std::min(strength, most_emission)
                                                              : 1);
         }
-    if (root.contains("cameras"))
-        for (const json& camera : root["cameras"])
+    }
+    if (root.contains("cameras")) {
+        for (const json& camera : root["cameras"]) {
             facts.vertical_fields.push_back(fraction(camera, "/perspective/yfov", 0));
+        }
+    }
     return facts;
 }
 
@@ -111,8 +123,9 @@ void reduce_gltf(json& root, LeftOut& left_out) {
     keep_only(root,
               {"asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews", "buffers",
                "materials", "textures", "images", "cameras", "extensions", "extensionsUsed"});
-    if (root.contains("extensions"))
+    if (root.contains("extensions")) {
         keep_only(root["extensions"], {"KHR_lights_punctual"});
+    }
     each_row(root, "materials", [&](json& material) { reduce_material(material, left_out); });
     each_row(root, "meshes", [&](json& mesh) { reduce_mesh(mesh, root, left_out); });
     each_row(root, "nodes", [](json& node) { reduce_node(node); });

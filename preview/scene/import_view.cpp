@@ -56,8 +56,9 @@ Orbit orbit_of(const glm::mat4& place, float vertical_field, const Ball& ball, L
     orbit.field_of_view = glm::degrees(vertical_field);
     const glm::vec3 level = glm::cross(forward, glm::vec3(0, 1, 0));
     constexpr float least_roll = 0.02F; // about a degree
-    if (std::abs(glm::dot(up, level)) > least_roll)
+    if (std::abs(glm::dot(up, level)) > least_roll) {
         left_out.add("roll of the camera");
+    }
     return orbit;
 }
 
@@ -75,8 +76,9 @@ void import_camera(const aiScene& file, const GltfFacts& facts, const Places& no
         }
         const Orbit orbit = orbit_of(fit * node->second, field, ball, left_out);
         has_camera = is_finite(orbit.target) && std::isfinite(orbit.field_of_view);
-        if (has_camera)
+        if (has_camera) {
             scene.orbit = orbit;
+        }
     }
 }
 
@@ -86,9 +88,10 @@ void aim_shadow(PointLight& light, const Ball& ball) {
     light.casts_shadow = true;
     light.aim = ball.centre;
     light.shadow_angle = 120;
-    if (distance > ball.radius)
+    if (distance > ball.radius) {
         light.shadow_angle =
             std::min(glm::degrees(2 * std::asin(ball.radius / distance)) + 1, 120.0F);
+    }
     light.shadow_near = std::max(distance - ball.radius, 0.02F * ball.radius) * 0.99F;
     light.shadow_far = (distance + ball.radius) * 1.01F;
 }
@@ -108,18 +111,21 @@ PointLight import_light(const aiLight& given, const glm::mat4& place, const Ball
     } else {
         light.position = glm::vec3(place[3]);
         light.intensity *= scale * scale;
-        if (given.mType == aiLightSource_SPOT)
+        if (given.mType == aiLightSource_SPOT) {
             left_out.add("cones of spot lights (they shine in all directions)");
+        }
     }
     aim_shadow(light, ball);
     return light;
 }
 
 void dim(Environment& environment, float factor) {
-    for (glm::vec3* radiance : {&environment.zenith, &environment.horizon, &environment.ground})
+    for (glm::vec3* radiance : {&environment.zenith, &environment.horizon, &environment.ground}) {
         *radiance *= factor;
-    for (SoftBox& box : environment.soft_boxes)
+    }
+    for (SoftBox& box : environment.soft_boxes) {
         box.radiance *= factor;
+    }
 }
 
 void import_lights(const aiScene& file, const Places& nodes, const glm::mat4& fit, const Ball& ball,
@@ -133,10 +139,11 @@ void import_lights(const aiScene& file, const Places& nodes, const glm::mat4& fi
         }
         PointLight light =
             import_light(*file.mLights[i], fit * node->second, ball, scale, left_out);
-        if (is_finite(light.position) && is_finite(light.intensity))
+        if (is_finite(light.position) && is_finite(light.intensity)) {
             scene.lights.push_back(std::move(light));
-        else
+        } else {
             left_out.add("lights with numbers that are not finite");
+        }
     }
     const Scene sample = sample_scene();
     scene.environment = sample.environment;
@@ -152,9 +159,10 @@ void import_lights(const aiScene& file, const Places& nodes, const glm::mat4& fi
         irradiance += std::max({light.intensity.x, light.intensity.y, light.intensity.z}) /
                       std::max(glm::dot(away, away), nearest * nearest);
     }
-    if (irradiance > 0)
+    if (irradiance > 0) {
         scene.exposure =
             std::clamp(std::log2(std::numbers::pi_v<float> / irradiance), -20.0F, 20.0F);
+    }
     dim(scene.environment, std::exp2(-scene.exposure)); // exposed, they look as the sample's do
 }
 

@@ -18,8 +18,9 @@ glm::vec3 color_of(const PointLight& light) {
 }
 
 void set_color(PointLight& light, glm::vec3 color) {
-    if (strongest(color) > 0)
+    if (strongest(color) > 0) {
         light.intensity = color * (strongest(light.intensity) / strongest(color));
+    }
 }
 
 using Kind = LightControl::Kind;

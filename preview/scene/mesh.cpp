@@ -19,8 +19,9 @@ void add_grid(Mesh& mesh, std::uint32_t first, int rows, int columns) {
     for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(rows); ++row) {
         for (std::uint32_t column = 0; column + 1 < width; ++column) {
             const std::uint32_t corner = first + row * width + column;
-            for (const std::uint32_t step : {0u, 1u, width + 1, 0u, width + 1, width})
+            for (const std::uint32_t step : {0u, 1u, width + 1, 0u, width + 1, width}) {
                 mesh.indices.push_back(corner + step);
+            }
         }
     }
 }
@@ -59,8 +60,9 @@ void Bounds::include(glm::vec3 point) {
 
 Bounds bounds_of(const Mesh& mesh) {
     Bounds bounds;
-    for (const Vertex& vertex : mesh.vertices)
+    for (const Vertex& vertex : mesh.vertices) {
         bounds.include(vertex.position);
+    }
     return bounds;
 }
 
@@ -78,8 +80,9 @@ Mesh sphere(int rings, int sectors) {
     }
     // The grid runs down and around, so that its first diagonal makes the outer side the front.
     add_grid(mesh, 0, rings, sectors);
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+    }
     return mesh;
 }
 
@@ -136,10 +139,12 @@ Mesh box(glm::vec3 half, float radius, int steps) {
             steps == 0
                 ? 0
                 : std::tan(pi / 4 * static_cast<float>(i < 0 ? -i : i) / static_cast<float>(steps));
-        if (i <= 0)
+        if (i <= 0) {
             stops.push_back({-1, lean});
-        if (i >= 0)
+        }
+        if (i >= 0) {
             stops.push_back({1, lean});
+        }
     }
     const int cells = static_cast<int>(stops.size()) - 1;
     for (int face = 0; face < 6; ++face) {
@@ -161,8 +166,9 @@ Mesh box(glm::vec3 half, float radius, int steps) {
         }
         add_grid(mesh, first, cells, cells);
         for (std::size_t i = mesh.indices.size() - static_cast<std::size_t>(cells * cells) * 6;
-             i < mesh.indices.size(); i += 3)
+             i < mesh.indices.size(); i += 3) {
             std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+        }
     }
     return mesh;
 }
@@ -205,8 +211,9 @@ Mesh extrude(std::span<const glm::vec2> profile, float half_width) {
         const glm::vec2 after = profile[i + 1 == profile.size() ? i : i + 1];
         const glm::vec2 tangent = glm::normalize(after - before);
         const glm::vec3 normal{0, -tangent.x, tangent.y};
-        for (const float x : {-half_width, half_width})
+        for (const float x : {-half_width, half_width}) {
             mesh.vertices.push_back({{x, profile[i].y, profile[i].x}, normal});
+        }
     }
     add_grid(mesh, 0, static_cast<int>(profile.size()) - 1, 1);
     return mesh;

@@ -76,9 +76,10 @@ void add_ramps(SceneBuilder& build) {
         const auto grey = build.material({linear_of(code * 0x010101u), 0.85f, 0, {}});
         build.place(tile, grey, row(i, greys, 1.42f, 0.2f));
     }
-    for (std::size_t i = 0; i < skin_tones.size(); ++i)
+    for (std::size_t i = 0; i < skin_tones.size(); ++i) {
         build.place(tile, build.material({linear_of(skin_tones[i]), 0.55f, 0, {}}),
                     row(i, skin_tones.size(), 1.2f, 0.24f));
+    }
 }
 
 void add_balls(SceneBuilder& build) {
@@ -108,9 +109,10 @@ void add_blocks(SceneBuilder& build) {
         {0x1830e0, {2.12f, 0.17f, 0.0f}, 20},  {0x10b8c8, {1.52f, 0.51f, -0.03f}, -10},
         {0xd020a8, {1.92f, 0.51f, -0.02f}, 8}, {0xf0d010, {1.71f, 0.85f, -0.02f}, 30},
     };
-    for (const Placed& it : blocks)
+    for (const Placed& it : blocks) {
         build.place(block, build.material({linear_of(it.colour), 0.38f, 0, {}}),
                     turned(at(it.position), it.degrees, {0, 1, 0}));
+    }
 }
 
 Moving add_stage(SceneBuilder& build) {

@@ -70,8 +70,9 @@ const SceneInfo* scene_named(std::string_view name) {
 
 Scene scene_at(const SceneInfo& info, double seconds) {
     Scene scene = info.make();
-    if (info.animate)
+    if (info.animate) {
         info.animate(scene, seconds);
+    }
     return scene;
 }
 

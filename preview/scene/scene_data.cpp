@@ -51,8 +51,9 @@ bool outside(const Bounds& box, const glm::mat4& to_clip) {
 
 std::uint32_t encode_octahedral(glm::vec3 unit) {
     const float sum = std::abs(unit.x) + std::abs(unit.y) + std::abs(unit.z);
-    if (!(sum > 0))
+    if (!(sum > 0)) {
         return 0;
+    }
     float x = unit.x / sum;
     float y = unit.y / sum;
     if (unit.z < 0) {
@@ -70,8 +71,9 @@ Geometry geometry_of(const Scene& scene) {
                                    static_cast<std::uint32_t>(mesh.indices.size()),
                                    static_cast<std::int32_t>(geometry.vertices.size()),
                                    bounds_of(mesh)});
-        for (const Vertex& vertex : mesh.vertices)
+        for (const Vertex& vertex : mesh.vertices) {
             geometry.vertices.push_back({vertex.position, encode_octahedral(vertex.normal)});
+        }
         geometry.indices.insert(geometry.indices.end(), mesh.indices.begin(), mesh.indices.end());
     }
     return geometry;
@@ -112,9 +114,10 @@ std::vector<CasterBlock> caster_blocks(const Scene& scene) {
 
 std::vector<MaterialBlock> material_blocks(const Scene& scene) {
     std::vector<MaterialBlock> blocks;
-    for (const Material& material : scene.materials)
+    for (const Material& material : scene.materials) {
         blocks.push_back({glm::vec4(material.albedo, material.roughness),
                           glm::vec4(material.emission, material.metalness)});
+    }
     return blocks;
 }
 
@@ -145,8 +148,9 @@ ViewBlock view_block(const Orbit& orbit, float aspect) {
 
 glm::mat4 shadow_clip(const PointLight& light) {
     glm::vec3 direction = light.aim - light.position;
-    if (!(glm::dot(direction, direction) > 0))
+    if (!(glm::dot(direction, direction) > 0)) {
         direction = {0, -1, 0};
+    }
     const glm::vec3 up =
         std::abs(glm::normalize(direction).y) > 0.99F ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
     const float angle = glm::radians(std::clamp(light.shadow_angle, 1.0F, 170.0F));
@@ -161,8 +165,9 @@ std::vector<std::uint32_t> visible_objects(const Scene& scene, const Geometry& g
     for (std::uint32_t index = 0; index < scene.objects.size(); ++index) {
         const Object& object = scene.objects[index];
         const Bounds& bounds = geometry.meshes[object.mesh].bounds;
-        if (!bounds.empty() && !outside(bounds, clip * object.transform))
+        if (!bounds.empty() && !outside(bounds, clip * object.transform)) {
             visible.push_back(index);
+        }
     }
     return visible;
 }
@@ -178,11 +183,14 @@ ShadowCasters shadow_casters(const Scene& scene, const Geometry& geometry,
         casters.reason = "the light's intensity is 0";
         return casters;
     }
-    for (const std::uint32_t index : visible_objects(scene, geometry, shadow_clip(light)))
-        if (scene.objects[index].casts_shadow)
+    for (const std::uint32_t index : visible_objects(scene, geometry, shadow_clip(light))) {
+        if (scene.objects[index].casts_shadow) {
             casters.objects.push_back(index);
-    if (casters.objects.empty())
+        }
+    }
+    if (casters.objects.empty()) {
         casters.reason = "no caster in the light's frustum";
+    }
     return casters;
 }
 

@@ -36,11 +36,13 @@ Scene chart_scene() {
         const auto paint = build.material({{0, 0, 0}, 1, 0, linear_of(swatch)});
         build.place(tile, paint, at({x, y, 0}, scale), false);
     };
-    for (std::size_t i = 0; i < color_checker.size(); ++i)
+    for (std::size_t i = 0; i < color_checker.size(); ++i) {
         add(color_checker[i], static_cast<float>(i % 6) - 2.5f, 2.1f - static_cast<float>(i / 6),
             glm::vec3{1});
-    for (std::size_t i = 0; i < skin_tones.size(); ++i)
+    }
+    for (std::size_t i = 0; i < skin_tones.size(); ++i) {
         add(skin_tones[i], 0.6f * (static_cast<float>(i) - 4.5f), -2.0f, {0.6f, 0.9f, 1});
+    }
     build.scene.orbit = {{0, 0, 0}, 9.6f, 0, 0, 32, 0.1f};
     return std::move(build.scene);
 }

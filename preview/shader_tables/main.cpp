@@ -24,10 +24,12 @@ using Source = GpuLookup::Source;
 
 std::string tonemap_choice() {
     std::string cases;
-    for (const Tonemap& row : tonemaps())
-        if (!row.shader.empty())
+    for (const Tonemap& row : tonemaps()) {
+        if (!row.shader.empty()) {
             cases +=
                 fmt::format("    case {}:\n        return {}(light);\n", index_of(row), row.shader);
+        }
+    }
     return "// Written by the build from preview/finish/tonemaps.cpp.\n"
            "#include \"common/tone_curve.glsl\"\n"
            "#include \"common/tonemap.glsl\"\n\n"
@@ -45,35 +47,41 @@ std::string place_of(const lutlib::Engine* engine) {
     if (engine != nullptr) {
         offset = 2 * engine->place(0.375, 16) - engine->place(0.75, 16);
         nodes = (engine->place(0.75, 16) - offset) / 0.75 - 16;
-        for (const int n : {2, 16, 33, 64})
+        for (const int n : {2, 16, 33, 64}) {
             for (int i = 0; i <= 64; ++i) {
                 const double line = i / 64.0 * (n + nodes) + offset;
-                if (std::abs(engine->place(i / 64.0, n) - std::clamp(line, 0.0, n - 1.0)) > 1e-9)
+                if (std::abs(engine->place(i / 64.0, n) - std::clamp(line, 0.0, n - 1.0)) > 1e-9) {
                     throw lutlib::Error(fmt::format(
                         "the engine '{}' places colours along no straight line: name a shader "
                         "function in its row",
                         engine->name));
+                }
             }
+        }
     }
     return fmt::format("unit * (float(n) + {:.6f}) + {:.6f}", nodes, offset);
 }
 
 std::string reading_of(const GpuLookup& row) {
-    if (row.source == Source::none)
+    if (row.source == Source::none) {
         return "c";
-    if (row.source == Source::table)
+    }
+    if (row.source == Source::table) {
         return fmt::format("{}(volume, shaper, look, c)", row.shader);
-    if (!row.shader.empty())
+    }
+    if (!row.shader.empty()) {
         return fmt::format("{}(picture, n, unit)", row.shader);
+    }
     return fmt::format("{}_picture(picture, layout_{}, n, {})", lutlib::name_of(row.interpolation),
                        row.layout, place_of(row.engine));
 }
 
 std::string lookup_choice() {
     std::string cases;
-    for (const GpuLookup& row : gpu_lookups())
+    for (const GpuLookup& row : gpu_lookups()) {
         cases += fmt::format("    case {}: // {}\n        return {};\n", index_of(row), row.name,
                              reading_of(row));
+    }
     return "// Written by the build from preview/look/gpu_lookups.cpp.\n"
            "#include \"common/lookup.glsl\"\n\n"
            "/// `row` is a specialisation constant wherever this is called, so one branch "
@@ -86,12 +94,13 @@ std::string lookup_choice() {
 
 std::string shared_lookup_choice() {
     std::string any, cases;
-    for (const GpuLookup& row : gpu_lookups())
+    for (const GpuLookup& row : gpu_lookups()) {
         if (row.shared()) {
             any += fmt::format("{}row == {}", any.empty() ? "" : " || ", index_of(row));
             cases += fmt::format("    case {}: // {}\n        return {}(c);\n", index_of(row),
                                  row.name, row.shared_shader);
         }
+    }
     return "// Written by the build from preview/look/gpu_lookups.cpp.\n"
            "#include \"common/lattice16.glsl\"\n\n"
            "bool is_shared(int row) {\n    return " +
@@ -124,12 +133,14 @@ std::string compare_choice() {
 void write(const std::filesystem::path& path, const std::string& text) {
     std::ostringstream known;
     known << std::ifstream(path, std::ios::binary).rdbuf();
-    if (known.str() == text)
+    if (known.str() == text) {
         return;
+    }
     std::ofstream file(path, std::ios::binary);
     file << text;
-    if (!file.flush())
+    if (!file.flush()) {
         throw lutlib::Error("cannot write it", {path.string(), 0, {}});
+    }
 }
 
 void write_tables(const std::filesystem::path& folder) {
@@ -145,8 +156,9 @@ void write_tables(const std::filesystem::path& folder) {
 
 int main(int argc, char** argv) {
     try {
-        if (argc != 2)
+        if (argc != 2) {
             throw lutlib::UsageError("usage: shader_tables FOLDER");
+        }
         preview::write_tables(argv[1]);
         return 0;
     } catch (const std::exception& error) {

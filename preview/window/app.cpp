@@ -25,8 +25,9 @@ namespace {
 constexpr int frames_after_event = 3;
 
 void print_validation(const gpu::Device& device) {
-    for (const std::string& message : device.validation_messages())
+    for (const std::string& message : device.validation_messages()) {
         std::fprintf(stderr, "lutpreview: %s\n", message.c_str());
+    }
 }
 
 class App {
@@ -66,14 +67,16 @@ App::App(WindowSetup setup)
     : setup_(std::move(setup)), window_(setup_.size), ui_(setup_.state),
       baker_([] { glfwPostEmptyEvent(); }) {
     gui_.emplace(window_.handle(), layout_path(), setup_.font);
-    if (!gui_->notice().empty())
+    if (!gui_->notice().empty()) {
         ui_.errors.push_back(gui_->notice());
+    }
     make_screen();
 }
 
 void App::make_screen() {
-    if (screen_)
+    if (screen_) {
         print_validation(screen_->device);
+    }
     screen_.reset();
     drawn_.reset();
     screen_.emplace(window_, window_.device_options(setup_.device, setup_.validation));
@@ -98,8 +101,9 @@ void App::open(const std::string& path) {
 /// Opening, undoing and redoing change what the state shows.
 void App::follow_shown() {
     const std::shared_ptr<const Shown>& shown = ui_.history.draft().shown;
-    if (screen_->shown && screen_->shown->shown() == shown)
+    if (screen_->shown && screen_->shown->shown() == shown) {
         return;
+    }
     screen_->show(shown);
     drawn_.reset();
     reader_.forget();
@@ -126,17 +130,20 @@ void App::run() {
             continue;
         }
         const std::vector<editor::InputEvent> events = events_.input.next_frame();
-        if (!events.empty() || !events_.dropped.empty() || events_.resized)
+        if (!events.empty() || !events_.dropped.empty() || events_.resized) {
             wake();
+        }
         --frames_due_;
         try {
-            if (std::exchange(ui_.wants_new_screen, false))
+            if (std::exchange(ui_.wants_new_screen, false)) {
                 make_screen();
+            }
             frame(events);
             recovery_.drew();
         } catch (const vk::SystemError& error) {
-            if (!is_lost(error))
+            if (!is_lost(error)) {
                 throw;
+            }
             ui_.errors.push_back(recovery_.lost(error));
             wake();
             make_screen();
@@ -146,8 +153,9 @@ void App::run() {
 }
 
 void App::resize_if_asked() {
-    if (!events_.resized)
+    if (!events_.resized) {
         return;
+    }
     screen_->resize(window_);
     events_.resized = false;
 }
@@ -155,36 +163,45 @@ void App::resize_if_asked() {
 void App::frame(const std::vector<editor::InputEvent>& events) {
     resize_if_asked();
     std::vector<std::string> paths = std::exchange(ui_.to_open, {});
-    for (std::string& path : std::exchange(events_.dropped, {}))
+    for (std::string& path : std::exchange(events_.dropped, {})) {
         paths.push_back(std::move(path));
-    for (const std::string& path : paths)
+    }
+    for (const std::string& path : paths) {
         panels::attempt(ui_, [&] { open(path); });
-    for (const editor::InputEvent& event : events)
-        if (event.kind == editor::InputEvent::Kind::key)
+    }
+    for (const editor::InputEvent& event : events) {
+        if (event.kind == editor::InputEvent::Kind::key) {
             ui_.down[static_cast<std::size_t>(event.key)] = event.down;
-    for (const editor::InputEvent& event : events)
-        if (event.kind == editor::InputEvent::Kind::key && event.down && !event.repeats)
+        }
+    }
+    for (const editor::InputEvent& event : events) {
+        if (event.kind == editor::InputEvent::Kind::key && event.down && !event.repeats) {
             ui_.pressed.push_back({event.key, (event.modifiers & GLFW_MOD_CONTROL) != 0,
                                    (event.modifiers & GLFW_MOD_SHIFT) != 0});
+        }
+    }
     follow_shown();
     screen_->overlay.begin_frame();
     gui_->begin_frame(events);
     const panels::Rect area = panels::draw(ui_);
     ImGui::Render();
-    if (!ImGui::IsAnyItemActive())
+    if (!ImGui::IsAnyItemActive()) {
         ui_.history.settle();
+    }
     request_looks();
     take_looks();
     render(area);
-    if (frames_due_ == 0 && !baker_.is_busy())
+    if (frames_due_ == 0 && !baker_.is_busy()) {
         write_places();
+    }
 }
 
 void App::request_looks() {
     const editor::State& state = ui_.history.draft();
     editor::LookRequest request{state.recipe, state.sides, state.convert};
-    if (baking_ && editor::same(request, requested_))
+    if (baking_ && editor::same(request, requested_)) {
         return;
+    }
     requested_ = request;
     baking_ = true;
     baker_.request(std::move(request));
@@ -192,8 +209,9 @@ void App::request_looks() {
 
 void App::take_looks() {
     const std::optional<editor::BakedLooks> baked = baker_.take();
-    if (!baked)
+    if (!baked) {
         return;
+    }
     ui_.facts.bake_milliseconds = baked->milliseconds;
     frames_due_ = frames_after_event;
     if (!baked->error.empty()) {
@@ -217,8 +235,9 @@ void App::render(const panels::Rect& area) {
         window_settings(ui_, setup_.frame, {output.extent.width, output.extent.height});
     settings.raster =
         setup_.raster->on(screen.device, picture_size(settings.output, *settings.compare));
-    for (std::size_t i = 0; i < scopes.size(); ++i)
+    for (std::size_t i = 0; i < scopes.size(); ++i) {
         settings.scope_sizes[i] = {scope_places[i].extent.width, scope_places[i].extent.height};
+    }
     const std::vector<PointLight>& lights = ui_.history.draft().lights;
     FrameInputs inputs = screen.shown->inputs();
     inputs.lights = &lights;
@@ -239,36 +258,43 @@ void App::render(const panels::Rect& area) {
     end.signals = {screen.swapchain.finished(*image)};
     end.record = [&](const vk::raii::CommandBuffer& commands) {
         std::vector<Placed> pictures{{&screen.executor.image(handles.output), output.offset}};
-        for (std::size_t i = 0; i < scopes.size(); ++i)
-            if (handles.scope_pictures[i])
+        for (std::size_t i = 0; i < scopes.size(); ++i) {
+            if (handles.scope_pictures[i]) {
                 pictures.push_back(
                     {&screen.executor.image(handles.scope_pictures[i]), scope_places[i].offset});
+            }
+        }
         record_present(commands, pictures, screen.swapchain.image(*image));
         screen.overlay.record(commands, *image);
     };
-    if (drawn_ && *drawn_ == graph)
+    if (drawn_ && *drawn_ == graph) {
         screen.executor.repeat(end);
-    else
+    } else {
         screen.executor.render(graph, end);
+    }
     if (!screen.swapchain.present(*image)) {
         events_.resized = true;
         frames_due_ = frames_after_event;
     }
-    if (reader_.read(screen.executor, graph, handles, ui_))
+    if (reader_.read(screen.executor, graph, handles, ui_)) {
         frames_due_ = std::max(frames_due_, 1);
+    }
     drawn_ = std::move(graph);
 }
 
 void App::write_places() const {
-    if (setup_.places.empty())
+    if (setup_.places.empty()) {
         return;
+    }
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     std::string text = fmt::format("frame {} 0 0 0\n", ImGui::GetFrameCount());
-    if (ImGui::IsMousePosValid(&mouse))
+    if (ImGui::IsMousePosValid(&mouse)) {
         text += fmt::format("mouse {:.0f} {:.0f} 0 0\n", mouse.x, mouse.y);
-    for (const auto& [name, place] : ui_.places)
+    }
+    for (const auto& [name, place] : ui_.places) {
         text += fmt::format("{} {:.0f} {:.0f} {:.0f} {:.0f}\n", name, place.x, place.y, place.width,
                             place.height);
+    }
     lutlib::io::write_file(setup_.places, text);
 }
 

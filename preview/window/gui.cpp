@@ -65,8 +65,9 @@ void Gui::feed(const editor::InputEvent& event) {
         io.MouseWheel += event.y;
         break;
     case Kind::button:
-        if (const auto index = static_cast<std::size_t>(event.code); index < buttons_.size())
+        if (const auto index = static_cast<std::size_t>(event.code); index < buttons_.size()) {
             buttons_[index] = event.down;
+        }
         break;
     case Kind::key:
         ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode,
@@ -79,14 +80,16 @@ void Gui::feed(const editor::InputEvent& event) {
 }
 
 void Gui::begin_frame(const std::vector<editor::InputEvent>& events) {
-    for (const editor::InputEvent& event : events)
+    for (const editor::InputEvent& event : events) {
         feed(event);
+    }
     ImGui_ImplGlfw_NewFrame();
     // The backend looks at where the mouse is now; the events tell where it was.
     ImGuiIO& io = ImGui::GetIO();
     io.MousePos = {mouse_x_, mouse_y_};
-    for (std::size_t i = 0; i < buttons_.size(); ++i)
+    for (std::size_t i = 0; i < buttons_.size(); ++i) {
         io.MouseDown[i] = buttons_[i];
+    }
     ImGui::NewFrame();
 }
 
@@ -94,8 +97,9 @@ std::string layout_path() {
     namespace fs = std::filesystem;
     const char* const config = std::getenv("XDG_CONFIG_HOME");
     const char* const home = std::getenv("HOME");
-    if (config == nullptr && home == nullptr)
+    if (config == nullptr && home == nullptr) {
         return {};
+    }
     const fs::path folder =
         (config != nullptr ? fs::path(config) : fs::path(home) / ".config") / "lutpreview";
     std::error_code failed;

@@ -32,9 +32,10 @@ vk::raii::RenderPass make_pass(const gpu::Device& device, vk::Format format) {
 }
 
 void check(VkResult result) {
-    if (result < 0)
+    if (result < 0) {
         throw lutlib::Error("the window cannot be drawn: " +
                             vk::to_string(static_cast<vk::Result>(result)));
+    }
 }
 
 } // namespace

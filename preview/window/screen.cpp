@@ -27,9 +27,10 @@ bool is_lost(const vk::SystemError& error) {
 }
 
 std::string Recovery::lost(const vk::SystemError& error) {
-    if (unproved_ > 0)
+    if (unproved_ > 0) {
         throw lutlib::Error(std::string("the GPU was lost twice: ") + error.what() +
                             "; choose another with --device, or render with --headless");
+    }
     unproved_ = frames_of_proof;
     return std::string("the GPU was lost, and everything on it was made anew: ") + error.what();
 }

@@ -18,9 +18,10 @@ std::string glfw_error() {
 } // namespace
 
 Window::Library::Library() {
-    if (glfwInit() != GLFW_TRUE)
+    if (glfwInit() != GLFW_TRUE) {
         throw lutlib::Error("cannot open a window: " + glfw_error() +
                             "; --headless -o FILE renders without one");
+    }
     if (glfwVulkanSupported() != GLFW_TRUE) {
         glfwTerminate();
         throw lutlib::Error("no Vulkan driver can draw in a window here; --headless -o FILE "
@@ -36,8 +37,9 @@ Window::Window(Size size) {
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     handle_ = glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height),
                                "lutpreview", nullptr, nullptr);
-    if (handle_ == nullptr)
+    if (handle_ == nullptr) {
         throw lutlib::Error("cannot open a window: " + glfw_error());
+    }
 }
 
 Window::~Window() {
@@ -63,8 +65,9 @@ gpu::DeviceOptions Window::device_options(const std::string& wanted, bool valida
 
 VkSurfaceKHR Window::make_surface(const gpu::Device& device) const {
     VkSurfaceKHR surface = VK_NULL_HANDLE;
-    if (glfwCreateWindowSurface(*device.instance(), handle_, nullptr, &surface) != VK_SUCCESS)
+    if (glfwCreateWindowSurface(*device.instance(), handle_, nullptr, &surface) != VK_SUCCESS) {
         throw lutlib::Error("cannot draw in the window: no Vulkan surface: " + glfw_error());
+    }
     return surface;
 }
 

@@ -29,8 +29,9 @@ constexpr KeyName keys[] = {
 };
 
 editor::Key key_of(int glfw) {
-    if (glfw >= GLFW_KEY_LEFT_SHIFT && glfw <= GLFW_KEY_RIGHT_SUPER)
+    if (glfw >= GLFW_KEY_LEFT_SHIFT && glfw <= GLFW_KEY_RIGHT_SUPER) {
         return editor::Key::modifier;
+    }
     const auto* const row = std::find_if(std::begin(keys), std::end(keys),
                                          [&](const KeyName& it) { return it.glfw == glfw; });
     return row == std::end(keys) ? editor::Key::none : row->key;
@@ -47,8 +48,9 @@ WindowEvents::WindowEvents(GLFWwindow* window) {
     });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
         // A drag goes on outside; its moves keep coming.
-        if (entered == GLFW_FALSE && !ImGui::IsAnyMouseDown())
+        if (entered == GLFW_FALSE && !ImGui::IsAnyMouseDown()) {
             of(w).input.push({Kind::move, editor::far_away, editor::far_away});
+        }
     });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
         of(w).input.push({Kind::wheel, static_cast<float>(x), static_cast<float>(y)});

@@ -24,8 +24,9 @@ std::vector<std::uint32_t> words_of(const std::vector<std::byte>& bytes) {
 
 std::optional<DifferenceFigures> figures_of(const Executor& executor, Size picture) {
     const std::vector<std::uint32_t> counted = words_of(executor.finished_buffer("figures"));
-    if (counted.empty())
+    if (counted.empty()) {
         return std::nullopt;
+    }
     return difference_figures(counted, std::uint64_t{picture.width} * picture.height);
 }
 
@@ -50,10 +51,11 @@ ScopeAreas scope_areas(const panels::Ui& ui, vk::Extent2D window) {
         const auto y = static_cast<std::uint32_t>(std::max(place.y * scale.y, 0.0F));
         const auto width = static_cast<std::uint32_t>(place.width * scale.x);
         const auto height = static_cast<std::uint32_t>(place.height * scale.y);
-        if (x < window.width && y < window.height && width > 0 && height > 0)
+        if (x < window.width && y < window.height && width > 0 && height > 0) {
             areas[i] = vk::Rect2D(
                 {static_cast<int>(x), static_cast<int>(y)},
                 {std::min(width, window.width - x), std::min(height, window.height - y)});
+        }
     }
     return areas;
 }
@@ -67,9 +69,10 @@ FrameSettings window_settings(const panels::Ui& ui, FrameSettings given, Size ou
     settings.compare = ui.held != nullptr ? ui.held : state.compare;
     settings.scope_side = state.scopes_seen.side;
     settings.scope_logarithmic = state.scopes_seen.logarithmic;
-    if (ui.pointer)
+    if (ui.pointer) {
         settings.probe = {std::clamp(ui.pointer->x, 0, static_cast<int>(output.width) - 1),
                           std::clamp(ui.pointer->y, 0, static_cast<int>(output.height) - 1)};
+    }
     settings.axes = ui.shows_curves ? &state.recipe.input : nullptr;
     return settings;
 }
@@ -94,8 +97,9 @@ bool FrameReader::read(Executor& executor, const Graph& graph, const FrameHandle
     ui.facts.explanation = explain(graph, executor.plan());
     if (ui.shows_passes) {
         ui.facts.passes.clear();
-        for (const StepTime& step : executor.timings())
+        for (const StepTime& step : executor.timings()) {
             ui.facts.passes.push_back({step.name, step.milliseconds});
+        }
     }
     // Once every frame in flight has this light, the newest that has finished measured it.
     if (++frames_of_light_ >= frames_in_flight_ && !hdr_maximum_) {
@@ -107,14 +111,18 @@ bool FrameReader::read(Executor& executor, const Graph& graph, const FrameHandle
         }
     }
     panels::Measured measured;
-    if (handles.figures)
+    if (handles.figures) {
         measured.figures = figures_of(executor, size_of(graph, handles.graded));
-    if (handles.probe)
+    }
+    if (handles.probe) {
         measured.probe = probe_from(executor.finished_buffer("probe"));
-    if (handles.axis_counts)
+    }
+    if (handles.axis_counts) {
         measured.axis_counts = words_of(executor.finished_buffer("axis counts"));
-    if (measured == ui.facts.measured)
+    }
+    if (measured == ui.facts.measured) {
         return false;
+    }
     ui.facts.measured = std::move(measured);
     return true;
 }

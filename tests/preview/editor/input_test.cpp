@@ -24,20 +24,23 @@ InputEvent character(char c) {
 /// How many events each frame sees.
 std::vector<std::size_t> frames_of(const std::vector<InputEvent>& events) {
     InputQueue queue;
-    for (const InputEvent& event : events)
+    for (const InputEvent& event : events) {
         queue.push(event);
+    }
     std::vector<std::size_t> out;
     std::vector<InputEvent> seen;
     while (!queue.empty()) {
         const std::vector<InputEvent> frame = queue.next_frame();
         out.push_back(frame.size());
         seen.insert(seen.end(), frame.begin(), frame.end());
-        if (frame.empty())
+        if (frame.empty()) {
             break;
+        }
     }
     EXPECT_EQ(seen.size(), events.size());
-    for (std::size_t i = 0; i < seen.size(); ++i)
+    for (std::size_t i = 0; i < seen.size(); ++i) {
         EXPECT_EQ(seen[i].kind, events[i].kind) << i;
+    }
     return out;
 }
 

@@ -25,10 +25,13 @@ using lutlib::Parameter;
 
 std::vector<const Parameter*> curve_parameters() {
     std::vector<const Parameter*> out;
-    for (const lutlib::Op* op : lutlib::ops())
-        for (const Parameter& parameter : op->parameters)
-            if (parameter.kind == lutlib::ParameterKind::curve)
+    for (const lutlib::Op* op : lutlib::ops()) {
+        for (const Parameter& parameter : op->parameters) {
+            if (parameter.kind == lutlib::ParameterKind::curve) {
                 out.push_back(&parameter);
+            }
+        }
+    }
     return out;
 }
 
@@ -111,8 +114,9 @@ TEST(History, brings_back_which_scopes_are_seen_and_how_the_cube_is_turned) {
     history.draft().cube.view.turn += 30;
     EXPECT_TRUE(history.settle());
     const State last = history.draft();
-    for (int step = 0; step < 3; ++step)
+    for (int step = 0; step < 3; ++step) {
         EXPECT_TRUE(history.undo());
+    }
     EXPECT_TRUE(history.draft() == initial_state());
     while (history.redo()) {
     }
@@ -121,8 +125,9 @@ TEST(History, brings_back_which_scopes_are_seen_and_how_the_cube_is_turned) {
 
 TEST(History, makes_one_step_of_a_whole_gesture) {
     History history(initial_state());
-    for (int i = 1; i <= 100; ++i)
+    for (int i = 1; i <= 100; ++i) {
         history.draft().exposure = 0.01F * static_cast<float>(i);
+    }
     history.settle();
     EXPECT_FALSE(history.settle());
     EXPECT_TRUE(history.undo());
@@ -158,28 +163,32 @@ TEST(History, keeps_the_newest_steps_of_a_long_session) {
         history.settle();
     }
     std::size_t steps = 0;
-    while (history.undo())
+    while (history.undo()) {
         ++steps;
+    }
     EXPECT_EQ(steps, History::max_steps - 1);
     EXPECT_EQ(history.draft().exposure, 11);
 }
 
 TEST(Operations, move_to_any_place_and_keep_the_others_in_order) {
-    for (std::size_t from = 0; from < 4; ++from)
+    for (std::size_t from = 0; from < 4; ++from) {
         for (std::size_t to = 0; to < 4; ++to) {
             lutlib::Recipe recipe;
             std::vector<const lutlib::Op*> expected;
             for (std::size_t i = 0; i < 4; ++i) {
                 add_operation(recipe, *lutlib::ops()[i]);
-                if (i != from)
+                if (i != from) {
                     expected.push_back(lutlib::ops()[i]);
+                }
             }
             expected.insert(expected.begin() + static_cast<std::ptrdiff_t>(to),
                             lutlib::ops()[from]);
             move_operation(recipe, from, to);
-            for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t i = 0; i < 4; ++i) {
                 EXPECT_EQ(recipe.operations[i].op, expected[i]) << from << " to " << to;
+            }
         }
+    }
 }
 
 TEST(Knots, stay_valid_and_sorted_however_they_are_added_moved_and_removed) {
@@ -194,11 +203,13 @@ TEST(Knots, stay_valid_and_sorted_however_they_are_added_moved_and_removed) {
             ASSERT_LT(at, knots.size());
             move_knot(*parameter, knots, at, {1e6 * (share - 0.4), -1e6});
             EXPECT_EQ(lutlib::problem_with(*parameter, knots), "");
-            for (std::size_t i = 1; i < knots.size(); ++i)
+            for (std::size_t i = 1; i < knots.size(); ++i) {
                 EXPECT_LT(knots[i - 1].x, knots[i].x);
+            }
         }
-        while (!knots.empty())
+        while (!knots.empty()) {
             remove_knot(*parameter, knots, knots.size() - 1);
+        }
     }
 }
 
@@ -256,7 +267,7 @@ TEST(Side, is_baked_for_every_engine_and_every_source) {
     State state = initial_state();
     add_operation(state.recipe, *lutlib::op_named("saturation"));
     state.recipe.operations[0].values[0] = 0.25;
-    for (const SideSourceInfo& info : side_sources)
+    for (const SideSourceInfo& info : side_sources) {
         for (const GpuLookup* engine : engine_lookups()) {
             Side side;
             side.source = info.source;
@@ -267,6 +278,7 @@ TEST(Side, is_baked_for_every_engine_and_every_source) {
             EXPECT_EQ(look.skip_reason.empty(), shows) << info.name;
             EXPECT_EQ(look.data.lookup == engine, info.source == SideSource::baked);
         }
+    }
 }
 
 TEST(LookBaker, ends_with_the_newest_request_of_many) {
@@ -281,11 +293,13 @@ TEST(LookBaker, ends_with_the_newest_request_of_many) {
     const LoadedLook newest = measured_look(table, *gpu_lookup_named("tetrahedral"));
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(30);
     bool found = false;
-    while (!found && std::chrono::steady_clock::now() < give_up)
-        if (const std::optional<BakedLooks> looks = baker.take())
+    while (!found && std::chrono::steady_clock::now() < give_up) {
+        if (const std::optional<BakedLooks> looks = baker.take()) {
             found = looks->sides[1].note == newest.note &&
                     looks->sides[1].data.volume.bytes == newest.data.volume.bytes &&
                     looks->sides[1].data.picture.bytes == newest.data.picture.bytes;
+        }
+    }
     EXPECT_TRUE(found);
     EXPECT_FALSE(baker.is_busy());
 }
@@ -298,9 +312,11 @@ TEST(LookBaker, bakes_at_once_and_measures_when_nothing_follows) {
     baker.request({state.recipe, state.sides});
     std::vector<std::string> notes;
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-    while (notes.size() < 2 && std::chrono::steady_clock::now() < give_up)
-        if (const std::optional<BakedLooks> looks = baker.take())
+    while (notes.size() < 2 && std::chrono::steady_clock::now() < give_up) {
+        if (const std::optional<BakedLooks> looks = baker.take()) {
             notes.push_back(looks->sides[1].note);
+        }
+    }
     ASSERT_EQ(notes.size(), 2U);
     EXPECT_EQ(notes[0], "");
     EXPECT_NE(notes[1].find("of the look itself"), std::string::npos) << notes[1];
@@ -354,8 +370,9 @@ TEST(RecipeTable, stops_when_it_is_told) {
 TEST(Commands, save_a_recipe_that_opens_as_it_was) {
     const Folder folder;
     State state = initial_state();
-    for (const lutlib::Op* op : lutlib::ops())
+    for (const lutlib::Op* op : lutlib::ops()) {
         add_operation(state.recipe, *op);
+    }
     state.recipe.title = "All";
     save_recipe(state, folder.file("all.json"));
     State opened = initial_state();
@@ -379,8 +396,9 @@ TEST(Commands, make_an_exported_lut_the_base_of_a_new_recipe) {
     const lutlib::RgbD want = lutlib::Transform::of(state.recipe)(in);
     const lutlib::RgbD got = lutlib::Transform::of(opened.recipe)(in);
     // Between the 33 nodes of the file.
-    for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t c = 0; c < 3; ++c) {
         EXPECT_NEAR(got[c], want[c], 2e-3);
+    }
 }
 
 } // namespace

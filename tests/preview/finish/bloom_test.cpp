@@ -15,8 +15,9 @@ using reference::Image;
 
 double sum_of(const Image& image) {
     double sum = 0;
-    for (const RgbD& pixel : image.pixels)
+    for (const RgbD& pixel : image.pixels) {
         sum += pixel.r + pixel.g + pixel.b;
+    }
     return sum;
 }
 
@@ -27,9 +28,11 @@ Image padded_lights(int size) {
     const int middle = size / 2;
     image.at(middle, middle) = {900, 500, 100};
     image.at(middle + 5, middle - 3) = {0.2, 3, 1};
-    for (int y = -2; y <= 2; ++y)
-        for (int x = 9; x <= 14; ++x)
+    for (int y = -2; y <= 2; ++y) {
+        for (int x = 9; x <= 14; ++x) {
             image.at(middle + x, middle + y) = {1.2, 0.4, 0.7};
+        }
+    }
     return image;
 }
 
@@ -47,8 +50,9 @@ constexpr BloomSettings small_radius{-1, 1, 0.5f, 0.4f};
 class EveryBloom : public testing::TestWithParam<const Bloom*> {};
 
 TEST_P(EveryBloom, conserves_energy_where_it_says_so) {
-    if (!GetParam()->conserves_energy)
+    if (!GetParam()->conserves_energy) {
         GTEST_SKIP() << "does not claim to";
+    }
     const Image image = padded_lights(768);
     for (const float threshold : {0.0f, 1.0f}) {
         BloomSettings settings = small_radius;
@@ -60,8 +64,9 @@ TEST_P(EveryBloom, conserves_energy_where_it_says_so) {
 
 TEST_P(EveryBloom, keeps_constant_light_constant_up_to_the_border) {
     Image image(135, 67);
-    for (RgbD& pixel : image.pixels)
+    for (RgbD& pixel : image.pixels) {
         pixel = {3, 2, 1};
+    }
     const Image out = reference::with_bloom(plan_for(*GetParam(), image), image);
     for (const RgbD& pixel : out.pixels) {
         ASSERT_NEAR(pixel.r, 3, 1e-5);
@@ -71,12 +76,14 @@ TEST_P(EveryBloom, keeps_constant_light_constant_up_to_the_border) {
 
 TEST_P(EveryBloom, leaves_light_below_its_onset_alone) {
     Image image(40, 30);
-    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         image.pixels[i] = {static_cast<double>(i) / 1199, 0.1, 0.99};
+    }
     const Image out = reference::with_bloom(plan_for(*GetParam(), image), image);
     EXPECT_EQ(bloom_onset(above_one), 1);
-    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         ASSERT_EQ(out.pixels[i], image.pixels[i]);
+    }
 }
 
 TEST_P(EveryBloom, stays_bounded_for_the_brightest_single_texel) {
@@ -97,15 +104,17 @@ TEST_P(EveryBloom, does_not_shift_in_odd_sizes) {
         Image image(135, 67 + 64);
         image.at(place, 61) = {100, 100, 100};
         const BloomPlan plan = plan_for(*GetParam(), image, {-1, 0, 0, 0.3f});
-        if (plan.empty())
+        if (plan.empty()) {
             return;
+        }
         const Image out = reference::bloom(plan, image);
         double x = 0, total = 0;
-        for (int v = 0; v < out.height; ++v)
+        for (int v = 0; v < out.height; ++v) {
             for (int u = 0; u < out.width; ++u) {
                 x += u * out.at(u, v).g;
                 total += out.at(u, v).g;
             }
+        }
         // A fiftieth of a texel: what the kernels' tails lose at the border. The Karis average,
         // which is not linear, weighs the parts of one texel's light apart.
         EXPECT_NEAR(x / total, place, GetParam()->conserves_energy ? 0.02 : 0.1) << place;
@@ -113,33 +122,37 @@ TEST_P(EveryBloom, does_not_shift_in_odd_sizes) {
 }
 
 TEST_P(EveryBloom, has_a_plan_that_the_shaders_can_hold) {
-    for (const BloomExtent size : {BloomExtent{1, 1}, {135, 67}, {1920, 1080}, {7680, 4320}})
+    for (const BloomExtent size : {BloomExtent{1, 1}, {135, 67}, {1920, 1080}, {7680, 4320}}) {
         for (const float radius : {0.1f, 1.0f, 4.0f}) {
             const BloomPlan plan = bloom_plan(*GetParam(), size, {-1, 1, 0.5f, radius});
             ASSERT_LE(plan.layers.size(), std::size_t{BloomPlan::max_layers});
             for (const BloomStep& step : plan.steps) {
                 ASSERT_LE(step.taps.size(), std::size_t{BloomPlan::max_taps});
                 double sum = static_cast<double>(step.keep);
-                for (std::size_t i = 0; i < step.taps.size(); ++i)
+                for (std::size_t i = 0; i < step.taps.size(); ++i) {
                     sum += (step.axis != BloomStep::Axis::both && i > 0 ? 2.0 : 1.0) *
                            static_cast<double>(step.taps[i].weight);
+                }
                 ASSERT_NEAR(sum, 1, 1e-5);
             }
             double sum = 0;
             for (const BloomPlan::Layer& layer : plan.layers) {
                 ASSERT_LE(static_cast<int>(layer.taps.size()),
                           plan.layers.size() == 1 ? int{BloomPlan::max_final_taps} : 1);
-                for (const BloomTap& tap : layer.taps)
+                for (const BloomTap& tap : layer.taps) {
                     sum += static_cast<double>(tap.weight);
+                }
             }
             ASSERT_NEAR(sum, plan.empty() ? 0 : 1, 1e-5);
         }
+    }
 }
 
 std::vector<const Bloom*> every_bloom() {
     std::vector<const Bloom*> rows;
-    for (const Bloom& row : blooms())
+    for (const Bloom& row : blooms()) {
         rows.push_back(&row);
+    }
     return rows;
 }
 
@@ -171,9 +184,11 @@ TEST(Bloom, of_one_gaussian_is_its_exact_convolution) {
 TEST(Bloom, of_the_veiling_glare_is_its_exact_convolution) {
     Image image(540, 540);
     image.at(271, 262) = {5000, 5000, 5000};
-    for (int y = 200; y < 212; ++y)
-        for (int x = 300; x < 330; ++x)
+    for (int y = 200; y < 212; ++y) {
+        for (int x = 300; x < 330; ++x) {
             image.at(x, y) = {40, 40, 40};
+        }
+    }
     const double scale = 540.0 / 1080;
     const BloomPlan plan = plan_for(*bloom_named("glare"), image, {-1, 0, 0, 1});
     const Image exact = reference::convolved(image, 520, [&](double dx, double dy) {
@@ -185,9 +200,11 @@ TEST(Bloom, of_the_veiling_glare_is_its_exact_convolution) {
 
 TEST(Convolution, of_a_gaussian_with_a_gaussian_adds_their_variances) {
     Image image(96, 96);
-    for (int y = 0; y < 96; ++y)
-        for (int x = 0; x < 96; ++x)
+    for (int y = 0; y < 96; ++y) {
+        for (int x = 0; x < 96; ++x) {
             image.at(x, y).g = reference::gaussian(x - 48, y - 48, 3);
+        }
+    }
     const Image wide = reference::convolved(
         image, 40, [](double dx, double dy) { return reference::gaussian(dx, dy, 4); });
     EXPECT_NEAR(wide.at(48, 48).g, reference::gaussian(0, 0, 5), 1e-9);

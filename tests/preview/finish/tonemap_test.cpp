@@ -19,8 +19,8 @@ TEST_P(EveryTonemap, gives_0_to_1_for_every_input) {
     constexpr double inf = std::numeric_limits<double>::infinity();
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const double values[]{0, -0.0, 1e-30, 1e-5, 0.18, 0.5, 1, 7, 65504, 1e30, inf, -1, -inf, nan};
-    for (const double r : values)
-        for (const double g : values)
+    for (const double r : values) {
+        for (const double g : values) {
             for (const double b : values) {
                 const RgbD out = GetParam()->apply({r, g, b});
                 for (std::size_t c = 0; c < 3; ++c) {
@@ -28,6 +28,8 @@ TEST_P(EveryTonemap, gives_0_to_1_for_every_input) {
                     ASSERT_LE(out[c], 1) << r << ' ' << g << ' ' << b;
                 }
             }
+        }
+    }
 }
 
 TEST_P(EveryTonemap, maps_black_to_black_and_keeps_greys_grey_in_rising_order) {
@@ -53,8 +55,9 @@ TEST_P(EveryTonemap, is_a_curve_or_mixes_channels_in_a_shader_function_of_its_ow
     const Tonemap& row = *GetParam();
     EXPECT_EQ(row.curve == nullptr, row.mix != nullptr);
     EXPECT_EQ(row.curve == nullptr, !row.shader.empty());
-    for (const Tonemap& other : tonemaps())
+    for (const Tonemap& other : tonemaps()) {
         EXPECT_TRUE(&other == &row || row.shader.empty() || other.shader != row.shader);
+    }
 }
 
 // What a shader makes of the table: in each octave a float's mantissa counts evenly.
@@ -93,8 +96,9 @@ TEST_P(EveryTonemap, has_a_table_within_a_200th_of_an_8_bit_code_if_it_is_a_curv
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryTonemap, testing::ValuesIn([] {
                              std::vector<const Tonemap*> rows;
-                             for (const Tonemap& row : tonemaps())
+                             for (const Tonemap& row : tonemaps()) {
                                  rows.push_back(&row);
+                             }
                              return rows;
                          }()),
                          [](const auto& row) { return support::test_name(row.param->name); });

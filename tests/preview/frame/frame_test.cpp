@@ -18,8 +18,9 @@ namespace {
 lutlib::Lut inverting_look() {
     lutlib::Lut look;
     look.cube = lutlib::identity_cube(5);
-    for (lutlib::Rgb& node : look.cube->nodes)
+    for (lutlib::Rgb& node : look.cube->nodes) {
         node = {1 - node.b, node.r, node.g};
+    }
     return look;
 }
 
@@ -53,8 +54,9 @@ TEST_F(FrameTest, a_plain_scene_leaves_out_shadows_and_bloom_and_says_why) {
     Executor executor(device());
     const Rendered rendered = render_frame(executor, loaded.inputs(), settings_for(loaded.scene));
     EXPECT_FALSE(kept(rendered, "bloom 0")) << rendered.explanation;
-    for (const char* reason : {"the light casts none", "no light is bright enough to bloom"})
+    for (const char* reason : {"the light casts none", "no light is bright enough to bloom"}) {
         EXPECT_NE(rendered.explanation.find(reason), std::string::npos) << rendered.explanation;
+    }
     // g-buffer, lighting, clear, resolve, finish, fxaa
     EXPECT_EQ(executor.plan().steps.size(), 6U) << rendered.explanation;
 }
@@ -63,8 +65,9 @@ TEST_F(FrameTest, the_sample_scene_keeps_its_shadows_and_blooms) {
     const Loaded loaded(scene_at(*scene_named("sample"), 0));
     Executor executor(device());
     const Rendered rendered = render_frame(executor, loaded.inputs(), settings_for(loaded.scene));
-    for (const char* pass : {"g-buffer", "lighting", "hdr resolve", "bloom 0", "finish", "fxaa"})
+    for (const char* pass : {"g-buffer", "lighting", "hdr resolve", "bloom 0", "finish", "fxaa"}) {
         EXPECT_TRUE(kept(rendered, pass)) << pass << "\n" << rendered.explanation;
+    }
 }
 
 TEST_F(FrameTest, a_picture_leaves_out_all_that_comes_before_the_resolve) {
@@ -78,8 +81,9 @@ TEST_F(FrameTest, a_picture_leaves_out_all_that_comes_before_the_resolve) {
     Executor executor(device());
     const Rendered rendered = render_frame(executor, inputs, settings);
     EXPECT_EQ(executor.plan().steps.size(), 3U) << rendered.explanation; // clear, resolve, finish
-    for (std::size_t at = 0; at < rendered.hdr.size(); at += 4)
+    for (std::size_t at = 0; at < rendered.hdr.size(); at += 4) {
         ASSERT_EQ(rendered.hdr[at], 0.25F);
+    }
     settings.exposure = 2;
     EXPECT_EQ(render_frame(executor, inputs, settings).hdr[0], 1.0F);
 }
@@ -105,8 +109,9 @@ TEST_F(FrameTest, every_effect_can_be_switched_off_and_is_said_to_be) {
         EXPECT_EQ(render_frame(executor, inputs, settings).rgba, rendered.rgba) << row.name;
         settings.force_all = false;
     }
-    for (const EffectInfo& row : effects)
+    for (const EffectInfo& row : effects) {
         settings.without.set(row.effect, true);
+    }
     settings.effects.clear();
     render_frame(executor, inputs, settings);
     // g-buffer, lighting, clear, resolve, finish
@@ -343,12 +348,14 @@ TEST_F(FrameTest, a_steady_frame_allocates_and_uploads_nothing) {
         build_frame(graph, inputs, settings);
         executor.render(graph);
     };
-    for (int frame = 0; frame < 3; ++frame)
+    for (int frame = 0; frame < 3; ++frame) {
         render();
+    }
     const std::uint64_t allocations = device().allocation_count();
     const std::uint64_t uploads = executor.uploads();
-    for (int frame = 0; frame < 4; ++frame)
+    for (int frame = 0; frame < 4; ++frame) {
         render();
+    }
     EXPECT_EQ(device().allocation_count(), allocations);
     EXPECT_EQ(executor.uploads(), uploads);
     EXPECT_EQ(executor.rebuilds(), 1U);
@@ -433,8 +440,9 @@ TEST(LookBakeTest, a_look_that_does_nothing_is_skipped_and_says_so) {
     lutlib::Lut look;
     look.cube = lutlib::identity_cube(16);
     for (const GpuLookup& lookup : gpu_lookups()) {
-        if (lookup.source == GpuLookup::Source::none)
+        if (lookup.source == GpuLookup::Source::none) {
             continue;
+        }
         EXPECT_NE(look_for(look, lookup).skip_reason, "") << lookup.name;
         EXPECT_EQ(look_for(inverting_look(), lookup).skip_reason, "") << lookup.name;
     }

@@ -45,10 +45,11 @@ lutlib::Lut warm_look() {
     look.cube = lutlib::identity_cube(16);
     for (lutlib::Rgb& node : look.cube->nodes) {
         const float luma = 0.2126F * node.r + 0.7152F * node.g + 0.0722F * node.b;
-        for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t c = 0; c < 3; ++c) {
             node[c] = std::clamp(luma + 1.4F * (node[c] - luma) + (c == 0 ? 0.04F : 0) -
                                      (c == 2 ? 0.06F : 0),
                                  0.0F, 1.0F);
+        }
     }
     return look;
 }

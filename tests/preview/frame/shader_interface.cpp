@@ -11,8 +11,9 @@ namespace preview {
 namespace {
 
 void expect(spvc_result result, const gpu::ShaderCode& shader) {
-    if (result != SPVC_SUCCESS)
+    if (result != SPVC_SUCCESS) {
         throw std::runtime_error("SPIRV-Cross cannot read " + std::string(shader.name));
+    }
 }
 
 class Reflection {
@@ -47,8 +48,9 @@ class Reflection {
         const spvc_specialization_constant* constants = nullptr;
         std::size_t count = 0;
         expect(spvc_compiler_get_specialization_constants(compiler_, &constants, &count), shader_);
-        for (const spvc_specialization_constant& constant : std::span(constants, count))
+        for (const spvc_specialization_constant& constant : std::span(constants, count)) {
             out.constants.insert(constant.constant_id);
+        }
         return out;
     }
 
@@ -82,9 +84,10 @@ class Reflection {
             }
             const std::uint32_t number = decoration(SpvDecorationBinding);
             if (decoration(SpvDecorationDescriptorSet) != 0 ||
-                !out.bindings.emplace(number, binding).second)
+                !out.bindings.emplace(number, binding).second) {
                 throw std::runtime_error(std::string(shader_.name) + ": " + resource.name +
                                          " is outside of set 0 or shares its number");
+            }
         }
     }
 

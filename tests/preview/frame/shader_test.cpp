@@ -23,8 +23,9 @@ constexpr Size size{64, 36};
 ShaderBinding declared_by(const Graph& graph, const Use& use) {
     ShaderBinding out;
     out.type = use.binding;
-    if (use.binding != BindingType::sampled_image && use.binding != BindingType::storage_image)
+    if (use.binding != BindingType::sampled_image && use.binding != BindingType::storage_image) {
         return out;
+    }
     if (use.version == Version::none) {
         out.volume = use.neutral == Neutral::black_3d;
         out.array = use.neutral == Neutral::lit;
@@ -39,10 +40,11 @@ ShaderBinding declared_by(const Graph& graph, const Use& use) {
 
 std::string text_of(const std::map<std::uint32_t, ShaderBinding>& bindings) {
     std::string text;
-    for (const auto& [number, binding] : bindings)
+    for (const auto& [number, binding] : bindings) {
         text += std::to_string(number) + ":" + std::to_string(static_cast<int>(binding.type)) +
                 (binding.volume ? " 3D" : "") + (binding.array ? " array" : "") +
                 (binding.integer ? " integer" : "") + "  ";
+    }
     return text;
 }
 
@@ -55,8 +57,9 @@ class ShaderTest : public GpuTest {
         const auto found = std::find_if(all.begin(), all.end(), [&](const gpu::ShaderCode& shader) {
             return shader.name == name;
         });
-        if (found == all.end())
+        if (found == all.end()) {
             throw std::runtime_error("there is no shader " + name);
+        }
         return *found;
     }
 
@@ -85,20 +88,25 @@ class ShaderTest : public GpuTest {
     }
 
     void check(const Graph& graph) {
-        for (const PassRecord& pass : graph.passes())
-            if (pass.kind != PassKind::fill)
+        for (const PassRecord& pass : graph.passes()) {
+            if (pass.kind != PassKind::fill) {
                 check(graph, pass);
+            }
+        }
     }
 
     void check(const Graph& graph, const PassRecord& pass) {
         std::map<std::uint32_t, ShaderBinding> declared;
-        for (const Use& use : pass.uses)
-            if (use.binding != BindingType::none)
+        for (const Use& use : pass.uses) {
+            if (use.binding != BindingType::none) {
                 declared.emplace(static_cast<std::uint32_t>(declared.size()),
                                  declared_by(graph, use));
+            }
+        }
         const std::string bindings = text_of(declared);
-        if (!seen_.insert(pass.shader + bindings + std::to_string(pass.constants.size())).second)
+        if (!seen_.insert(pass.shader + bindings + std::to_string(pass.constants.size())).second) {
             return;
+        }
         ShaderInterface wanted = interface_of(code(pass.shader));
         used_.insert(pass.shader);
         if (!pass.fragment_shader.empty()) {
@@ -109,8 +117,9 @@ class ShaderTest : public GpuTest {
             wanted.push_bytes = std::max(wanted.push_bytes, fragment.push_bytes);
         }
         std::set<std::uint32_t> constants;
-        for (std::uint32_t id = 0; id < pass.constants.size(); ++id)
+        for (std::uint32_t id = 0; id < pass.constants.size(); ++id) {
             constants.insert(id);
+        }
         EXPECT_EQ(text_of(wanted.bindings), bindings) << pass.name << ", " << pass.shader;
         EXPECT_EQ(wanted.constants, constants) << pass.name << ", " << pass.shader;
         EXPECT_EQ(wanted.push_bytes, pass.push_bytes) << pass.name << ", " << pass.shader;
@@ -123,25 +132,27 @@ class ShaderTest : public GpuTest {
 
 TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_unused) {
     const FrameInputs inputs = scene_inputs();
-    for (const Raster raster : {Raster::hardware, Raster::compute})
+    for (const Raster raster : {Raster::hardware, Raster::compute}) {
         for (const DebugView& view : debug_views()) {
             FrameSettings changed = settings();
             changed.raster = raster;
             changed.view = &view;
             check(inputs, changed);
         }
+    }
     for (const Tonemap& row : tonemaps()) {
         FrameSettings changed = settings();
         changed.tonemap = &row;
         check(inputs, changed);
     }
-    for (const Bloom& row : blooms())
+    for (const Bloom& row : blooms()) {
         for (const float threshold : {0.0F, 1.0F}) {
             FrameSettings changed = settings();
             changed.bloom = &row;
             changed.bloom_settings.threshold = threshold;
             check(inputs, changed);
         }
+    }
     for (const EffectInfo& row : effects) {
         FrameSettings changed = settings();
         changed.without.set(row.effect, true);
@@ -158,8 +169,9 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
         }
     }
     FrameSettings instruments = settings();
-    for (std::size_t i = 0; i < scopes.size(); ++i)
+    for (std::size_t i = 0; i < scopes.size(); ++i) {
         instruments.scope_sizes[i] = {scopes[i].width, scopes[i].height};
+    }
     instruments.probe = ProbePlace{1, 1};
     instruments.axes = &lutlib::srgb();
     check(inputs, instruments);
@@ -168,11 +180,13 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
     identity.cube = lutlib::identity_cube(16);
     const auto look = std::make_shared<const lutlib::Lut>(std::move(identity));
     std::list<GpuLook> looks;
-    for (const GpuLookup& row : gpu_lookups())
-        if (row.source != GpuLookup::Source::none)
+    for (const GpuLookup& row : gpu_lookups()) {
+        if (row.source != GpuLookup::Source::none) {
             looks.emplace_back(device(), look_for(look, row).data);
-    for (GpuLook& a : looks)
-        for (const bool half : {false, true})
+        }
+    }
+    for (GpuLook& a : looks) {
+        for (const bool half : {false, true}) {
             for (const Compare& compare : compares) {
                 a.half_arithmetic = half;
                 FrameSettings changed = instruments;
@@ -182,6 +196,8 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
                 graded.look_b = &looks.back();
                 check(graded, changed);
             }
+        }
+    }
 
     for (const Size of_picture : {size, Size{size.width / 2, size.height}}) {
         const GpuPicture picture(
@@ -197,8 +213,9 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
         check(copied);
     }
 
-    for (const gpu::ShaderCode& shader : gpu::shaders())
+    for (const gpu::ShaderCode& shader : gpu::shaders()) {
         EXPECT_TRUE(used_.contains(std::string(shader.name))) << "no pass runs " << shader.name;
+    }
 }
 
 } // namespace

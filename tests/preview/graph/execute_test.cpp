@@ -9,8 +9,9 @@ using ExecuteTest = GpuTest;
 
 std::vector<float> ramp(std::uint32_t width, std::uint32_t height) {
     std::vector<float> texels(std::size_t{4} * width * height);
-    for (std::size_t index = 0; index < texels.size(); ++index)
+    for (std::size_t index = 0; index < texels.size(); ++index) {
         texels[index] = static_cast<float>(index) / 7;
+    }
     return texels;
 }
 
@@ -34,11 +35,13 @@ TEST_F(ExecuteTest, a_steady_frame_allocates_and_rebuilds_nothing) {
         return graph;
     };
     Executor executor(device());
-    for (int frame = 0; frame < 3; ++frame)
+    for (int frame = 0; frame < 3; ++frame) {
         executor.render(declare(Format::rgba32f));
+    }
     const std::uint64_t allocations = device().allocation_count();
-    for (int frame = 0; frame < 5; ++frame)
+    for (int frame = 0; frame < 5; ++frame) {
         executor.render(declare(Format::rgba32f));
+    }
     EXPECT_EQ(device().allocation_count(), allocations);
     EXPECT_EQ(executor.rebuilds(), 1U);
     executor.render(declare(Format::rgba16f));
@@ -51,8 +54,9 @@ TEST_F(ExecuteTest, a_chain_of_copies_shares_memory_and_keeps_its_values) {
     const gpu::Image image = upload(desc, texels);
     Graph graph;
     ImageHandle last = graph.import("source", image, desc);
-    for (int copy = 0; copy < 6; ++copy)
+    for (int copy = 0; copy < 6; ++copy) {
         last = add_copy(graph, last, Format::rgba32f);
+    }
     graph.present(last);
     Executor executor(device());
     executor.render(graph);
@@ -102,8 +106,9 @@ TEST_F(ExecuteTest, a_repeated_frame_presents_again_and_computes_nothing) {
             vk::BufferImageCopy(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {},
                                 {desc.width, desc.height, 1}));
     };
-    for (int frame = 0; frame < 3; ++frame)
+    for (int frame = 0; frame < 3; ++frame) {
         executor.repeat(end);
+    }
     ASSERT_EQ(executor.timings().size(), times.size());
     EXPECT_EQ(executor.timings()[0].milliseconds, times[0].milliseconds);
     EXPECT_EQ(as<float>({seen.mapped().begin(), seen.mapped().end()}), texels);
@@ -191,9 +196,10 @@ TEST(DeviceTest, an_unknown_device_is_an_error_that_names_those_there_are) {
         const gpu::Device device({"no such thing", false, {}, {}});
         FAIL();
     } catch (const lutlib::Error& error) {
-        for (const gpu::DeviceInfo& known : gpu::list_devices())
+        for (const gpu::DeviceInfo& known : gpu::list_devices()) {
             EXPECT_NE(std::string(error.what()).find(known.name), std::string::npos)
                 << error.what();
+        }
     }
 }
 

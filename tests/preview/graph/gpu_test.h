@@ -32,8 +32,9 @@ class GpuTest : public testing::Test {
     void SetUp() override { messages_before_ = device().validation_messages().size(); }
     void TearDown() override {
         const auto messages = device().validation_messages();
-        for (std::size_t index = messages_before_; index < messages.size(); ++index)
+        for (std::size_t index = messages_before_; index < messages.size(); ++index) {
             ADD_FAILURE() << messages[index];
+        }
     }
 
     /// A sampled image from values of its texel type.

@@ -16,15 +16,17 @@ constexpr ImageDesc small{Format::rgba16f, 4, 4};
 /// A pass that reads the given handles and writes a new image of its own name.
 ImageHandle node(Graph& graph, const std::string& name, std::initializer_list<ImageHandle> inputs) {
     Pass pass = graph.compute(name, "x.comp");
-    for (const ImageHandle input : inputs)
+    for (const ImageHandle input : inputs) {
         pass.read(input);
+    }
     return pass.write(graph.image(name, small));
 }
 
 std::string order(const Graph& graph, const Plan& plan) {
     std::string names;
-    for (const Step& step : plan.steps)
+    for (const Step& step : plan.steps) {
         names += graph.passes()[step.pass].name + " ";
+    }
     return names;
 }
 
@@ -33,8 +35,9 @@ const Lifetime& life(const Graph& graph, const Plan& plan, const std::string& na
         std::find_if(plan.lifetimes.begin(), plan.lifetimes.end(), [&](const Lifetime& lifetime) {
             return graph.resources()[lifetime.resource].name == name;
         });
-    if (found == plan.lifetimes.end())
+    if (found == plan.lifetimes.end()) {
         throw std::runtime_error(name + " has no lifetime");
+    }
     return *found;
 }
 
@@ -238,8 +241,9 @@ TEST(GraphTest, reading_again_in_the_same_way_needs_no_barrier) {
     const ImageHandle b = node(graph, "b", {a});
     graph.present(node(graph, "c", {a, b}));
     const Plan plan = make_plan(graph);
-    for (const Barrier& barrier : plan.steps[2].barriers)
+    for (const Barrier& barrier : plan.steps[2].barriers) {
         EXPECT_NE(barrier.resource, 0U);
+    }
 }
 
 TEST(GraphTest, overwriting_waits_for_the_readers_and_drops_the_contents) {
@@ -372,8 +376,9 @@ TEST(ExplainTest, says_of_each_pass_whether_it_runs_and_why_not) {
 }
 
 TEST(ConventionsTest, the_tables_follow_their_enumerations) {
-    for (std::size_t index = 0; index < std::size(formats); ++index)
+    for (std::size_t index = 0; index < std::size(formats); ++index) {
         EXPECT_EQ(static_cast<std::size_t>(formats[index].format), index);
+    }
     EXPECT_EQ((ImageDesc{Format::rgba16f, 3, 5}).bytes(), 120U);
     EXPECT_EQ((ImageDesc{Format::d32, 2, 2, 0, 3}).bytes(), 48U);
     EXPECT_EQ((ImageDesc{Format::rgba8, 2, 2, 2}).bytes(), 32U);

@@ -29,7 +29,7 @@ const CubeDot& dot_of(const CubeDrawing& drawing, Rgb8 color) {
 }
 
 TEST(CubeNodesTest, are_the_looks_own_with_the_first_and_the_last_when_thinned) {
-    for (const int size : {2, 9, 16, 33, 65})
+    for (const int size : {2, 9, 16, 33, 65}) {
         for (const int most : {2, 5, 17, 33}) {
             const NodeCloud nodes = cube_nodes(identity_look(size), most);
             const auto n = static_cast<std::size_t>(std::min(size, most));
@@ -44,6 +44,7 @@ TEST(CubeNodesTest, are_the_looks_own_with_the_first_and_the_last_when_thinned) 
                 ASSERT_EQ(nodes.outputs[i], at);
             }
         }
+    }
 }
 
 TEST(CubeNodesTest, of_a_look_without_a_lattice_are_its_values_over_its_domain) {
@@ -99,8 +100,9 @@ TEST(CubeDrawingTest, leaves_out_what_is_not_finite_and_clamps_and_recolours_whe
     const float unclamped = dot_of(drawn(look, view), {255, 255, 255}).y;
     view.clamped = true;
     EXPECT_LT(unclamped, dot_of(drawn(look, view), {255, 255, 255}).y - 100);
-    for (Rgb& node : look.cube->nodes)
+    for (Rgb& node : look.cube->nodes) {
         node = {0.5F, 0.5F, 0.5F};
+    }
     view.by_input = true;
     EXPECT_EQ(dot_of(drawn(look, view), {255, 0, 128}).x, 200);
 }

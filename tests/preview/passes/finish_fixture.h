@@ -21,10 +21,13 @@ inline std::vector<lutlib::Rgb> test_colors(int lattice_size) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     const float odd[]{0,          1, 0.5f,  -0.0f, -1,  -1e30f, 1e-30f,
                       1.0000001f, 7, 65504, 1e30f, inf, -inf,   nan};
-    for (const float r : odd)
-        for (const float g : odd)
-            for (const float b : odd)
+    for (const float r : odd) {
+        for (const float g : odd) {
+            for (const float b : odd) {
                 colors.push_back({r, g, b});
+            }
+        }
+    }
     return colors;
 }
 
@@ -36,23 +39,27 @@ class FinishTest : public GpuTest {
                                std::uint32_t width = colors_a_row) {
         const auto height = static_cast<std::uint32_t>((colors.size() + width - 1) / width);
         std::vector<float> texels(std::size_t{4} * width * height);
-        for (std::size_t i = 0; i < colors.size(); ++i)
-            for (std::size_t c = 0; c < 4; ++c)
+        for (std::size_t i = 0; i < colors.size(); ++i) {
+            for (std::size_t c = 0; c < 4; ++c) {
                 texels[4 * i + c] = c < 3 ? colors[i][c] : 1;
+            }
+        }
         return upload({Format::rgba32f, width, height}, texels);
     }
 
     static gpu::Image image_of(const reference::Image& picture) {
         std::vector<lutlib::Rgb> colors;
-        for (const lutlib::RgbD& pixel : picture.pixels)
+        for (const lutlib::RgbD& pixel : picture.pixels) {
             colors.push_back(lutlib::to_float(pixel));
+        }
         return image_of(colors, static_cast<std::uint32_t>(picture.width));
     }
 
     static std::vector<lutlib::Rgb> colors_of(const std::vector<float>& texels) {
         std::vector<lutlib::Rgb> colors;
-        for (std::size_t i = 0; i + 3 < texels.size(); i += 4)
+        for (std::size_t i = 0; i + 3 < texels.size(); i += 4) {
             colors.push_back({texels[i], texels[i + 1], texels[i + 2]});
+        }
         return colors;
     }
 

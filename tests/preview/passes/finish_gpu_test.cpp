@@ -17,8 +17,9 @@ using reference::Image;
 template <class Row>
 std::vector<const Row*> rows_of(std::span<const Row> table) {
     std::vector<const Row*> rows;
-    for (const Row& row : table)
+    for (const Row& row : table) {
         rows.push_back(&row);
+    }
     return rows;
 }
 
@@ -62,14 +63,18 @@ INSTANTIATE_TEST_SUITE_P(Table, EveryTonemapOnGpu, testing::ValuesIn(rows_of(ton
 // Lights of all sizes on a dim ramp, in half floats so that the device starts from the same values.
 Image night(int width, int height) {
     Image image(width, height);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
             image.at(x, y) = {x / 256.0, y / 256.0, 0.125};
+        }
+    }
     image.at(width / 2, height / 2) = {60000, 30000, 8000};
     image.at(width / 5, height / 3) = {4, 9, 2};
-    for (int y = height / 2; y < height / 2 + 4 && y < height; ++y)
-        for (int x = 3 * width / 4; x < 3 * width / 4 + 9 && x < width; ++x)
+    for (int y = height / 2; y < height / 2 + 4 && y < height; ++y) {
+        for (int x = 3 * width / 4; x < 3 * width / 4 + 9 && x < width; ++x) {
             image.at(x, y) = {2.5, 1.5, 6};
+        }
+    }
     return image;
 }
 
@@ -110,13 +115,14 @@ TEST_P(EveryBloomOnGpu, equals_its_twin_in_double) {
         // 2^-16 brings 65504 into the 0..1 that the encoding keeps.
         const std::vector<RgbD> got = run(picture, plan, Format::rgba16f, -16);
         double error = 0, total = 0, worst = 0;
-        for (std::size_t i = 0; i < got.size(); ++i)
+        for (std::size_t i = 0; i < got.size(); ++i) {
             for (std::size_t c = 0; c < 3; ++c) {
                 const double off = got[i][c] - wanted.pixels[i][c];
                 error += off * off;
                 total += wanted.pixels[i][c] * wanted.pixels[i][c];
                 worst = std::max(worst, std::abs(off) / (wanted.pixels[i][c] + 1));
             }
+        }
         EXPECT_LT(std::sqrt(error / total), 5e-4);
         // Every stored level rounds to a half float, 2^-11 of a value; at most a dozen levels.
         EXPECT_LT(worst, 12.0 / 2048);
@@ -124,12 +130,14 @@ TEST_P(EveryBloomOnGpu, equals_its_twin_in_double) {
 }
 
 TEST_P(EveryBloomOnGpu, conserves_energy_in_half_floats_where_it_says_so) {
-    if (!GetParam()->conserves_energy)
+    if (!GetParam()->conserves_energy) {
         GTEST_SKIP() << "does not claim to";
+    }
     Image picture(512, 512);
     picture.at(255, 256) = {30000, 20000, 10000};
-    for (int i = 0; i < 12; ++i)
+    for (int i = 0; i < 12; ++i) {
         picture.at(250 + i, 240) = {3, 2, 5};
+    }
     const BloomPlan plan = bloom_plan(*GetParam(), {512, 512}, {0.5f, 1, 0.5f, 0.35f});
     const std::vector<RgbD> got = run(picture, plan, Format::rgba16f, -15);
     RgbD before, after;
@@ -137,14 +145,16 @@ TEST_P(EveryBloomOnGpu, conserves_energy_in_half_floats_where_it_says_so) {
         before = before + picture.pixels[i];
         after = after + got[i];
     }
-    for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t c = 0; c < 3; ++c) {
         EXPECT_NEAR(after[c] / before[c], 1, 1e-3);
+    }
 }
 
 TEST_P(EveryBloomOnGpu, changes_no_bit_where_nothing_is_bright) {
     Image dim(135, 67);
-    for (std::size_t i = 0; i < dim.pixels.size(); ++i)
+    for (std::size_t i = 0; i < dim.pixels.size(); ++i) {
         dim.pixels[i] = {1, static_cast<double>(i % 32) / 64, 0.25};
+    }
     const BloomPlan plan = bloom_plan(*GetParam(), {135, 67}, {-1, 1.25F, 0.25F, 1});
     EXPECT_EQ(run(dim, plan, Format::rgba16f, 0), run(dim, {}, Format::rgba16f, 0));
 }
@@ -157,8 +167,9 @@ using PassTest = FinishTest;
 TEST_F(PassTest, differences_are_ciede2000_and_their_figures_those_of_the_picture) {
     lutlib::Lut look;
     look.cube = lutlib::identity_cube(9);
-    for (Rgb& node : look.cube->nodes)
+    for (Rgb& node : look.cube->nodes) {
         node = {0.9f * node.r + 0.05f * node.b, node.g * node.g, 0.1f + 0.8f * node.b};
+    }
     const std::vector<Rgb> colors = lutlib::sample_colors(8, {256, 4000, true});
     const gpu::Image image = image_of(colors);
     const GpuLook gpu_look(device(), look_data(look, *gpu_lookup_named("tetrahedral")));
@@ -196,8 +207,9 @@ TEST_F(PassTest, sides_and_halves_show_the_look_they_are_named_for) {
     const gpu::Image image = image_of(colors, 64);
     lutlib::Lut black;
     black.cube = lutlib::identity_cube(2);
-    for (Rgb& node : black.cube->nodes)
+    for (Rgb& node : black.cube->nodes) {
         node = {0, 0, 0};
+    }
     const GpuLook look(device(), look_data(black, *gpu_lookup_named("tetrahedral")));
     for (const Compare& compare : compares) {
         FinishSettings settings;

@@ -21,17 +21,19 @@ float float_of_half(std::uint16_t half) {
     const int exponent = half >> 10 & 31;
     const float sign = (half & 0x8000) != 0 ? -1.0F : 1.0F;
     const auto mantissa = static_cast<float>(half & 1023);
-    if (exponent == 31)
+    if (exponent == 31) {
         return mantissa > 0 ? std::numeric_limits<float>::quiet_NaN()
                             : sign * std::numeric_limits<float>::infinity();
+    }
     return sign *
            (exponent == 0 ? std::ldexp(mantissa, -24) : std::ldexp(mantissa + 1024, exponent - 25));
 }
 
 std::vector<float> floats_of(const std::vector<std::uint16_t>& halves) {
     std::vector<float> floats;
-    for (const std::uint16_t half : halves)
+    for (const std::uint16_t half : halves) {
         floats.push_back(float_of_half(half));
+    }
     return floats;
 }
 
@@ -80,8 +82,9 @@ class GeometryTest : public GpuTest {
             }
         }
         const auto lights = light_blocks(scene.lights, layers, 512);
-        if (!lights.empty())
+        if (!lights.empty()) {
             handles.lights = graph.data("lights", std::as_bytes(std::span(lights)));
+        }
         handles.light_count = static_cast<std::uint32_t>(lights.size());
         LightingInputs inputs;
         inputs.shadow_maps = add_shadows(graph, handles, std::move(shadows));
@@ -97,13 +100,13 @@ class GeometryTest : public GpuTest {
 };
 
 TEST_F(GeometryTest, lights_a_floor_as_the_double_reference_does) {
-    for (const float metalness : {0.0F, 1.0F})
+    for (const float metalness : {0.0F, 1.0F}) {
         for (const float roughness : {0.0F, 0.2F, 0.5F, 1.0F}) {
             const Material material{{0.8F, 0.4F, 0.1F}, roughness, metalness, {}};
             const Scene scene = floor_scene(material);
             const auto pixels = light(scene);
             const ViewBlock view = view_block(scene.orbit, 1.5F);
-            for (std::uint32_t y = 0; y < size.height; ++y)
+            for (std::uint32_t y = 0; y < size.height; ++y) {
                 for (std::uint32_t x = 0; x < size.width; ++x) {
                     const double sx = (x + 0.5) / size.width * 2 - 1;
                     const double sy = (y + 0.5) / size.height * 2 - 1;
@@ -111,8 +114,9 @@ TEST_F(GeometryTest, lights_a_floor_as_the_double_reference_does) {
                                            sy * glm::dvec3(view.up);
                     const glm::dvec3 eye(view.position_near);
                     const glm::dvec3 at = eye - ray * (eye.y / ray.y);
-                    if (ray.y >= 0 || std::abs(at.x) > 9 || std::abs(at.z) > 9)
+                    if (ray.y >= 0 || std::abs(at.x) > 9 || std::abs(at.z) > 9) {
                         continue;
+                    }
                     const glm::dvec3 towards = glm::dvec3(scene.lights[0].position) - at;
                     const reference::Surface surface{
                         {0, 1, 0}, {0.8, 0.4, 0.1}, roughness, metalness};
@@ -132,7 +136,9 @@ TEST_F(GeometryTest, lights_a_floor_as_the_double_reference_does) {
                             << "roughness " << roughness << " at " << x << "," << y;
                     }
                 }
+            }
         }
+    }
 }
 
 TEST_F(GeometryTest, a_lit_floor_does_not_shadow_itself) {
@@ -140,8 +146,9 @@ TEST_F(GeometryTest, a_lit_floor_does_not_shadow_itself) {
     const auto free_of_shadows = light(scene);
     scene.lights[0].casts_shadow = true;
     const auto pixels = light(scene);
-    for (std::size_t at = 0; at < pixels.size(); ++at)
+    for (std::size_t at = 0; at < pixels.size(); ++at) {
         ASSERT_EQ(pixels[at], free_of_shadows[at]) << at;
+    }
 }
 
 TEST_F(GeometryTest, a_ball_shadows_what_lies_behind_it_and_nothing_else) {
@@ -165,8 +172,9 @@ TEST_F(GeometryTest, a_ball_shadows_what_lies_behind_it_and_nothing_else) {
     const std::size_t shadowed = at_floor({0, 0, 0}); // the light through the ball's centre
     EXPECT_GT(free_of_shadows[shadowed], 0.1F);
     EXPECT_EQ(pixels[shadowed], 0);
-    for (const glm::vec3 point : {glm::vec3(1.4F, 0, 0.5F), glm::vec3(-1.2F, 0, 0.3F)})
+    for (const glm::vec3 point : {glm::vec3(1.4F, 0, 0.5F), glm::vec3(-1.2F, 0, 0.3F)}) {
         EXPECT_EQ(pixels[at_floor(point)], free_of_shadows[at_floor(point)]);
+    }
 }
 
 TEST_F(GeometryTest, every_scene_is_finite_and_not_black) {
@@ -186,8 +194,9 @@ TEST_F(GeometryTest, without_lights_and_surroundings_a_scene_is_black) {
     Scene scene = floor_scene({});
     scene.lights.clear();
     const auto pixels = light(scene);
-    for (std::size_t at = 0; at < pixels.size(); at += 4)
+    for (std::size_t at = 0; at < pixels.size(); at += 4) {
         ASSERT_EQ(pixels[at] + pixels[at + 1] + pixels[at + 2], 0);
+    }
 }
 
 class ResolveTest : public GpuTest {
@@ -239,14 +248,16 @@ TEST_F(ResolveTest, another_size_keeps_the_mean_and_ignores_what_is_not_finite) 
     for (const Size target : {Size{4, 3}, Size{24, 18}, Size{6, 5}}) {
         const Result result = resolve(desc, texels, target, 1);
         double found = 0;
-        for (std::size_t at = 0; at < result.texels.size(); at += 4)
+        for (std::size_t at = 0; at < result.texels.size(); at += 4) {
             found += static_cast<double>(result.texels[at]) / (target.width * target.height);
+        }
         // Texels are rounded to halves, and where it is enlarged the border repeats.
         EXPECT_NEAR(found, mean, 0.05) << target.width;
     }
     texels[0] = std::numeric_limits<float>::quiet_NaN();
-    for (const float value : resolve(desc, texels, {4, 3}, 1).texels)
+    for (const float value : resolve(desc, texels, {4, 3}, 1).texels) {
         EXPECT_TRUE(std::isfinite(value));
+    }
 }
 
 TEST_F(ResolveTest, a_picture_keeps_its_proportions_between_black_bars) {
@@ -259,13 +270,14 @@ TEST_F(ResolveTest, a_picture_keeps_its_proportions_between_black_bars) {
          {Case{{4, 6}, {0, 2}, {4, 4}}, Case{{9, 2}, {2, 0}, {6, 2}}, Case{{2, 7}, {0, 3}, {2, 4}},
           Case{{1, 1}, {0, 0}, {1, 1}}}) {
         const Result result = resolve(desc, texels, target, 1);
-        for (std::uint32_t y = 0; y < target.height; ++y)
+        for (std::uint32_t y = 0; y < target.height; ++y) {
             for (std::uint32_t x = 0; x < target.width; ++x) {
                 const bool inside =
                     x >= low.width && x < high.width && y >= low.height && y < high.height;
                 EXPECT_EQ(result.texels[std::size_t{4} * (y * target.width + x)], inside ? 3 : 0)
                     << target.width << "x" << target.height << ": " << x << "," << y;
             }
+        }
     }
 }
 

@@ -25,9 +25,10 @@ lutlib::Lut3D cube_of(int size, lutlib::Domain domain) {
     lutlib::Lut3D cube = lutlib::identity_cube(size, domain);
     for (Rgb& node : cube.nodes) {
         RgbD unit;
-        for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t c = 0; c < 3; ++c) {
             unit[c] =
                 static_cast<double>((node[c] - domain.min[c]) / (domain.max[c] - domain.min[c]));
+        }
         node = lutlib::to_float(strong_look(unit));
     }
     return cube;
@@ -92,12 +93,13 @@ int filter_codes(int size) {
 void expect_codes_near(const std::vector<std::uint8_t>& got, const std::vector<Rgb>& wanted,
                        int bound) {
     int worst = 0;
-    for (std::size_t i = 0; i < wanted.size(); ++i)
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
             const float clamped = std::clamp(wanted[i][c], 0.0f, 1.0f);
             const int code = static_cast<int>(std::lround(clamped * 255));
             worst = std::max(worst, std::abs(code - int{got[4 * i + c]}));
         }
+    }
     EXPECT_LE(worst, bound);
 }
 
@@ -115,15 +117,18 @@ class EveryLookup : public FinishTest, public testing::WithParamInterface<const 
         SCOPED_TRACE(what);
         const std::vector<Rgb> inputs = test_colors(size);
         std::vector<Rgb> wanted;
-        for (const Rgb& in : inputs)
+        for (const Rgb& in : inputs) {
             wanted.push_back(oracle(in));
+        }
         GpuLook look(device(), data);
-        if (!GetParam()->filtered)
+        if (!GetParam()->filtered) {
             expect_near(finished(inputs, &look, display_encoded()), wanted, inputs, float_bound);
+        }
         expect_codes_near(finished_codes(inputs, &look, display_encoded()), wanted,
                           GetParam()->filtered ? std::max(1, filter_codes(size)) : 1);
-        if (!GetParam()->shared() || !device().has_half())
+        if (!GetParam()->shared() || !device().has_half()) {
             return;
+        }
         look.half_arithmetic = !look.half_arithmetic;
         expect_codes_near(finished_codes(inputs, &look, display_encoded()), wanted, 1);
     }
@@ -159,18 +164,22 @@ TEST_P(EveryLookup, gives_what_lutlib_gives) {
     case GpuLookup::Source::none:
         break;
     case GpuLookup::Source::table:
-        for (const auto& [name, look] : table_looks())
-            if (!row.filtered || (look.cube && look.cube->domain.is_unit() && !look.shaper))
+        for (const auto& [name, look] : table_looks()) {
+            if (!row.filtered || (look.cube && look.cube->domain.is_unit() && !look.shaper)) {
                 compare_table(look, name);
+            }
+        }
         break;
     case GpuLookup::Source::picture: {
         const lutlib::Engine& engine = row.engine ? *row.engine : *lutlib::engine_named("piccolo");
         compare_picture(engine, row.shared() ? 16 : engine.default_size, 8);
         if (row.engine) {
-            for (const int size : engine.sizes)
+            for (const int size : engine.sizes) {
                 compare_picture(engine, size, engine.default_bits);
-            for (const int bits : engine.bits)
+            }
+            for (const int bits : engine.bits) {
                 compare_picture(engine, engine.default_size, bits);
+            }
         }
         break;
     }
@@ -179,8 +188,9 @@ TEST_P(EveryLookup, gives_what_lutlib_gives) {
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryLookup, testing::ValuesIn([] {
                              std::vector<const GpuLookup*> rows;
-                             for (const GpuLookup& row : gpu_lookups())
+                             for (const GpuLookup& row : gpu_lookups()) {
                                  rows.push_back(&row);
+                             }
                              return rows;
                          }()),
                          [](const auto& row) { return support::test_name(row.param->name); });
@@ -197,9 +207,11 @@ TEST_F(SharedLookupTest, every_texel_of_any_size_is_finished_as_by_the_plain_pas
     for (const auto& [width, height] : {std::pair{1, 1}, {63, 31}, {65, 33}, {135, 67}}) {
         SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height));
         reference::Image picture(width, height);
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
                 picture.at(x, y) = {x * 0.02, y * 0.03, (x ^ y) * 0.01};
+            }
+        }
         const gpu::Image image = image_of(picture);
         const auto run = [&](const GpuLook& look) {
             FinishSettings settings;

@@ -26,8 +26,9 @@ Codes noise(std::uint32_t width, std::uint32_t height, std::uint32_t seed) {
 
 Codes flat(std::uint32_t width, std::uint32_t height, std::array<std::uint8_t, 4> code) {
     Codes codes;
-    for (std::uint32_t i = 0; i < width * height; ++i)
+    for (std::uint32_t i = 0; i < width * height; ++i) {
         codes.insert(codes.end(), code.begin(), code.end());
+    }
     return codes;
 }
 
@@ -122,7 +123,7 @@ TEST_P(EveryScope, counts_the_codes_that_broken_light_became) {
 
 TEST_P(EveryScope, draws_in_any_size_and_another_picture_for_other_codes) {
     const Codes dark = flat(40, 30, {20, 24, 60, 255}), bright = noise(40, 30, 3);
-    for (const Size size : {Size{1, 1}, {7, 3}, {64, 200}, {640, 360}})
+    for (const Size size : {Size{1, 1}, {7, 3}, {64, 200}, {640, 360}}) {
         for (const bool logarithmic : {false, true}) {
             const auto a = run(dark, 40, {0, 40}, size, logarithmic).picture;
             ASSERT_EQ(a.size(), std::size_t{4} * size.width * size.height);
@@ -130,6 +131,7 @@ TEST_P(EveryScope, draws_in_any_size_and_another_picture_for_other_codes) {
                 EXPECT_NE(a, run(bright, 40, {0, 40}, size, logarithmic).picture);
             }
         }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryScope, testing::ValuesIn(scopes),
@@ -138,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Table, EveryScope, testing::ValuesIn(scopes),
 TEST(ScopeRangeTest, of_a_side_has_no_column_of_the_other_nor_of_the_line) {
     constexpr std::uint32_t width = 200, height = 2160;
     const ScopeSide &a = scope_sides[1], &b = scope_sides[2];
-    for (const Compare& compare : compares)
+    for (const Compare& compare : compares) {
         for (const float split : {0.0F, 0.3F, 0.5F, 1.0F}) {
             SCOPED_TRACE(std::string(compare.name) + " " + std::to_string(split));
             const auto range = [&](const ScopeSide& side) {
@@ -168,11 +170,12 @@ TEST(ScopeRangeTest, of_a_side_has_no_column_of_the_other_nor_of_the_line) {
                 EXPECT_EQ(range(b).count, 0U);
             }
         }
+    }
 }
 
 TEST(ScopeTwinTest, luma_and_differences_lie_within_half_a_code_of_bt709) {
-    for (int r = 0; r < 256; r += 15)
-        for (int g = 0; g < 256; g += 15)
+    for (int r = 0; r < 256; r += 15) {
+        for (int g = 0; g < 256; g += 15) {
             for (int b = 0; b < 256; b += 15) {
                 const Codes code{static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
                                  static_cast<std::uint8_t>(b), 0};
@@ -188,6 +191,8 @@ TEST(ScopeTwinTest, luma_and_differences_lie_within_half_a_code_of_bt709) {
                 EXPECT_NEAR(static_cast<double>(place % 256) - 128, (b - luma) / 1.8556, 0.506);
                 EXPECT_NEAR(static_cast<double>(place / 256) - 128, (r - luma) / 1.5748, 0.506);
             }
+        }
+    }
 }
 
 } // namespace

@@ -23,17 +23,20 @@ using lutlib::RgbD;
 lutlib::Lut bent_look() {
     lutlib::Lut look;
     look.cube = lutlib::identity_cube(16);
-    for (Rgb& node : look.cube->nodes)
+    for (Rgb& node : look.cube->nodes) {
         node = {0.9F * node.r + 0.05F * node.b, node.g * node.g, 0.1F + 0.8F * node.b};
+    }
     return look;
 }
 
 /// What the HDR resolve lets through.
 std::vector<Rgb> finite_colors() {
     std::vector<Rgb> colors = test_colors(2);
-    for (Rgb& color : colors)
-        for (std::size_t c = 0; c < 3; ++c)
+    for (Rgb& color : colors) {
+        for (std::size_t c = 0; c < 3; ++c) {
             color[c] = color[c] > 0 ? std::min(color[c], 65504.0F) : 0;
+        }
+    }
     return colors;
 }
 
@@ -65,13 +68,14 @@ TEST_F(ProbeTest, tells_the_tone_mapped_colour_before_the_looks) {
     FinishSettings settings;
     settings.tonemap = tonemap_named("agx");
     const std::vector<Rgb> wanted = finished(colors, nullptr, settings);
-    for (const auto& [at, probe] : probed(colors, nullptr, settings))
+    for (const auto& [at, probe] : probed(colors, nullptr, settings)) {
         for (std::size_t c = 0; c < 3; ++c) {
             // Two compilations of the same arithmetic.
             EXPECT_NEAR(probe.before[c], static_cast<double>(wanted[at][c]), 2e-6) << at;
             EXPECT_EQ(probe.a[c], probe.before[c]) << at;
             EXPECT_EQ(probe.b[c], probe.before[c]) << at;
         }
+    }
 }
 
 class EveryLookupProbed : public ProbeTest, public testing::WithParamInterface<const GpuLookup*> {};
@@ -84,15 +88,18 @@ TEST_P(EveryLookupProbed, tells_what_the_finishing_pass_makes_of_the_texel) {
                       ? no_look()
                       : look_for(std::make_shared<const lutlib::Lut>(bent_look()), lookup).data);
     const std::vector<Rgb> wanted = finished(colors, &look, {});
-    for (const auto& [at, probe] : probed(colors, &look, {}))
-        for (std::size_t c = 0; c < 3; ++c)
+    for (const auto& [at, probe] : probed(colors, &look, {})) {
+        for (std::size_t c = 0; c < 3; ++c) {
             EXPECT_NEAR(probe.b[c], static_cast<double>(wanted[at][c]), 4e-6) << at;
+        }
+    }
 }
 
 std::vector<const GpuLookup*> lookup_rows() {
     std::vector<const GpuLookup*> rows;
-    for (const GpuLookup& row : gpu_lookups())
+    for (const GpuLookup& row : gpu_lookups()) {
         rows.push_back(&row);
+    }
     return rows;
 }
 
@@ -133,8 +140,9 @@ TEST_P(EveryEncodingCounted, counts_what_its_twin_in_double_counts_but_for_value
         std::vector<Rgb> colors = test_colors(8);
         colors.resize(colors.size() / width * width);
         std::vector<RgbD> doubles;
-        for (const Rgb& color : colors)
+        for (const Rgb& color : colors) {
             doubles.push_back(lutlib::to_double(color));
+        }
         const auto wanted = reference::axis_counts(doubles, *GetParam());
         const auto got = run(colors, width);
         ASSERT_EQ(got.size(), wanted.size());
@@ -177,8 +185,9 @@ std::string test_name(const lutlib::Encoding& encoding) {
 
 std::vector<const lutlib::Encoding*> encoding_rows() {
     std::vector<const lutlib::Encoding*> rows;
-    for (const lutlib::Encoding& row : lutlib::encodings())
+    for (const lutlib::Encoding& row : lutlib::encodings()) {
         rows.push_back(&row);
+    }
     return rows;
 }
 
@@ -186,11 +195,13 @@ INSTANTIATE_TEST_SUITE_P(Table, EveryEncodingCounted, testing::ValuesIn(encoding
                          [](const auto& row) { return test_name(*row.param); });
 
 TEST(AxisForTest, every_curve_of_every_operator_has_an_axis_that_is_counted) {
-    for (const lutlib::Op* op : lutlib::ops())
-        for (const lutlib::Parameter& parameter : op->parameters)
+    for (const lutlib::Op* op : lutlib::ops()) {
+        for (const lutlib::Parameter& parameter : op->parameters) {
             if (parameter.kind == lutlib::ParameterKind::curve) {
                 EXPECT_NE(axis_for(parameter), nullptr) << op->name << ' ' << parameter.name;
             }
+        }
+    }
 }
 
 } // namespace

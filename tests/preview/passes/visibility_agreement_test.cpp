@@ -11,24 +11,30 @@ namespace {
 
 TEST_F(VisibilityTest, the_nearest_wins_and_of_equals_the_last) {
     std::vector<glm::vec3> corners;
-    for (const float z : {0.5F, 0.25F, 0.25F, 0.75F})
-        for (const glm::vec2 at : {glm::vec2(-1, -1), glm::vec2(-1, 3), glm::vec2(3, -1)})
+    for (const float z : {0.5F, 0.25F, 0.25F, 0.75F}) {
+        for (const glm::vec2 at : {glm::vec2(-1, -1), glm::vec2(-1, 3), glm::vec2(3, -1)}) {
             corners.emplace_back(at, z);
+        }
+    }
     Scene scene = scene_of(corners, {});
     scene.objects.clear();
     scene.meshes.assign(4, Mesh{});
     for (std::uint32_t index = 0; index < 4; ++index) {
-        for (std::size_t corner = 0; corner < 3; ++corner)
+        for (std::size_t corner = 0; corner < 3; ++corner) {
             scene.meshes[index].vertices.push_back({corners[index * 3 + corner], {0, 0, 1}});
+        }
         scene.meshes[index].indices = {0, 1, 2};
         scene.materials.emplace_back();
         scene.objects.push_back({index, index, glm::mat4(1), true});
     }
-    for (const VisibilityLimits& limits : ways)
-        for (const std::uint32_t number : compute(scene, {}, limits).material)
+    for (const VisibilityLimits& limits : ways) {
+        for (const std::uint32_t number : compute(scene, {}, limits).material) {
             ASSERT_EQ(number, 3U);
-    for (const std::uint32_t number : hardware(scene, {}).material)
+        }
+    }
+    for (const std::uint32_t number : hardware(scene, {}).material) {
         ASSERT_EQ(number, 3U);
+    }
 }
 
 TEST_F(VisibilityTest, every_scene_has_the_surfaces_that_the_gpus_rasteriser_finds) {
@@ -84,8 +90,9 @@ TEST_F(VisibilityTest, the_finished_frame_differs_at_edges_only) {
         std::size_t differing = 0;
         for (std::size_t at = 0; at < expected.size(); at += 4) {
             int most = 0;
-            for (std::size_t c = 0; c < 3; ++c)
+            for (std::size_t c = 0; c < 3; ++c) {
                 most = std::max(most, std::abs(int{found[at + c]} - int{expected[at + c]}));
+            }
             differing += most > 2 ? 1 : 0;
         }
         EXPECT_LT(static_cast<double>(differing) / static_cast<double>(expected.size() / 4), 0.005)

@@ -1,9 +1,9 @@
 // What the tests of the compute rasteriser share: its surfaces and the GPU's own of a scene.
 #pragma once
 
-#include "preview/scene/gpu_scene.h"
 #include "preview/passes/gbuffer.h"
 #include "preview/passes/visibility.h"
+#include "preview/scene/gpu_scene.h"
 #include "tests/preview/graph/gpu_test.h"
 
 #include <glm/geometric.hpp>
@@ -40,8 +40,9 @@ inline glm::vec3 decoded(std::array<std::uint16_t, 2> bits) {
 inline Scene scene_of(std::vector<glm::vec3> positions, std::vector<std::uint32_t> indices) {
     Scene scene;
     scene.meshes.emplace_back();
-    for (const glm::vec3& position : positions)
+    for (const glm::vec3& position : positions) {
         scene.meshes[0].vertices.push_back({position, {0, 0, 1}});
+    }
     scene.meshes[0].indices = std::move(indices);
     scene.materials.emplace_back();
     scene.objects.emplace_back();
@@ -50,16 +51,18 @@ inline Scene scene_of(std::vector<glm::vec3> positions, std::vector<std::uint32_
 
 inline std::vector<Draw> all_draws(const Scene& scene, const Geometry& geometry) {
     std::vector<std::uint32_t> objects;
-    for (std::uint32_t index = 0; index < scene.objects.size(); ++index)
+    for (std::uint32_t index = 0; index < scene.objects.size(); ++index) {
         objects.push_back(index);
+    }
     return draws_of(scene, geometry, objects);
 }
 
 class VisibilityTest : public GpuTest {
   protected:
     void SetUp() override {
-        if (!device().has_int64_atomics())
+        if (!device().has_int64_atomics()) {
             GTEST_SKIP() << device().name() << " has no 64-bit atomics on buffers";
+        }
         GpuTest::SetUp();
     }
 
@@ -109,8 +112,9 @@ class VisibilityTest : public GpuTest {
                 render(scene, gpu_scene, {}, size, [&](Graph& graph, const auto& handles, Size s) {
                     return add_visibility(graph, handles, s, {{3, first, 0, 1, 0}}, limits);
                 });
-            for (std::size_t at = 0; at < counts.size(); ++at)
+            for (std::size_t at = 0; at < counts.size(); ++at) {
                 counts[at] += one.material[at] != 0 ? 1 : 0;
+            }
         }
         return counts;
     }

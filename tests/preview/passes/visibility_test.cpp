@@ -16,23 +16,26 @@ template <class Move>
 Scene tessellated(int columns, int rows, const Move& move) {
     std::vector<glm::vec3> positions;
     std::vector<std::uint32_t> indices;
-    for (int row = 0; row <= rows; ++row)
+    for (int row = 0; row <= rows; ++row) {
         for (int column = 0; column <= columns; ++column) {
             const glm::vec2 pixel = move(column, row);
             positions.emplace_back(pixel.x * 2 / size.width - 1, pixel.y * 2 / size.height - 1,
                                    0.5F);
         }
-    for (int row = 0; row < rows; ++row)
+    }
+    for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < columns; ++column) {
             const auto a = static_cast<std::uint32_t>(row * (columns + 1) + column);
             const auto b = a + 1;
             const auto c = a + static_cast<std::uint32_t>(columns) + 1;
             const auto d = c + 1;
-            if ((row + column) % 2 == 0)
+            if ((row + column) % 2 == 0) {
                 indices.insert(indices.end(), {a, c, d, a, d, b});
-            else
+            } else {
                 indices.insert(indices.end(), {a, c, b, b, c, d});
+            }
         }
+    }
     return scene_of(positions, indices);
 }
 
@@ -43,9 +46,11 @@ TEST_F(VisibilityTest, a_tessellated_plane_covers_every_pixel_exactly_once) {
         return glm::vec2(-16 + 16 * column, -16 + 16 * row) +
                glm::vec2(jitter(random), jitter(random));
     });
-    for (const VisibilityLimits& limits : ways)
-        for (const int count : coverage(scene, limits))
+    for (const VisibilityLimits& limits : ways) {
+        for (const int count : coverage(scene, limits)) {
             ASSERT_EQ(count, 1);
+        }
+    }
 }
 
 TEST_F(VisibilityTest, edges_and_corners_on_pixel_centres_belong_to_one_triangle) {
@@ -53,9 +58,11 @@ TEST_F(VisibilityTest, edges_and_corners_on_pixel_centres_belong_to_one_triangle
         return glm::vec2(-15.5F + 16 * static_cast<float>(column),
                          -15.5F + 16 * static_cast<float>(row));
     });
-    for (const VisibilityLimits& limits : ways)
-        for (const int count : coverage(scene, limits))
+    for (const VisibilityLimits& limits : ways) {
+        for (const int count : coverage(scene, limits)) {
             ASSERT_EQ(count, 1);
+        }
+    }
 }
 
 TEST_F(VisibilityTest, triangles_smaller_than_a_pixel_leave_no_hole) {
@@ -82,7 +89,7 @@ TEST_F(VisibilityTest, a_closed_mesh_has_no_hole_and_ends_at_its_silhouette) {
     const glm::vec3 eye(view.position_near);
     for (const VisibilityLimits& limits : ways) {
         const Surfaces found = compute(scene, view, limits);
-        for (std::uint32_t y = 0; y < size.height; ++y)
+        for (std::uint32_t y = 0; y < size.height; ++y) {
             for (std::uint32_t x = 0; x < size.width; ++x) {
                 const float sx = (static_cast<float>(x) + 0.5F) / size.width * 2 - 1;
                 const float sy = (static_cast<float>(y) + 0.5F) / size.height * 2 - 1;
@@ -101,13 +108,14 @@ TEST_F(VisibilityTest, a_closed_mesh_has_no_hole_and_ends_at_its_silhouette) {
                     ASSERT_EQ(found.depth[at], 1.0F);
                 }
             }
+        }
     }
 }
 
 TEST_F(VisibilityTest, a_floor_that_runs_through_the_camera_and_far_away_has_its_true_depth) {
     // Two triangles that cross the near plane, and whose corners lie far outside the grid of
     // sub-pixels.
-    for (const float half_side : {10.0F, 400.0F, 20000.0F})
+    for (const float half_side : {10.0F, 400.0F, 20000.0F}) {
         for (const float azimuth : {0.0F, 33.0F, 45.0F}) {
             Scene scene;
             scene.meshes.push_back(plane());
@@ -120,7 +128,7 @@ TEST_F(VisibilityTest, a_floor_that_runs_through_the_camera_and_far_away_has_its
             int covered = 0;
             for (const VisibilityLimits& limits : ways) {
                 const Surfaces found = compute(scene, view, limits);
-                for (std::uint32_t y = 0; y < size.height; ++y)
+                for (std::uint32_t y = 0; y < size.height; ++y) {
                     for (std::uint32_t x = 0; x < size.width; ++x) {
                         const float sx = (static_cast<float>(x) + 0.5F) / size.width * 2 - 1;
                         const float sy = (static_cast<float>(y) + 0.5F) / size.height * 2 - 1;
@@ -143,9 +151,11 @@ TEST_F(VisibilityTest, a_floor_that_runs_through_the_camera_and_far_away_has_its
                             ASSERT_NEAR(found.depth[at], 1 - 0.1F / z, bound) << x << "," << y;
                         }
                     }
+                }
             }
             EXPECT_GT(covered, 3 * 1000);
         }
+    }
 }
 
 TEST_F(VisibilityTest, a_triangle_far_larger_than_the_picture_fills_it_with_its_plane) {
@@ -198,7 +208,7 @@ TEST_F(VisibilityTest, what_has_no_front_in_the_picture_draws_nothing) {
         {{-inf, -1, 0.5F}, {-1, 1, 0.5F}, {1, -1, 0.5F}},
         {{-1, -1, 0.5F}, {-1, inf, 0.5F}, {1, -1, 0.5F}},
     };
-    for (std::size_t index = 0; index < std::size(cases); ++index)
+    for (std::size_t index = 0; index < std::size(cases); ++index) {
         for (const VisibilityLimits& limits : ways) {
             const Surfaces found = compute(scene_of(cases[index], {0, 1, 2}), {}, limits);
             EXPECT_EQ(std::count(found.material.begin(), found.material.end(), 0U),
@@ -207,6 +217,7 @@ TEST_F(VisibilityTest, what_has_no_front_in_the_picture_draws_nothing) {
             EXPECT_EQ(std::count(found.depth.begin(), found.depth.end(), 1.0F),
                       static_cast<long>(found.depth.size()));
         }
+    }
 }
 
 } // namespace

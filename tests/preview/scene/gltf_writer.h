@@ -44,8 +44,9 @@ class GltfWriter {
                                                        {"min", {-1, -1, -1}},
                                                        {"max", {1, 1, 1}}});
         json primitive = {{"attributes", {{"POSITION", accessor}}}};
-        if (root.contains("materials"))
+        if (root.contains("materials")) {
             primitive["material"] = material;
+        }
         return add("meshes", {{"primitives", json::array({primitive})}});
     }
 

@@ -61,9 +61,11 @@ GltfWriter one_square() {
 }
 
 bool tells(const ImportedScene& imported, const std::string& what) {
-    for (const std::string& line : imported.left_out)
-        if (line.find(what) != std::string::npos)
+    for (const std::string& line : imported.left_out) {
+        if (line.find(what) != std::string::npos) {
             return true;
+        }
+    }
     return false;
 }
 
@@ -91,8 +93,9 @@ TEST_F(ImportTest, takes_triangles_with_the_transforms_of_their_nodes) {
     expect_near(second - first, {20 * scale, 0, 0}, rounding);
     const Bounds box = scene.bounds();
     expect_near(box.max - box.min, glm::vec3(24, 4, 0) * scale, rounding);
-    for (const Vertex& vertex : scene.meshes[0].vertices)
+    for (const Vertex& vertex : scene.meshes[0].vertices) {
         expect_near(vertex.normal, {0, 0, 1}, rounding);
+    }
 }
 
 TEST_F(ImportTest, frames_all_of_a_file_without_a_camera_at_any_scale) {
@@ -101,7 +104,7 @@ TEST_F(ImportTest, frames_all_of_a_file_without_a_camera_at_any_scale) {
         gltf.add_node({{"mesh", gltf.add_mesh(square_corners())}, {"scale", {size, size, size}}});
         const Scene scene = import(gltf).scene;
         const Camera camera = camera_of(scene.orbit, 16.0F / 9);
-        for (const float x : {-1.0F, 1.0F})
+        for (const float x : {-1.0F, 1.0F}) {
             for (const float y : {-1.0F, 1.0F}) {
                 const glm::vec4 clip = camera.projection * camera.view *
                                        scene.objects[0].transform * glm::vec4(x, y, 0, 1);
@@ -109,6 +112,7 @@ TEST_F(ImportTest, frames_all_of_a_file_without_a_camera_at_any_scale) {
                 EXPECT_LT(std::abs(clip.y), clip.w) << size;
                 EXPECT_GT(std::abs(clip.y), 0.4F * clip.w) << size;
             }
+        }
     }
 }
 
@@ -215,8 +219,9 @@ TEST_F(ImportTest, shines_with_the_file_s_lights_as_bright_as_they_were) {
     EXPECT_NEAR(std::exp2(scene.exposure) * (0.5F + 3 + 0.125F), std::numbers::pi_v<float>, 1e-2F);
     expect_near(scene.environment.zenith * std::exp2(scene.exposure),
                 sample_scene().environment.zenith, rounding);
-    for (const PointLight& light : scene.lights)
+    for (const PointLight& light : scene.lights) {
         EXPECT_TRUE(light.casts_shadow);
+    }
 }
 
 TEST_F(ImportTest, drops_triangles_with_a_vertex_that_is_not_finite_and_counts_them) {
@@ -242,8 +247,9 @@ TEST_F(ImportTest, shows_both_sides_of_a_double_sided_material) {
     const Mesh mesh = import(gltf).scene.meshes[0];
     ASSERT_EQ(mesh.indices.size(), 12U);
     float sum = 0;
-    for (const std::uint32_t index : mesh.indices)
+    for (const std::uint32_t index : mesh.indices) {
         sum += mesh.vertices[index].normal.z;
+    }
     EXPECT_EQ(sum, 0);
 }
 
@@ -257,8 +263,9 @@ TEST_F(ImportTest, tells_what_it_leaves_out) {
     gltf.add_node({{"mesh", gltf.add_mesh(square_corners())}});
     const ImportedScene imported = import(gltf);
     for (const char* what :
-         {"1 transparency", "1 normal and occlusion", "1 materials' KHR_materials_clearcoat"})
+         {"1 transparency", "1 normal and occlusion", "1 materials' KHR_materials_clearcoat"}) {
         EXPECT_TRUE(tells(imported, what)) << what;
+    }
 }
 
 struct Damage {
@@ -299,8 +306,9 @@ constexpr Damage damages[] = {
      [](GltfWriter& g) { g.root["accessors"][0]["count"] = 2'000; }},
     {"too many nodes", "nodes",
      [](GltfWriter& g) {
-         for (std::size_t i = 0; i <= import_limits.nodes; ++i)
+         for (std::size_t i = 0; i <= import_limits.nodes; ++i) {
              g.root["nodes"].push_back(json::object());
+         }
      }},
 };
 
@@ -340,12 +348,14 @@ TEST_F(ImportTest, survives_every_cut_of_a_file) {
 
 TEST_F(ImportTest, takes_or_refuses_every_model_of_a_foreign_collection) {
     const fs::path models = "/usr/share/assimp/models/glTF2";
-    if (!fs::exists(models))
+    if (!fs::exists(models)) {
         GTEST_SKIP() << "the package assimp-testmodels is not installed";
+    }
     std::size_t taken = 0;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(models)) {
-        if (!is_model_file(entry.path().string()))
+        if (!is_model_file(entry.path().string())) {
             continue;
+        }
         try {
             const Scene scene = import_scene(entry.path().string()).scene;
             EXPECT_FALSE(scene.objects.empty()) << entry.path();
@@ -402,11 +412,14 @@ TEST(LightEdit, takes_a_value_for_every_control_and_keeps_the_rest) {
         EXPECT_FALSE(scene.lights[0] == before[0]) << control.name;
         const glm::vec3 got = control.get(scene.lights[0]);
         EXPECT_NEAR(got.x, is_flag ? 0 : value == "0" ? 3 : 0.25F, 1e-5F) << control.name;
-        for (const LightControl& other : light_controls())
-            if (&other != &control)
+        for (const LightControl& other : light_controls()) {
+            if (&other != &control) {
                 expect_near(other.get(scene.lights[0]), other.get(before[0]), 1e-4F);
-        for (std::size_t i = 1; i < before.size(); ++i)
+            }
+        }
+        for (std::size_t i = 1; i < before.size(); ++i) {
             EXPECT_TRUE(scene.lights[i] == before[i]);
+        }
         edit_light(scene.lights, "1." + std::string(control.name) + "=" +
                                      (components(control.kind) == 3 ? "1,1,1" : "1"));
     }

@@ -36,8 +36,9 @@ TEST(Mesh, faces_wind_counter_clockwise_about_their_outward_normals) {
                 ASSERT_GT(glm::dot(face, a.normal + b.normal + c.normal), 0) << mesh.name;
             }
         }
-        for (const Vertex& vertex : mesh.vertices)
+        for (const Vertex& vertex : mesh.vertices) {
             ASSERT_NEAR(glm::length(vertex.normal), 1, 1e-5) << mesh.name;
+        }
     }
 }
 
@@ -128,16 +129,18 @@ TEST_P(EveryScene, moves_with_time_without_changing_its_counts_and_repeats_itsel
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryScene, testing::ValuesIn([] {
                              std::vector<const SceneInfo*> rows;
-                             for (const SceneInfo& row : scenes())
+                             for (const SceneInfo& row : scenes()) {
                                  rows.push_back(&row);
+                             }
                              return rows;
                          }()),
                          [](const auto& row) { return std::string(row.param->name); });
 
 TEST(Scenes, have_names_of_their_own) {
     std::set<std::string_view> names;
-    for (const SceneInfo& info : scenes())
+    for (const SceneInfo& info : scenes()) {
         EXPECT_TRUE(names.insert(info.name).second) << info.name;
+    }
     EXPECT_EQ(scene_named("sample"), &scenes().front());
     EXPECT_EQ(scene_named("nowhere"), nullptr);
 }
@@ -189,9 +192,10 @@ TEST(Environment, irradiance_is_the_integral_of_radiance) {
             const glm::dvec3 fast = irradiance(environment, normals[i]);
             // The gradient's shares are fits, and the Gaussian cosine does not quite reach zero for
             // light from behind: a share of the brightest light.
-            for (int c = 0; c < 3; ++c)
+            for (int c = 0; c < 3; ++c) {
                 EXPECT_NEAR(fast[c], exact[i][c], 0.1 * exact[i][c] + 0.05 * brightest[c])
                     << info.name << ' ' << i;
+            }
         }
     }
 }

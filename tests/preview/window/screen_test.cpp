@@ -11,8 +11,9 @@ TEST(Recovery, tries_again_once_and_tells_what_was_wrong) {
     Recovery recovery;
     const vk::DeviceLostError lost("vkQueueSubmit2");
     EXPECT_NE(recovery.lost(lost).find("vkQueueSubmit2"), std::string::npos);
-    for (int frame = 1; frame < Recovery::frames_of_proof; ++frame)
+    for (int frame = 1; frame < Recovery::frames_of_proof; ++frame) {
         recovery.drew();
+    }
     EXPECT_THROW(recovery.lost(lost), lutlib::Error);
 }
 
@@ -21,8 +22,9 @@ TEST(Recovery, trusts_a_screen_that_has_drawn_enough) {
     const vk::DeviceLostError lost("vkQueueSubmit2");
     for (int times = 0; times < 3; ++times) {
         EXPECT_NO_THROW(recovery.lost(lost));
-        for (int frame = 0; frame < Recovery::frames_of_proof; ++frame)
+        for (int frame = 0; frame < Recovery::frames_of_proof; ++frame) {
             recovery.drew();
+        }
     }
 }
 

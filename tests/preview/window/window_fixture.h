@@ -36,18 +36,21 @@ inline Words operator+(Words a, const Words& b) {
 /// Red to the right, green downwards.
 inline Screen gradient(int width, int height) {
     Screen out{width, height, {}};
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
             out.pixels.push_back(static_cast<std::uint32_t>((255 * x / width) << 16 |
                                                             (255 * y / height) << 8 | 128));
+        }
+    }
     return out;
 }
 
 class Window : public ::testing::Test {
   protected:
     void SetUp() override {
-        if (const std::string missing = Desktop::missing(); !missing.empty())
+        if (const std::string missing = Desktop::missing(); !missing.empty()) {
             GTEST_SKIP() << missing;
+        }
         desktop_.emplace(screen_width, screen_height);
         setenv("DISPLAY", desktop_->display().c_str(), 1);
         setenv("XDG_CONFIG_HOME", desktop_->folder().c_str(), 1);
@@ -56,8 +59,9 @@ class Window : public ::testing::Test {
         gradient(400, 480).write(file("picture.ppm"));
     }
     void TearDown() override {
-        if (!desktop_)
+        if (!desktop_) {
             return;
+        }
         if (HasFailure()) {
             const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
             std::filesystem::create_directories(LUT_FAILED_FOLDER);
@@ -67,8 +71,9 @@ class Window : public ::testing::Test {
             std::printf("The screen is kept in %s\n", path.c_str());
             return;
         }
-        if (program_)
+        if (program_) {
             quit();
+        }
         EXPECT_EQ(log(), "") << "the window said something";
     }
 
@@ -101,10 +106,12 @@ class Window : public ::testing::Test {
                     bool may_end = false) {
         const auto ended = [&] { return program_ && !may_end && !program_->is_running(); };
         const bool seen = eventually([&] { return holds() || ended(); });
-        if (ended())
+        if (ended()) {
             throw std::runtime_error("the window ended before " + what + ": " + log());
-        if (!seen)
+        }
+        if (!seen) {
             throw std::runtime_error("waited in vain for " + what + ": " + log());
+        }
     }
 
     std::map<std::string, Area> places() const {
@@ -114,16 +121,18 @@ class Window : public ::testing::Test {
             std::istringstream words(line);
             std::string name;
             Area area;
-            if (words >> name >> area.x >> area.y >> area.width >> area.height)
+            if (words >> name >> area.x >> area.y >> area.width >> area.height) {
                 out[name] = area;
+            }
         }
         return out;
     }
     Area place(const std::string& name) const {
         const auto all = places();
         const auto found = all.find(name);
-        if (found == all.end())
+        if (found == all.end()) {
             throw std::runtime_error("the window has no " + name + " now");
+        }
         return found->second;
     }
     int frame() const { return place("frame").x; }

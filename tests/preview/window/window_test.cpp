@@ -183,10 +183,11 @@ TEST_F(Window, shows_what_is_wrong_with_a_file_and_changes_nothing_else) {
         const Area error = place("error");
         screen_where([&](const Screen& now) { return now.changed(before, error) > 0.5; },
                      "the error of " + name);
-        if (name == "bad.cube")
+        if (name == "bad.cube") {
             click("error.close");
-        else
+        } else {
             key("Escape");
+        }
         screen_where(is(before), "the same picture");
     }
     // Nothing changed that could be undone.
@@ -274,8 +275,9 @@ TEST_F(Window, computes_the_scene_again_only_when_it_changes) {
     rest();
     const auto cost_of = [&](const std::function<void()>& gesture) {
         const auto before = program_->processor_time();
-        for (int i = 0; i < 4; ++i)
+        for (int i = 0; i < 4; ++i) {
             gesture();
+        }
         rest();
         return program_->processor_time() - before;
     };

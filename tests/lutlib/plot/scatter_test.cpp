@@ -1,0 +1,148 @@
+#include "lutlib/plot/scatter.h"
+#include "tests/lutlib/plot/markup.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace plot {
+namespace {
+
+constexpr const char* circle_x =
+    "<circle cx=\"([0-9.]+)\" cy=\"[0-9.]+\" r=\"[0-9.]+\" class=\"mark";
+constexpr const char* circle_y =
+    "<circle cx=\"[0-9.]+\" cy=\"([0-9.]+)\" r=\"[0-9.]+\" class=\"mark";
+
+Scatter scatter_of(const std::vector<std::pair<double, double>>& places) {
+    Scatter out;
+    out.title = "Error against time";
+    out.x_label = "ns";
+    out.y_label = "dE2000";
+    out.series = {{"trilinear"}};
+    for (const auto& [x, y] : places) {
+        Mark mark;
+        mark.x = x;
+        mark.y = y;
+        mark.label = "mark";
+        mark.row = out.marks.size();
+        out.marks.push_back(mark);
+    }
+    return out;
+}
+
+TEST(Scatter, equal_factors_are_equal_steps_right_and_up) {
+    const std::string text = svg(scatter_of({{1, 0.01}, {10, 0.1}, {100, 1}}));
+    const std::vector<double> x = numbers_of(text, circle_x);
+    const std::vector<double> y = numbers_of(text, circle_y);
+    ASSERT_EQ(x.size(), 3U);
+    EXPECT_GT(x[1] - x[0], 100);
+    EXPECT_NEAR(x[2] - x[1], x[1] - x[0], 0.11); // written to a tenth of a pixel
+    EXPECT_LT(y[1] - y[0], -50);
+    EXPECT_NEAR(y[2] - y[1], y[1] - y[0], 0.11);
+}
+
+TEST(Scatter, what_no_logarithmic_axis_can_show_stands_at_the_edge_and_says_so) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::string text =
+        svg(scatter_of({{1, 1}, {10, 10}, {0, 1}, {1, infinity}, {-3, 1}, {1, nan}}));
+    EXPECT_EQ(all_of(text, "<title>mark( \\(beyond the axis\\))</title>").size(), 4U);
+    EXPECT_EQ(all_of(text, "<title>(mark)</title>").size(), 2U);
+    const std::vector<double> x = numbers_of(text, circle_x);
+    const std::vector<double> y = numbers_of(text, circle_y);
+    ASSERT_EQ(x.size(), 6U);
+    EXPECT_EQ(x[2], x[4]);
+    EXPECT_LT(x[2], x[0]);
+    EXPECT_EQ(y[3], y[5]);
+    EXPECT_LT(y[3], y[1]);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        EXPECT_TRUE(x[i] >= 0 && x[i] <= 860 && y[i] >= 0 && y[i] <= 500) << i;
+    }
+}
+
+TEST(Scatter, few_decades_are_labelled_between_and_far_powers_are_written_as_such) {
+    const std::string few = svg(scatter_of({{1, 1}, {10, 10}}));
+    for (const char* label : {">1<", ">2<", ">5<", ">10<"}) {
+        EXPECT_NE(few.find(label), std::string::npos) << label;
+    }
+    const std::string many = svg(scatter_of({{1e-7, 1}, {1e7, 1}}));
+    EXPECT_EQ(many.find(">2<"), std::string::npos);
+    EXPECT_NE(many.find("10<tspan dy=\"-6\" font-size=\"11\">-6</tspan>"), std::string::npos)
+        << many;
+}
+
+TEST(Scatter, the_front_is_a_staircase_from_left_to_right) {
+    Scatter scatter = scatter_of({{100, 1}, {1, 100}, {10, 10}, {50, 50}});
+    for (const std::size_t mark : {0U, 1U, 2U}) {
+        scatter.marks[mark].on_front = true;
+    }
+    const std::vector<std::string> paths =
+        all_of(svg(scatter), "<path class=\"front\" d=\"([^\"]+)\"");
+    ASSERT_EQ(paths.size(), 1U);
+    const std::vector<double> across = numbers_of(paths[0], "[MH]([0-9.]+)");
+    ASSERT_EQ(across.size(), 3U);
+    EXPECT_TRUE(std::is_sorted(across.begin(), across.end()));
+    const std::vector<double> down = numbers_of(paths[0], "[ V]([0-9.]+)");
+    ASSERT_EQ(down.size(), 3U);
+    EXPECT_TRUE(std::is_sorted(down.begin(), down.end())); // better is lower
+    EXPECT_EQ(svg(scatter_of({{1, 1}})).find("class=\"front\""), std::string::npos);
+}
+
+TEST(Scatter, pale_marks_lie_below_and_every_mark_leads_to_its_row) {
+    Scatter scatter = scatter_of({{1, 1}, {2, 2}, {3, 3}});
+    scatter.marks[1].pale = true;
+    scatter.marks[2].diamond = true;
+    scatter.marks[2].recommended = true;
+    const std::string text = svg(scatter);
+    EXPECT_EQ(all_of(text, "data-row=\"([0-9]+)\""), (std::vector<std::string>{"1", "0", "2"}));
+    EXPECT_EQ(all_of(text, "class=\"(mark[a-z ]*)\""),
+              (std::vector<std::string>{"mark", "mark top", "mark best"}));
+    EXPECT_EQ(all_of(text, "<path (d)=\"M[0-9. ]+l").size(), 1U);
+}
+
+TEST(Scatter, series_of_equal_cost_stand_side_by_side_in_colours_of_their_own) {
+    Scatter scatter = scatter_of({{5, 1}, {5, 1}, {1, 1}, {10, 10}});
+    scatter.series = {{"nearest"}, {"trilinear"}};
+    scatter.marks[1].series = 1;
+    scatter.series_gap = 8;
+    const std::string text = svg(scatter);
+    const std::vector<double> x = numbers_of(text, circle_x);
+    EXPECT_NEAR(x[1] - x[0], 8, 0.11);
+    const auto fills = all_of(text, "class=\"mark[a-z ]*\" fill=\"(#[0-9A-F]+)\"");
+    EXPECT_NE(fills[0], fills[1]);
+    for (const char* name : {">nearest<", ">trilinear<"}) {
+        EXPECT_NE(text.find(name), std::string::npos) << name;
+    }
+}
+
+TEST(Scatter, the_floor_keeps_small_values_from_stretching_the_axis) {
+    Scatter scatter = scatter_of({{1, 1e-9}, {1, 1}, {1, 10}});
+    const std::vector<double> stretched = numbers_of(svg(scatter), circle_y);
+    scatter.y_floor = 0.1;
+    const std::string text = svg(scatter);
+    const std::vector<double> held = numbers_of(text, circle_y);
+    EXPECT_GT(held[1] - held[2], 3 * (stretched[1] - stretched[2]));
+    EXPECT_EQ(all_of(text, "(beyond the axis)").size(), 1U);
+}
+
+TEST(Scatter, text_is_escaped_wherever_it_stands) {
+    Scatter scatter = scatter_of({{1, 1}});
+    const std::string rude = "<b>\"A\" & B</b>";
+    scatter.title = scatter.x_label = scatter.y_label = scatter.circle_name = scatter.diamond_name =
+        scatter.series[0].name = scatter.marks[0].label = rude;
+    const std::string text = svg(scatter);
+    EXPECT_EQ(text.find(rude), std::string::npos);
+    EXPECT_EQ(all_of(text, "(&lt;b&gt;&quot;A&quot; &amp; B&lt;/b&gt;)").size(), 8U);
+    EXPECT_EQ(unbalanced_element(text), "");
+}
+
+TEST(Scatter, without_marks_it_still_has_axes) {
+    const std::string text = svg(scatter_of({}));
+    EXPECT_NE(text.find("class=\"frame\""), std::string::npos);
+    EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+    EXPECT_EQ(unbalanced_element(text), "");
+}
+
+} // namespace
+} // namespace plot

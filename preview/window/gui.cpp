@@ -95,13 +95,19 @@ void Gui::begin_frame(const std::vector<editor::InputEvent>& events) {
 
 std::string layout_path() {
     namespace fs = std::filesystem;
-    const char* const config = std::getenv("XDG_CONFIG_HOME");
-    const char* const home = std::getenv("HOME");
-    if (config == nullptr && home == nullptr) {
-        return {};
+    const auto folder_in = [](const char* variable) {
+        const char* const value = std::getenv(variable);
+        const fs::path path = value != nullptr ? value : "";
+        return path.is_absolute() ? path : fs::path();
+    };
+    fs::path folder = folder_in("XDG_CONFIG_HOME");
+    if (folder.empty()) {
+        if (folder = folder_in("HOME"); folder.empty()) {
+            return {};
+        }
+        folder /= ".config";
     }
-    const fs::path folder =
-        (config != nullptr ? fs::path(config) : fs::path(home) / ".config") / "lutpreview";
+    folder /= "lutpreview";
     std::error_code failed;
     fs::create_directories(folder, failed);
     return failed ? std::string() : (folder / "layout.ini").string();

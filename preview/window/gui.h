@@ -36,7 +36,9 @@ class Gui {
     std::string layout_path_, notice_;
 };
 
-/// Where the panels' layout is remembered, or empty.
+/// Where the panels' layout is remembered: in a folder of the user's configuration by the XDG Base
+/// Directory Specification, which does not count what is empty or relative. The folder is made.
+/// Empty when there can be none.
 std::string layout_path();
 
 } // namespace preview

@@ -101,8 +101,10 @@ void render_once(const Options& options, const Rendering& rendering, Executor& e
     const FrameSettings& settings = rendering.settings;
     const Rendered rendered = render_frame(executor, rendering.inputs(), settings);
     if (options.explain) {
-        std::printf("%s%s%s", rendered.explanation.c_str(), rendering.notes.c_str(),
-                    settings_text(settings).c_str());
+        std::printf(
+            "%s%s%s%s", rendered.explanation.c_str(), rendering.notes.c_str(),
+            settings_text(settings).c_str(),
+            rendering.shown->scene ? settings_lines(camera_numbers(), settings.orbit).c_str() : "");
     }
     if (rendered.probe) {
         std::fputs(options.json ? probe_json(*rendered.probe, *settings.probe).c_str()

@@ -5,6 +5,7 @@
 #include "preview/cli/light_edit.h"
 #include "preview/cli/option_rows.h"
 #include "preview/effects/effect.h"
+#include "preview/look/cube_settings.h"
 #include "preview/look/gpu_lookups.h"
 #include "preview/passes/resolve.h"
 
@@ -66,6 +67,34 @@ void declare(CLI::App& app, const ChoiceRow<S>& row, S& settings) {
            },
            std::string(row.help))
         ->type_name("NAME");
+}
+
+template <class S>
+void declare(CLI::App& app, std::span<const NumberRow<S>> rows, S& settings) {
+    for (const NumberRow<S>& row : rows) {
+        app.add_option(fmt::format("--{}", row.flag), row.of(settings), std::string(row.help))
+            ->check(within(row.min, row.max));
+    }
+}
+
+/// How far a number may be moved: from any place of its range to any other.
+double reach_of(const NumberRow<Orbit>& row) {
+    return row.max - row.min;
+}
+
+void declare_camera(CLI::App& app, Options& options) {
+    for (std::size_t i = 0; i < options.camera.size(); ++i) {
+        const NumberRow<Orbit>& row = camera_numbers()[i];
+        app.add_option(fmt::format("--{}", row.flag), options.camera[i], std::string(row.help))
+            ->check(within(-reach_of(row), reach_of(row)));
+    }
+}
+
+void declare_cube(CLI::App& app, Options& options) {
+    declare(app, cube_numbers(), options.cube);
+    for (const SwitchRow<CubeView>& row : cube_switches()) {
+        app.add_flag(fmt::format("--{}", row.flag), row.of(options.cube), std::string(row.help));
+    }
 }
 
 void declare_effects(CLI::App& app, Options& options) {
@@ -172,13 +201,34 @@ std::string section_of(const ChoiceRow<S>& row) {
     return out;
 }
 
-std::string numbers_listing() {
-    const PictureSettings usual;
-    std::string out = "Settings\n";
-    for (const NumberRow<PictureSettings>& row : picture_numbers()) {
+template <class S>
+std::string section_of(std::string_view title, std::span<const NumberRow<S>> rows) {
+    const S usual;
+    std::string out = fmt::format("{}\n", title);
+    for (const NumberRow<S>& row : rows) {
+        // The help of one that stands for something says so.
+        const std::string fallback =
+            row.is_own(usual) ? "" : fmt::format(", by default {}", row.value(usual));
         out += line_of(fmt::format("--{}", row.flag),
-                       fmt::format("{}; {} to {}, by default {}", row.help, row.min, row.max,
-                                   row.value(usual)));
+                       fmt::format("{}; {} to {}{}", row.help, row.min, row.max, fallback));
+    }
+    return out;
+}
+
+std::string camera_listing() {
+    std::string out = "Camera\n";
+    for (const NumberRow<Orbit>& row : camera_numbers()) {
+        out += line_of(fmt::format("--{}", row.flag),
+                       fmt::format("{}; {} to {}, added to the scene's", row.help, -reach_of(row),
+                                   reach_of(row)));
+    }
+    return out;
+}
+
+std::string cube_listing() {
+    std::string out = section_of("Cube view", cube_numbers());
+    for (const SwitchRow<CubeView>& row : cube_switches()) {
+        out += line_of(fmt::format("--{}", row.flag), row.help);
     }
     return out;
 }
@@ -228,11 +278,10 @@ void declare(CLI::App& app, Options& options) {
     app.get_option("--compare")->each([&options](const std::string&) {
         options.is_compare_given = true;
     });
-    for (const NumberRow<PictureSettings>& row : picture_numbers()) {
-        app.add_option(fmt::format("--{}", row.flag), row.of(options.frame), std::string(row.help))
-            ->check(within(row.min, row.max));
-    }
+    declare<PictureSettings>(app, picture_numbers(), options.frame);
     declare_effects(app, options);
+    declare_camera(app, options);
+    declare_cube(app, options);
     for (const ChoiceRow<Options>& row : option_choices()) {
         declare(app, row, options);
     }
@@ -276,10 +325,9 @@ std::vector<PointLight> lights_of(const Options& options, const std::optional<Sc
 
 Orbit orbit_of(const Options& options, const Scene& scene) {
     Orbit orbit = scene.orbit;
-    orbit.azimuth += options.azimuth;
-    orbit.elevation += options.elevation;
-    orbit.distance += options.distance;
-    orbit.field_of_view += options.field_of_view;
+    for (std::size_t i = 0; i < options.camera.size(); ++i) {
+        camera_numbers()[i].of(orbit) += options.camera[i];
+    }
     return orbit;
 }
 
@@ -291,8 +339,8 @@ std::string listing() {
     for (const ChoiceRow<Options>& row : option_choices()) {
         out += section_of(row);
     }
-    return out + numbers_listing() + effects_listing() +
-           section("Parts of the frame (--without, as effects)", effects) +
+    return out + section_of("Settings", picture_numbers()) + camera_listing() + cube_listing() +
+           effects_listing() + section("Parts of the frame (--without, as effects)", effects) +
            section("Lights' controls (--light)", light_controls());
 }
 

@@ -3,6 +3,7 @@
 
 #include "preview/frame/settings.h"
 #include "preview/look/cube_view.h"
+#include "preview/scene/camera_settings.h"
 
 #include <optional>
 #include <string>
@@ -33,7 +34,8 @@ struct Options {
     const RasterChoice* raster = &rasters().front();
     std::string size, probe, scope_size;
     double seconds = 0;
-    float azimuth = 0, elevation = 0, distance = 0, field_of_view = 0; ///< added to the scene's
+    /// Of each row of camera_numbers(): added to the scene's.
+    std::vector<float> camera = std::vector<float>(camera_numbers().size());
     std::string cube_view; ///< the side whose look is drawn as a cube; empty: none
     int cube_nodes = 17;
     CubeView cube;

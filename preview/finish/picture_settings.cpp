@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
-
 namespace preview {
 
 namespace {
@@ -28,7 +25,9 @@ constexpr NumberRow<S> numbers[] = {
     {.flag = "bloom-strength",
      .label = "Bloom strength",
      .help = "Share of the light that blooms; by default the method's own",
-     .of = [](S& s) -> float& { return s.bloom_settings.strength; }},
+     .of = [](S& s) -> float& { return s.bloom_settings.strength; },
+     .own = [](const S& s) { return s.bloom != nullptr ? s.bloom->strength : 0; },
+     .own_name = "the method's own"},
     {.flag = "bloom-threshold",
      .label = "Bloom threshold",
      .help = "Brightness above which light blooms; 0: all light",
@@ -81,13 +80,11 @@ std::span<const ChoiceRow<S>> picture_choices() {
 }
 
 const NumberRow<S>& picture_number(std::string_view flag) {
-    return *std::find_if(std::begin(numbers), std::end(numbers),
-                         [&](const auto& row) { return row.flag == flag; });
+    return row_of(picture_numbers(), flag);
 }
 
 const ChoiceRow<S>& picture_choice(std::string_view flag) {
-    return *std::find_if(std::begin(choices), std::end(choices),
-                         [&](const auto& row) { return row.flag == flag; });
+    return row_of(picture_choices(), flag);
 }
 
 std::string settings_text(const PictureSettings& settings) {
@@ -95,11 +92,7 @@ std::string settings_text(const PictureSettings& settings) {
     for (const ChoiceRow<S>& row : choices) {
         out += fmt::format("setting   {} {}\n", row.flag, row.options()[row.chosen(settings)].name);
     }
-    for (const NumberRow<S>& row : numbers) {
-        out += fmt::format("setting   {} {}{}{}\n", row.flag, row.value(settings),
-                           row.unit.empty() ? "" : " ", row.unit);
-    }
-    return out;
+    return out + settings_lines(picture_numbers(), settings);
 }
 
 } // namespace preview

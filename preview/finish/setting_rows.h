@@ -1,9 +1,11 @@
 // Descriptors of settings: what a flag, a slider or a list has to know of a member of a struct. The
-// default is the member's own initialiser.
+// default is the member's own initialiser. Plain: any folder may have such rows.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,11 +23,27 @@ struct NumberRow {
     double slider_min = 0, slider_max = 0;
     bool is_logarithmic = false; ///< the slider
     float& (*of)(S& settings) = nullptr;
+    /// What a negative value stands for, where it does, and how people call that.
+    float (*own)(const S& settings) = nullptr;
+    std::string_view own_name = {};
 
+    bool is_own(const S& settings) const { return own != nullptr && set_value(settings) < 0; }
+    /// With what a negative value stands for.
     float value(const S& settings) const {
-        S copy = settings;
-        return of(copy);
+        return is_own(settings) ? own(settings) : set_value(settings);
     }
+
+  private:
+    float set_value(S settings) const { return of(settings); }
+};
+
+/// A switch of the struct S.
+template <class S>
+struct SwitchRow {
+    std::string_view flag; ///< on the command line, without dashes
+    std::string_view label;
+    std::string_view help;
+    bool& (*of)(S& settings) = nullptr;
 };
 
 /// A row that a choice offers.
@@ -47,6 +65,29 @@ struct ChoiceRow {
     std::size_t (*chosen)(const S& settings) = nullptr;
     void (*choose)(S& settings, std::size_t option) = nullptr;
 };
+
+/// The row of that flag, which must be there.
+template <class Row>
+const Row& row_of(std::span<const Row> rows, std::string_view flag) {
+    return *std::find_if(rows.begin(), rows.end(),
+                         [&](const Row& row) { return row.flag == flag; });
+}
+
+/// "0.04", or "the method's own (0.04)" for one that stands for that.
+std::string number_text(float value, std::string_view own_name);
+
+/// A line for each number: "setting   exposure 0 stops".
+template <class S>
+std::string settings_lines(std::span<const NumberRow<S>> rows, const S& settings) {
+    std::string out;
+    for (const NumberRow<S>& row : rows) {
+        const std::string_view own_name = row.is_own(settings) ? row.own_name : std::string_view();
+        out += "setting   " + std::string(row.flag) + " " +
+               number_text(row.value(settings), own_name) + (row.unit.empty() ? "" : " ") +
+               std::string(row.unit) + "\n";
+    }
+    return out;
+}
 
 /// A row's text: its help where it has one, else its label.
 template <class Row>

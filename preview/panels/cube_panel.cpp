@@ -1,5 +1,5 @@
 // The look of a side as the cube of its nodes, to be turned with the mouse.
-#include "preview/look/cube_view.h"
+#include "preview/look/cube_settings.h"
 #include "preview/panels/ui.h"
 
 #include <imgui.h>
@@ -59,10 +59,13 @@ void controls(Ui& ui, CubeChoice& choice) {
         ImGui::SameLine();
     }
     ImGui::NewLine();
-    ImGui::Checkbox("in the colours of their inputs", &choice.view.by_input);
-    mark(ui, "cube.by-input");
-    ImGui::Checkbox("where a display shows them, within 0 to 1", &choice.view.clamped);
-    mark(ui, "cube.clamped");
+    for (const SwitchRow<CubeView>& row : cube_switches()) {
+        ImGui::Checkbox(std::string(row.label).c_str(), &row.of(choice.view));
+        mark(ui, "setting." + std::string(row.flag));
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("%s", std::string(row.help).c_str());
+        }
+    }
     ImGui::SliderInt("Nodes of an axis", &choice.per_side, least_nodes, most_nodes, "at most %d",
                      ImGuiSliderFlags_AlwaysClamp);
     mark(ui, "cube.nodes");
@@ -77,15 +80,20 @@ void controls(Ui& ui, CubeChoice& choice) {
     mark(ui, "cube.above");
 }
 
+void set_within_range(CubeView& view, std::string_view flag, float value) {
+    const NumberRow<CubeView>& row = row_of(cube_numbers(), flag);
+    row.of(view) = std::clamp(value, static_cast<float>(row.min), static_cast<float>(row.max));
+}
+
 void turn_by_mouse(CubeView& view) {
     constexpr float degrees_per_pixel = 0.5F, zoom_per_notch = 1.1F;
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemActive()) {
         view.turn = std::remainder(view.turn - degrees_per_pixel * io.MouseDelta.x, 360.0F);
-        view.tilt = std::clamp(view.tilt + degrees_per_pixel * io.MouseDelta.y, -90.0F, 90.0F);
+        set_within_range(view, "cube-tilt", view.tilt + degrees_per_pixel * io.MouseDelta.y);
     }
     if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
-        view.zoom = std::clamp(view.zoom * std::pow(zoom_per_notch, io.MouseWheel), 0.3F, 8.0F);
+        set_within_range(view, "cube-zoom", view.zoom * std::pow(zoom_per_notch, io.MouseWheel));
     }
 }
 

@@ -3,6 +3,7 @@
 #include "preview/effects/effect.h"
 #include "preview/panels/parameter_control.h"
 #include "preview/panels/ui.h"
+#include "preview/scene/camera_settings.h"
 
 #include <imgui.h>
 
@@ -33,40 +34,36 @@ void choice(Ui& ui, std::string_view flag) {
     ImGui::EndCombo();
 }
 
-/// A slider; true when it was moved. `value` is shown in place of the setting's own.
-bool slider(Ui& ui, std::string_view flag, float& value) {
-    const NumberRow<PictureSettings>& row = picture_number(flag);
+template <class S>
+void number(Ui& ui, const NumberRow<S>& row, S& settings) {
     const bool has_own_range = row.slider_min < row.slider_max;
     const std::string label =
         text_of(row.label) + (row.unit.empty() ? "" : " (" + text_of(row.unit) + ")");
-    const bool moved = ImGui::SliderFloat(
-        label.c_str(), &value, static_cast<float>(has_own_range ? row.slider_min : row.min),
-        static_cast<float>(has_own_range ? row.slider_max : row.max), "%.4g",
-        ImGuiSliderFlags_AlwaysClamp |
-            (row.is_logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None));
+    float value = row.value(settings);
+    if (ImGui::SliderFloat(
+            label.c_str(), &value, static_cast<float>(has_own_range ? row.slider_min : row.min),
+            static_cast<float>(has_own_range ? row.slider_max : row.max), "%.4g",
+            ImGuiSliderFlags_AlwaysClamp |
+                (row.is_logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None))) {
+        row.of(settings) = value;
+    }
     mark(ui, "setting." + text_of(row.flag));
     if (ImGui::IsItemHovered()) {
         ImGui::SetTooltip("%s", text_of(row.help).c_str());
     }
-    return moved;
 }
 
 void number(Ui& ui, std::string_view flag) {
-    slider(ui, flag, picture_number(flag).of(ui.history.draft()));
+    number<PictureSettings>(ui, picture_number(flag), ui.history.draft());
 }
 
 void bloom_controls(Ui& ui) {
-    State& state = ui.history.draft();
     choice(ui, "bloom");
-    if (state.bloom->strength <= 0) {
+    if (ui.history.draft().bloom->strength <= 0) {
         return;
     }
-    float strength =
-        state.bloom_settings.strength < 0 ? state.bloom->strength : state.bloom_settings.strength;
-    if (slider(ui, "bloom-strength", strength)) {
-        state.bloom_settings.strength = strength;
-    }
-    for (const std::string_view flag : {"bloom-threshold", "bloom-knee", "bloom-radius"}) {
+    for (const std::string_view flag :
+         {"bloom-strength", "bloom-threshold", "bloom-knee", "bloom-radius"}) {
         number(ui, flag);
     }
 }
@@ -175,11 +172,9 @@ void view_panel(Ui& ui) {
     effect_controls(ui);
     if (ui.facts.is_scene) {
         ImGui::Separator();
-        ImGui::SliderFloat("Azimuth", &state.orbit.azimuth, -180, 180, "%.1f");
-        ImGui::SliderFloat("Elevation", &state.orbit.elevation, -89, 89, "%.1f");
-        ImGui::SliderFloat("Distance (m)", &state.orbit.distance, 0.2F, 50, "%.2f",
-                           ImGuiSliderFlags_Logarithmic);
-        ImGui::SliderFloat("Field of view", &state.orbit.field_of_view, 10, 120, "%.1f");
+        for (const NumberRow<Orbit>& row : camera_numbers()) {
+            number(ui, row, state.orbit);
+        }
     }
 }
 

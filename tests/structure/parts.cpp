@@ -12,6 +12,8 @@ Names joined(Names a, const Names& b) {
 }
 
 const Names plain_gpu{"preview/gpu/size.*", "preview/gpu/types.*"};
+/// Descriptors without any setting: plain, too.
+constexpr std::string_view setting_rows = "preview/finish/setting_rows.*";
 const Names no_screen{"vulkan/", "GLFW/", "imgui"};
 const Names no_vulkan{"vulkan/", "GLFW/"};
 const Names no_big_library{"OpenColorIO/", "OpenImageIO/", "vulkan/", "GLFW/", "glm/", "imgui"};
@@ -88,15 +90,16 @@ const std::vector<Part>& parts() {
         {"preview/graph/execute.*",
          joined({"lutlib", "preview/gpu", "preview/graph", "preview/graph/realise.*"}, plain_gpu)},
         {"preview/graph/realise.*", joined({"lutlib", "preview/gpu", "preview/graph"}, plain_gpu)},
-        {"preview/finish", joined({"lutlib/*"}, plain_gpu), no_screen},
+        {"preview/finish/setting_rows.*", {}, no_screen},
+        {"preview/finish", joined({"lutlib/*", setting_rows}, plain_gpu), no_screen},
         {"preview/effects", joined({"lutlib/*", "preview/finish", "preview/graph"}, plain_gpu),
          no_screen},
-        {"preview/scene", {"lutlib/*"}, no_screen},
+        {"preview/scene", {"lutlib/*", setting_rows}, no_screen},
         {"preview/scene/scene_data.*",
          joined({"lutlib", "preview/graph", "preview/scene"}, plain_gpu), no_screen},
         {"preview/scene/gpu_scene.*",
          joined({"preview/gpu", "preview/scene", "preview/scene/scene_data.*"}, plain_gpu)},
-        {"preview/look", joined({"lutlib/*"}, plain_gpu), no_screen},
+        {"preview/look", joined({"lutlib/*", setting_rows}, plain_gpu), no_screen},
         {"preview/look/gpu_look.*", joined({"lutlib", "preview/gpu", "preview/look"}, plain_gpu)},
         {"preview/look/look_slot.*",
          joined({"lutlib", "preview/gpu", "preview/look", "preview/look/gpu_look.*"}, plain_gpu)},
@@ -121,7 +124,7 @@ const std::vector<Part>& parts() {
                  "preview/gpu", "preview/graph/execute.*", "preview/passes", "preview/window"},
                 render)},
         {"preview/cli/option*",
-         {"lutlib/*", "preview/cli/light_edit.*", "preview/effects", "preview/finish",
+         {"lutlib/*", setting_rows, "preview/cli/light_edit.*", "preview/effects", "preview/finish",
           "preview/frame", "preview/look", "preview/passes", "preview/scene"},
          no_screen},
         {"preview/cli/light_edit.*", {"lutlib", "preview/scene"}, no_screen},

@@ -4,6 +4,7 @@
 #include "preview/cli/option_rows.h"
 #include "preview/effects/effect.h"
 #include "preview/frame/frame.h"
+#include "preview/look/cube_settings.h"
 #include "preview/look/gpu_lookups.h"
 #include "preview/scene/light_controls.h"
 
@@ -39,6 +40,23 @@ TEST(Options, without_any_are_the_settings_defaults_with_the_usual_effects) {
     EXPECT_FALSE(usual.shows_intermediate());
 }
 
+TEST(Options, move_the_scenes_camera_by_every_number) {
+    const Scene scene = scene_at(scenes().front(), 0);
+    for (const NumberRow<Orbit>& row : camera_numbers()) {
+        const std::string flag = "--" + std::string(row.flag);
+        for (const NumberRow<Orbit>& other : camera_numbers()) {
+            EXPECT_EQ(other.value(orbit_of(parsed(flag + " 0.5"), scene)),
+                      other.value(scene.orbit) + (&other == &row ? 0.5F : 0))
+                << flag << ' ' << other.flag;
+        }
+        const std::string beyond = std::to_string(row.max - row.min + 1);
+        EXPECT_THROW(parsed(flag + "=" + beyond), CLI::ValidationError) << flag;
+        EXPECT_THROW(parsed(flag + "=-" + beyond), CLI::ValidationError) << flag;
+        EXPECT_GE(row.value(scene.orbit), static_cast<float>(row.min)) << flag;
+        EXPECT_LE(row.value(scene.orbit), static_cast<float>(row.max)) << flag;
+    }
+}
+
 TEST(Options, set_every_number_and_every_choice) {
     for (const NumberRow<PictureSettings>& row : picture_numbers()) {
         const std::string flag(row.flag);
@@ -49,6 +67,19 @@ TEST(Options, set_every_number_and_every_choice) {
         EXPECT_THROW(settings("--" + flag + "=" + std::to_string(row.max + 1)),
                      CLI::ValidationError)
             << flag;
+    }
+    for (const NumberRow<CubeView>& row : cube_numbers()) {
+        const std::string flag = "--" + std::string(row.flag);
+        EXPECT_EQ(row.value(parsed(flag + " " + std::to_string(row.max)).cube),
+                  static_cast<float>(row.max))
+            << flag;
+        EXPECT_THROW(parsed(flag + "=" + std::to_string(row.max + 1)), CLI::ValidationError)
+            << flag;
+    }
+    for (const SwitchRow<CubeView>& row : cube_switches()) {
+        Options with = parsed("--" + std::string(row.flag));
+        Options without = parsed("");
+        EXPECT_NE(row.of(with.cube), row.of(without.cube)) << row.flag;
     }
     for (const ChoiceRow<PictureSettings>& row : picture_choices()) {
         const std::vector<Option> options = row.options();
@@ -176,6 +207,15 @@ TEST(Listing, names_every_row_of_every_table) {
         }
     }
     for (const NumberRow<PictureSettings>& row : picture_numbers()) {
+        expect("--" + std::string(row.flag));
+    }
+    for (const NumberRow<Orbit>& row : camera_numbers()) {
+        expect("--" + std::string(row.flag));
+    }
+    for (const NumberRow<CubeView>& row : cube_numbers()) {
+        expect("--" + std::string(row.flag));
+    }
+    for (const SwitchRow<CubeView>& row : cube_switches()) {
         expect("--" + std::string(row.flag));
     }
     for (const PostEffect* effect : post_effects()) {

@@ -7,7 +7,9 @@
 #include "preview/editor/knots.h"
 #include "preview/editor/look_baker.h"
 #include "preview/effects/effect.h"
+#include "preview/look/cube_settings.h"
 #include "preview/look/recipe_table.h"
+#include "preview/scene/camera_settings.h"
 #include "preview/scene/light_controls.h"
 
 #include <gtest/gtest.h>
@@ -66,6 +68,21 @@ TEST(History, undoes_and_redoes_a_change_of_every_operator_and_of_the_view) {
     }
     for (const NumberRow<PictureSettings>& row : picture_numbers()) {
         row.of(history.draft()) = static_cast<float>(row.max);
+        EXPECT_TRUE(history.settle()) << row.flag;
+        states.push_back(history.draft());
+    }
+    for (const NumberRow<Orbit>& row : camera_numbers()) {
+        row.of(history.draft().orbit) = static_cast<float>(row.max);
+        EXPECT_TRUE(history.settle()) << row.flag;
+        states.push_back(history.draft());
+    }
+    for (const NumberRow<CubeView>& row : cube_numbers()) {
+        row.of(history.draft().cube.view) = static_cast<float>(row.max);
+        EXPECT_TRUE(history.settle()) << row.flag;
+        states.push_back(history.draft());
+    }
+    for (const SwitchRow<CubeView>& row : cube_switches()) {
+        row.of(history.draft().cube.view) = true;
         EXPECT_TRUE(history.settle()) << row.flag;
         states.push_back(history.draft());
     }

@@ -23,8 +23,7 @@ TEST(PictureSettings, have_a_row_for_every_number_that_changes_it_alone) {
 TEST(PictureSettings, have_defaults_within_their_ranges) {
     for (const NumberRow<PictureSettings>& row : picture_numbers()) {
         const double value = static_cast<double>(row.value({}));
-        // A negative strength is the method's own.
-        EXPECT_TRUE(value >= row.min || row.flag == "bloom-strength") << row.flag;
+        EXPECT_GE(value, row.min) << row.flag;
         EXPECT_LE(value, row.max) << row.flag;
         EXPECT_FALSE(row.help.empty()) << row.flag;
     }
@@ -50,6 +49,22 @@ TEST(PictureSettings, are_told_with_their_units) {
     const std::string text = settings_text(settings);
     EXPECT_NE(text.find("setting   exposure -1.5 stops\n"), std::string::npos) << text;
     EXPECT_NE(text.find("setting   tonemap none\n"), std::string::npos) << text;
+}
+
+TEST(PictureSettings, that_stand_for_a_methods_own_say_so_with_its_value) {
+    PictureSettings settings;
+    settings.bloom = bloom_named("glare");
+    const NumberRow<PictureSettings>& strength = picture_number("bloom-strength");
+    EXPECT_TRUE(strength.is_own(settings));
+    EXPECT_EQ(strength.value(settings), settings.bloom->strength);
+    const std::string text = settings_text(settings);
+    EXPECT_NE(text.find("setting   bloom-strength " +
+                        number_text(settings.bloom->strength, "the method's own") + "\n"),
+              std::string::npos)
+        << text;
+    settings.bloom_settings.strength = 0.5F;
+    EXPECT_FALSE(strength.is_own(settings));
+    EXPECT_NE(settings_text(settings).find("setting   bloom-strength 0.5\n"), std::string::npos);
 }
 
 } // namespace

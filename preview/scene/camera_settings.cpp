@@ -1,0 +1,49 @@
+#include "preview/scene/camera_settings.h"
+
+namespace preview {
+
+namespace {
+
+constexpr NumberRow<Orbit> numbers[] = {
+    {.flag = "azimuth",
+     .label = "Azimuth",
+     .unit = "degrees",
+     .help = "Turns the camera to the right, degrees",
+     .min = -180,
+     .max = 180,
+     .of = [](Orbit& o) -> float& { return o.azimuth; }},
+    {.flag = "elevation",
+     .label = "Elevation",
+     .unit = "degrees",
+     .help = "Raises the camera, degrees",
+     .min = -89,
+     .max = 89,
+     .of = [](Orbit& o) -> float& { return o.elevation; }},
+    {.flag = "distance",
+     .label = "Distance",
+     .unit = "m",
+     .help = "Moves the camera away, metres",
+     .min = 0.2,
+     .max = 1000,
+     .slider_min = 0.2,
+     .slider_max = 50,
+     .is_logarithmic = true,
+     .of = [](Orbit& o) -> float& { return o.distance; }},
+    {.flag = "fov",
+     .label = "Field of view",
+     .unit = "degrees",
+     .help = "Widens the field of view, degrees",
+     .min = 1,
+     .max = 170,
+     .slider_min = 10,
+     .slider_max = 120,
+     .of = [](Orbit& o) -> float& { return o.field_of_view; }},
+};
+
+} // namespace
+
+std::span<const NumberRow<Orbit>> camera_numbers() {
+    return numbers;
+}
+
+} // namespace preview

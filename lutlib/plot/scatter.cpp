@@ -24,7 +24,7 @@ struct Axis {
 
     double at(double value) const {
         const double power = value > 0 ? std::log10(value) : low;
-        const double t = std::isnan(power) ? 1 : (power - low) / (high - low);
+        const double t = std::isnan(value) ? 1 : (power - low) / (high - low);
         return start + std::clamp(t, 0.0, 1.0) * (end - start);
     }
     bool shows(double value) const {

@@ -175,8 +175,8 @@ TEST(Apply, evaluates_a_recipe_exactly_and_clamps_none_of_its_inputs) {
     const std::string recipe = folder.write(
         "r.json", R"({"schema_version": 1, "operators": [{"op": "contrast", "amount": 2}]})");
     io::write_image(folder.path("a.exr"), ramp(-0.5F, 1.5F), {io::Depth::float32, false, {}});
-    const Result result =
-        lutconv({"apply", recipe, folder.path("a.exr"), "-o", folder.path("b.exr"), "--json"});
+    const Result result = lutconv({"apply", recipe, folder.path("a.exr"), "-o",
+                                   folder.path("b.exr"), "--no-convert", "--json"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.err, "") << "it was sampled";
     EXPECT_EQ(json::parse(result.out)["pixels_outside_domain"], 0);

@@ -33,7 +33,7 @@ void PlacingOptions::declare(CLI::App& app) {
     app.add_option("--adaptation", adaptation_,
                    "between the whites of different gamuts: bradford (default) or cat02");
     app.add_flag("--no-convert", no_convert_,
-                 "leave the codes as they are where the look is made for others");
+                 "never convert, even where the look is made for other encodings");
 }
 
 lutlib::LookEncodings PlacingOptions::look() const {

@@ -7,6 +7,7 @@
 #include "lutlib/io/file.h"
 #include "lutlib/named.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <sstream>
@@ -29,6 +30,10 @@ void require_verb(int argc, const char* const* argv) {
     if (!word.starts_with('-')) {
         lutlib::require_named(commands(), "verb", word);
     }
+}
+
+bool is_word_of(std::string_view word, int argc, const char* const* argv) {
+    return std::find(argv, argv + argc, word) != argv + argc;
 }
 
 // Returns an ExitCode. Throws lutlib::Error.
@@ -59,6 +64,9 @@ int run_program(int argc, const char* const* argv) {
     for (const Command& command : commands()) {
         CLI::App* const verb =
             app.add_subcommand(std::string(command.name), std::string(command.help));
+        if (!is_word_of(command.name, argc, argv)) {
+            continue; // some two hundred options cost a third of a small bake
+        }
         verb->final_callback([&run, chosen = command.declare(*verb)] { run = chosen; });
         if (command.reads_looks) {
             declare_layout(*verb);

@@ -203,8 +203,8 @@ void print_report(const Options& o, const Report& r) {
                                  what);
     };
     text += share(r.outside_domain, "lay outside the LUT's input and were clamped to it");
-    text += share(r.not_a_number, "hold what is no number, which is read as 0");
-    text += share(r.clamped, "came out outside 0..1 and were clamped by the file's integers");
+    text += share(r.not_a_number, "hold NaN, which was read as 0");
+    text += share(r.clamped, "came out outside 0..1 and were clamped, as the file stores integers");
     print(text, o.output);
 }
 

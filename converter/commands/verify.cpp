@@ -100,7 +100,7 @@ std::vector<lutlib::Alternative> other_places(const Subject& s, const lutlib::Tr
     recorded.look = encodings_of(io::look_encodings_of(s.image));
     recorded.convert = true;
     if (recorded.look != place.look && recorded.needed().converts()) {
-        out.push_back({"it was baked from a look said to take and give other codes (" +
+        out.push_back({"it was baked as a look of other encodings (" +
                            recorded.needed().text() +
                            "): if that is right, say so with --look-input and --look-output, else "
                            "bake it anew",

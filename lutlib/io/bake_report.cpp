@@ -27,27 +27,34 @@ std::string domain_text(const Domain& domain) {
     return r == g && g == b ? r : r + ", " + g + ", " + b;
 }
 
+namespace {
+
+// The codes that a look gets of a lattice of 0..1.
+std::vector<RgbD> fed_codes(const Placement& placement) {
+    constexpr int lattice = 33;
+    return images_of(conversion(*placement.before, *placement.adaptation),
+                     identity_cube(lattice).nodes);
+}
+
+double share_outside(const std::vector<RgbD>& codes, std::size_t c, double low, double high) {
+    const auto outside = std::count_if(codes.begin(), codes.end(), [&](const RgbD& code) {
+        return code[c] < low || code[c] > high;
+    });
+    return static_cast<double>(outside) / static_cast<double>(codes.size());
+}
+
+} // namespace
+
 Reach reach_of(const Domain& domain, const Placement& placement) {
     Reach out{domain, placement.fed()};
-    const Transform before =
-        placement.before ? conversion(*placement.before, *placement.adaptation) : Transform{};
-    constexpr int lattice = 33;
-    const std::vector<Rgb> inputs = identity_cube(lattice).nodes;
-    const std::vector<RgbD> codes =
-        placement.before ? images_of(before, inputs) : std::vector<RgbD>{};
+    const std::vector<RgbD> codes = placement.before ? fed_codes(placement) : std::vector<RgbD>{};
     for (std::size_t c = 0; c < 3; ++c) {
         const double low = domain.min[c], high = domain.max[c];
         const double fed_low = std::clamp<double>(out.fed.min[c], low, high);
         const double fed_high = std::clamp<double>(out.fed.max[c], low, high);
         out.reached = std::min(out.reached, (fed_high - fed_low) / (high - low));
-        const double outside =
-            placement.before
-                ? static_cast<double>(std::count_if(
-                      codes.begin(), codes.end(),
-                      [&](const RgbD& code) { return code[c] < low || code[c] > high; })) /
-                      static_cast<double>(codes.size())
-                : 1 - (fed_high - fed_low);
-        out.clamped = std::max(out.clamped, outside);
+        out.clamped = std::max(out.clamped, codes.empty() ? 1 - (fed_high - fed_low)
+                                                          : share_outside(codes, c, low, high));
     }
     return out;
 }

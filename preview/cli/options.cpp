@@ -256,8 +256,8 @@ Size parse_size(std::string_view option, const std::string& text) {
         size.width <= largest_side && size.height <= largest_side) {
         return size;
     }
-    throw lutlib::UsageError(fmt::format("{} is WIDTHxHEIGHT with sides of 1 to {}, and not '{}'",
-                                         option, largest_side, text));
+    throw lutlib::UsageError(fmt::format(
+        "{} needs WIDTHxHEIGHT with sides of 1 to {}; '{}' is none", option, largest_side, text));
 }
 
 ProbePlace parse_place(std::string_view option, const std::string& text, Size picture) {
@@ -267,7 +267,7 @@ ProbePlace parse_place(std::string_view option, const std::string& text, Size pi
         static_cast<std::uint32_t>(place.y) < picture.height) {
         return place;
     }
-    throw lutlib::UsageError(fmt::format("{} is X,Y within the picture of {}x{}, and not '{}'",
+    throw lutlib::UsageError(fmt::format("{} needs X,Y within the picture of {}x{}; '{}' is none",
                                          option, picture.width, picture.height, text));
 }
 

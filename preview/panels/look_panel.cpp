@@ -154,7 +154,7 @@ void encodings_of_look(Ui& ui, State& state) {
     if (output != recipe.output_encoding()) {
         recipe.output = output;
     }
-    ImGui::Checkbox("Convert to and from what the picture is", &state.convert);
+    ImGui::Checkbox("Convert between the picture's encoding and the look's", &state.convert);
     mark(ui, "look.convert");
     const lutlib::LookPlace place = place_of(encodings_of(recipe), {.convert = state.convert});
     if (place.needed().converts()) {

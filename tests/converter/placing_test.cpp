@@ -230,7 +230,7 @@ TEST(VerifyOfALogLook, says_which_encodings_are_the_pictures_word_alone) {
     const Result wrong =
         lutconv_in_process({"verify", strip, "--against", look, "--look-input", "slog3"});
     EXPECT_EQ(wrong.exit_code, 1);
-    EXPECT_NE(wrong.out.find("said to take and give other codes"), std::string::npos) << wrong.out;
+    EXPECT_NE(wrong.out.find("baked as a look of other encodings"), std::string::npos) << wrong.out;
     const Result flag = lutconv_in_process({"verify", strip, "--against", look, "--no-convert"});
     EXPECT_NE(flag.out.find("verify it without --no-convert"), std::string::npos) << flag.out;
 }

@@ -1,6 +1,7 @@
 #include "lutlib/io/formats/picture.h"
 
 #include "lutlib/error.h"
+#include "lutlib/interpolation/interpolation.h"
 #include "lutlib/io/formats/all.h"
 #include "lutlib/io/lut_picture.h"
 #include "lutlib/io/png.h"
@@ -49,6 +50,28 @@ std::optional<Lut1D> shaper_of(const Engine& engine, int size) {
     return straight ? std::nullopt : std::optional(std::move(out));
 }
 
+// A table weighs codes between its nodes, where this engine weighs light; most in mid-cell.
+Loss filtering_loss(const Engine& engine, const Picture& picture, const Lut& look) {
+    const int size = look.cube->size;
+    double most = 0;
+    const auto centre = [size](int i) {
+        return (static_cast<float>(i) + 0.5F) / static_cast<float>(size - 1);
+    };
+    for (int b = 0; b + 1 < size; ++b) {
+        for (int g = 0; g + 1 < size; ++g) {
+            for (int r = 0; r + 1 < size; ++r) {
+                const Rgb in{centre(r), centre(g), centre(b)};
+                most = std::max(
+                    most, largest_magnitude(to_double(engine.lookup(picture, size, in)) -
+                                            to_double(evaluate(look, in, engine.interpolation))));
+            }
+        }
+    }
+    return {std::string(engine.name) + " filters light between nodes and a table codes, largest "
+                                       "difference in mid-cell",
+            most, ""};
+}
+
 Reading reading_of(const io::LutPicture& source, const Layout& layout, int size,
                    const ReadOptions& options) {
     const Engine* const engine = options.engine ? options.engine : source.engine;
@@ -60,6 +83,9 @@ Reading reading_of(const io::LutPicture& source, const Layout& layout, int size,
     out.engine = source.engine;
     if (engine && engine->layout == layout.name) {
         out.lut.shaper = shaper_of(*engine, size);
+        if (engine->filtering == Filtering::light && options.row == 0) {
+            out.losses.push_back(filtering_loss(*engine, source.picture, out.lut));
+        }
     }
     return out;
 }

@@ -27,10 +27,17 @@ bool is_letter(char c) {
     return (upper(c) >= 'A' && upper(c) <= 'Z') || c == '_';
 }
 
-// Whether a line's first word may be a keyword that we do not know.
+bool is_control(char c) {
+    const auto code = static_cast<unsigned char>(c);
+    return code < 0x20 || code == 0x7f;
+}
+
+// Whether a line's first word may be a keyword that we do not know. Written first into a file,
+// bytes that are no text could make it another format's.
 bool may_be_keyword(std::string_view word) {
     return word.size() > 1 && is_letter(word.front()) &&
-           word.find_first_of(".,") == std::string_view::npos;
+           word.find_first_of(".,") == std::string_view::npos &&
+           std::none_of(word.begin(), word.end(), is_control);
 }
 
 bool is_number(std::string_view word) {

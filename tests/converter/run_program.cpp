@@ -56,9 +56,11 @@ void flush_all() {
 } // namespace
 
 Result lutconv(const std::vector<std::string>& arguments, const std::string& input) {
-    if (is_sanitized && input.empty()) {
-        return lutconv_in_process(arguments);
-    }
+    return is_sanitized && input.empty() ? lutconv_in_process(arguments)
+                                         : lutconv_process(arguments, input);
+}
+
+Result lutconv_process(const std::vector<std::string>& arguments, const std::string& input) {
     const Folder folder;
     const std::string in = folder.write("in", input), out = folder.path("out"),
                       err = folder.path("err");

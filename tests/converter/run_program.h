@@ -12,7 +12,10 @@ struct Result {
     std::string out, err;
 };
 
-/// Runs lutconv with these arguments and this standard input.
+/// Runs lutconv with these arguments and this standard input, in a process of its own.
+Result lutconv_process(const std::vector<std::string>& arguments, const std::string& input = "");
+
+/// The same; under a sanitizer in this process, where nothing depends on another.
 Result lutconv(const std::vector<std::string>& arguments, const std::string& input = "");
 
 /// The same without a process of its own, for tests of many runs: its start costs more than a small

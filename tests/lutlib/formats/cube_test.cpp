@@ -374,6 +374,13 @@ TEST(ReadCube, takes_no_break_and_typographic_spaces_for_blanks) {
     EXPECT_EQ(words_of("d\xC3\xA0 voil\xC3\xA0").count, 2U);
 }
 
+TEST(Cube, keeps_a_line_of_binary_bytes_as_a_comment_so_that_what_it_writes_is_a_cube) {
+    const Lut lut = read_cube("LUT_1D_SIZE 2\nPK\5\6ANGE 0 1 0\n0 0 0\n1 1 1\n", "x.cube");
+    EXPECT_TRUE(lut.keywords.empty());
+    EXPECT_EQ(lut.comments.size(), 1U);
+    EXPECT_EQ(read_cube(write_cube(lut, CubeDialect::adobe), "y.cube").shaper, lut.shaper);
+}
+
 TEST(CubeEncodings, are_two_comments_that_reader_and_writer_share) {
     Lut lut = read_cube("# input ENCODING:  slog3/sgamut3.cine\n#Output encoding: gamma24/rec709\n"
                         "# by hand\n# Input encoding: logc3\nLUT_1D_SIZE 2\n0 0 0\n1 1 1\n",

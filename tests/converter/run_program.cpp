@@ -1,6 +1,7 @@
 #include "tests/converter/run_program.h"
 
 #include "converter/program.h"
+#include "tests/support/thorough.h"
 
 #include <gtest/gtest.h>
 
@@ -41,13 +42,6 @@ class Redirection {
     int descriptor_, before_;
 };
 
-// A sanitizer sees the same in this process, and its start costs a third of a second.
-#if defined(__has_feature)
-constexpr bool is_sanitized = __has_feature(address_sanitizer);
-#else
-constexpr bool is_sanitized = false;
-#endif
-
 void flush_all() {
     std::cout.flush();
     std::fflush(nullptr);
@@ -56,8 +50,9 @@ void flush_all() {
 } // namespace
 
 Result lutconv(const std::vector<std::string>& arguments, const std::string& input) {
-    return is_sanitized && input.empty() ? lutconv_in_process(arguments)
-                                         : lutconv_process(arguments, input);
+    // A sanitizer sees the same in this process, and its start costs a third of a second.
+    return support::is_sanitized && input.empty() ? lutconv_in_process(arguments)
+                                                  : lutconv_process(arguments, input);
 }
 
 Result lutconv_process(const std::vector<std::string>& arguments, const std::string& input) {

@@ -6,6 +6,13 @@
 
 namespace support {
 
+/// Whether this program checks its own memory, which takes some five times as long.
+#if defined(__has_feature)
+inline constexpr bool is_sanitized = __has_feature(address_sanitizer);
+#else
+inline constexpr bool is_sanitized = false;
+#endif
+
 /// `scripts/test --all` asks for every input; else tests that take many take fewer.
 inline bool is_thorough() {
     return std::getenv("LUT_TEST_ALL") != nullptr;

@@ -64,7 +64,7 @@ lutlib::LookPlace place_of(const lutlib::LookEncodings& look, const LookUse& use
 LoadedLook look_for(const lutlib::io::Look& look, const LookUse& use) {
     // An engine reads a picture's texels as they are, right or wrong.
     LookUse used = use;
-    used.convert = use.convert && !look.picture();
+    used.convert = use.convert && look.kind().layout == nullptr;
     const lutlib::LookPlace place = place_of(look.encodings(), used);
     const lutlib::Placement placement = place.applied();
     LoadedLook out = placement.converts() ? placed_look(placement.around(look.exact()), use.lookup)

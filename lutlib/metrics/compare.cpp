@@ -1,115 +1,157 @@
 #include "lutlib/metrics/compare.h"
 
-#include "lutlib/color/difference_all.h"
 #include "lutlib/metrics/samples.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace lutlib {
 namespace {
 
-constexpr double diffuse_white_nits = 100;
+// The errors of colours by each metric.
+struct Errors {
+    std::array<std::vector<double>, metric_count> of;
 
-// To the eye: the colours of both sides from codes to light and on to each metric's own space, in
-// pieces that stay in the first-level cache.
-class EyeDifference {
-  public:
-    explicit EyeDifference(const Encoding& output)
-        : output_(output), to_rec709_(rgb_to_rgb(output.primaries(), rec709)),
-          to_rec2020_nits_(rgb_to_rgb(output.primaries(), rec2020) *
-                           diagonal({diffuse_white_nits, diffuse_white_nits, diffuse_white_nits})) {
+    explicit Errors(std::size_t count) { of.fill(std::vector<double>(count)); }
+    std::span<double> by(Metric metric, std::size_t first, std::size_t count) {
+        return std::span(of[static_cast<std::size_t>(metric)]).subspan(first, count);
     }
-
-    void operator()(std::span<const RgbD> a, std::span<const RgbD> b, std::span<double> lab,
-                    std::span<double> itp) const {
-        for (std::size_t first = 0; first < a.size(); first += piece) {
-            const std::size_t count = std::min(piece, a.size() - first);
-            run(a.subspan(first, count), b.subspan(first, count), lab.subspan(first, count),
-                itp.subspan(first, count));
-        }
+    void fill(const Eye& eye, std::span<const RgbD> a, std::span<const RgbD> b, std::size_t first) {
+        eye(Metric::code, a, b, by(Metric::code, first, a.size()));
+        eye.both(a, b, by(Metric::delta_e_2000, first, a.size()),
+                 by(Metric::delta_e_itp, first, a.size()));
     }
-
-  private:
-    static constexpr std::size_t piece = 128;
-
-    struct Side {
-        std::array<RgbD, piece> light, mapped;
-        std::array<Lab, piece> lab;
-    };
-
-    void run(std::span<const RgbD> a, std::span<const RgbD> b, std::span<double> lab,
-             std::span<double> itp) const {
-        const std::size_t count = a.size();
-        Side p, q;
-        const auto see = [&](std::span<const RgbD> codes, Side& side) {
-            std::copy(codes.begin(), codes.end(), side.light.begin());
-            const auto light = std::span(side.light).first(count);
-            output_.decode_all(light);
-            for (std::size_t i = 0; i < count; ++i) {
-                // The curves for many colours at once may take a broken one for a finite one.
-                const bool broken = !std::isfinite(largest_magnitude(codes[i]));
-                side.light[i] = broken ? RgbD{INFINITY, INFINITY, INFINITY} : side.light[i];
-                side.mapped[i] = to_rec709_ * side.light[i];
-            }
-            lab_from_linear_all(std::span(side.mapped).first(count),
-                                std::span(side.lab).first(count));
-            for (std::size_t i = 0; i < count; ++i) {
-                side.mapped[i] = to_rec2020_nits_ * side.light[i];
-            }
-        };
-        see(a, p);
-        see(b, q);
-        delta_e_2000_all(std::span(p.lab).first(count), std::span(q.lab).first(count), lab);
-        delta_e_itp_nits_all(std::span(p.mapped).first(count), std::span(q.mapped).first(count),
-                             itp);
-    }
-
-    Encoding output_;
-    Matrix3 to_rec709_, to_rec2020_nits_;
 };
 
-} // namespace
+// What both make of a few dozen or hundred colours.
+struct Pair {
+    std::vector<RgbD> a, b;
 
-Difference compare(const Transform& a, const Transform& b, const std::vector<Rgb>& inputs,
-                   const Encoding& output) {
-    return difference_of(inputs, images_of(a, inputs), images_of(b, inputs), output);
+    Pair(const Transform& first, const Transform& second, std::span<const Rgb> inputs)
+        : a(inputs.size()), b(inputs.size()) {
+        std::transform(inputs.begin(), inputs.end(), a.begin(), to_double);
+        b = a;
+        first(a);
+        second(b);
+    }
+};
+
+template <class F>
+void in_pieces(std::size_t count, F&& f) {
+    constexpr std::size_t piece = 512;
+    tbb::parallel_for(std::size_t{0}, (count + piece - 1) / piece,
+                      [&](std::size_t k) { f(k * piece, std::min(piece, count - k * piece)); });
 }
 
-Difference difference_of(const std::vector<Rgb>& inputs, const std::vector<RgbD>& a,
-                         const std::vector<RgbD>& b, const Encoding& output) {
-    const std::size_t count = inputs.size();
-    std::vector<double> absolute(count), lab(count), itp(count), square(count);
-    const EyeDifference to_eye(output);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            const RgbD d = a[i] - b[i];
-            absolute[i] = largest_magnitude(d);
-            square[i] = d.r * d.r + d.g * d.g + d.b * d.b;
-        }
-        const std::size_t first = range.begin(), n = range.size();
-        to_eye(std::span(a).subspan(first, n), std::span(b).subspan(first, n),
-               std::span(lab).subspan(first, n), std::span(itp).subspan(first, n));
+ErrorsOf errors_by(const Transform& a, const Transform& b, const Eye& eye, Metric metric) {
+    return [&, metric](std::span<const Rgb> colours, std::span<double> errors) {
+        const Pair pair(a, b, colours);
+        eye(metric, pair.a, pair.b, errors);
+    };
+}
+
+std::vector<Rgb> all_of(const ErrorSamples& samples) {
+    std::vector<Rgb> out = samples.even;
+    out.insert(out.end(), samples.hiding.begin(), samples.hiding.end());
+    return out;
+}
+
+void fill_all(Errors& errors, const Eye& eye, std::span<const RgbD> a, std::span<const RgbD> b) {
+    in_pieces(a.size(), [&](std::size_t first, std::size_t n) {
+        errors.fill(eye, a.subspan(first, n), b.subspan(first, n), first);
     });
-    Difference out;
+}
+
+Difference summary(const std::vector<Rgb>& inputs, const std::vector<RgbD>& a,
+                   const std::vector<RgbD>& b, Errors errors) {
+    const std::size_t count = inputs.size();
     double sum = 0;
-    for (const double s : square) {
-        sum += s;
+    for (std::size_t i = 0; i < count; ++i) {
+        const RgbD d = a[i] - b[i];
+        sum += d.r * d.r + d.g * d.g + d.b * d.b;
     }
+    Difference out;
     out.psnr = count ? -10 * std::log10(sum / (3 * static_cast<double>(count))) : INFINITY;
-    out.absolute = error_stats(std::move(absolute));
-    out.delta_e_2000 = error_stats(std::move(lab));
-    out.delta_e_itp = error_stats(std::move(itp));
+    out.absolute = error_stats(std::move(errors.of[0]));
+    out.delta_e_2000 = error_stats(std::move(errors.of[1]));
+    out.delta_e_itp = error_stats(std::move(errors.of[2]));
     const auto at = [&](std::size_t i) {
         return count ? WorstColour{inputs[i], a[i], b[i]} : WorstColour{};
     };
     out.worst = at(out.absolute.worst);
     out.worst_to_eye = at(out.delta_e_2000.worst);
+    out.worst_to_itp = at(out.delta_e_itp.worst);
     return out;
+}
+
+WorstColour worst_at(const Transform& a, const Transform& b, Rgb in) {
+    return {in, a(to_double(in)), b(to_double(in))};
+}
+
+} // namespace
+
+Difference measure(const Transform& a, const Transform& b, const ErrorSamples& samples,
+                   const Viewing& viewing) {
+    const Eye eye(viewing);
+    const std::vector<Rgb> colours = all_of(samples);
+    const std::vector<RgbD> even_a = images_of(a, samples.even),
+                            even_b = images_of(b, samples.even);
+    const std::size_t even = samples.even.size();
+    Errors errors(colours.size());
+    fill_all(errors, eye, even_a, even_b);
+    in_pieces(samples.hiding.size(), [&](std::size_t first, std::size_t count) {
+        const Pair pair(a, b, std::span(samples.hiding).subspan(first, count));
+        errors.fill(eye, pair.a, pair.b, even + first);
+    });
+    Errors of_even(0);
+    for (std::size_t k = 0; k < metric_count; ++k) {
+        const auto begin = errors.of[k].begin();
+        of_even.of[k].assign(begin, begin + static_cast<std::ptrdiff_t>(even));
+    }
+    Difference out = summary(samples.even, even_a, even_b, std::move(of_even));
+    const std::array<std::pair<ErrorStats*, WorstColour*>, metric_count> to{
+        {{&out.absolute, &out.worst},
+         {&out.delta_e_2000, &out.worst_to_eye},
+         {&out.delta_e_itp, &out.worst_to_itp}}};
+    for (const MetricInfo& metric : metrics()) {
+        const auto k = static_cast<std::size_t>(metric.kind);
+        const Peak peak =
+            climbed(colours, errors.of[k], samples.axis, errors_by(a, b, eye, metric.kind));
+        to[k].first->max = peak.error;
+        to[k].first->at = peak.at;
+        to[k].first->largest_seen = !samples.whole;
+        *to[k].second = worst_at(a, b, peak.at);
+    }
+    return out;
+}
+
+Peak largest_difference(const Transform& a, const Transform& b, const ErrorSamples& samples,
+                        const Viewing& viewing, Metric metric) {
+    const Eye eye(viewing);
+    const ErrorsOf errors_of = errors_by(a, b, eye, metric);
+    const std::vector<Rgb> colours = all_of(samples);
+    std::vector<double> errors(colours.size());
+    in_pieces(colours.size(), [&](std::size_t first, std::size_t count) {
+        errors_of(std::span(colours).subspan(first, count),
+                  std::span(errors).subspan(first, count));
+    });
+    return climbed(colours, errors, samples.axis, errors_of);
+}
+
+Difference compare(const Transform& a, const Transform& b, const std::vector<Rgb>& inputs,
+                   const Viewing& viewing) {
+    return difference_of(inputs, images_of(a, inputs), images_of(b, inputs), viewing);
+}
+
+Difference difference_of(const std::vector<Rgb>& inputs, const std::vector<RgbD>& a,
+                         const std::vector<RgbD>& b, const Viewing& viewing) {
+    Errors errors(inputs.size());
+    fill_all(errors, Eye(viewing), a, b);
+    return summary(inputs, a, b, std::move(errors));
 }
 
 std::vector<Rgb> samples_over(const Domain& domain, int lattice_size, int random_count) {

@@ -1,9 +1,11 @@
 // How far apart two transforms are, in code values and to the eye, and where most.
 #pragma once
 
-#include "lutlib/color/encoding.h"
 #include "lutlib/lut.h"
+#include "lutlib/metrics/climb.h"
+#include "lutlib/metrics/error_samples.h"
 #include "lutlib/metrics/stats.h"
+#include "lutlib/metrics/viewing.h"
 #include "lutlib/transform.h"
 
 #include <vector>
@@ -23,16 +25,32 @@ struct Difference {
     double psnr = 0;   ///< decibels, of all channels, for a peak of 1; +Inf when all are equal
     WorstColour worst; ///< by absolute difference
     WorstColour worst_to_eye; ///< by dE2000
+    WorstColour worst_to_itp; ///< by dE-ITP
+
+    const ErrorStats& by(Metric metric) const {
+        return metric == Metric::code           ? absolute
+               : metric == Metric::delta_e_2000 ? delta_e_2000
+                                                : delta_e_itp;
+    }
 };
 
-/// Over the given inputs. `output` says what the results' code values are, which the colour
-/// differences need; light of 1 is 100 cd/m2.
+/// What every verb prints. Means and percentiles are over samples.even. Maxima are over all of the
+/// samples and uphill from the worst of them by each metric; `largest_seen` is set where the
+/// samples are not whole.
+Difference measure(const Transform& a, const Transform& b, const ErrorSamples& samples,
+                   const Viewing& viewing);
+
+/// The same maximum by one metric.
+Peak largest_difference(const Transform& a, const Transform& b, const ErrorSamples& samples,
+                        const Viewing& viewing, Metric metric);
+
+/// Over the given inputs alone, maxima too.
 Difference compare(const Transform& a, const Transform& b, const std::vector<Rgb>& inputs,
-                   const Encoding& output);
+                   const Viewing& viewing);
 
 /// The same of results that are there already: a[i] and b[i] are what inputs[i] became.
 Difference difference_of(const std::vector<Rgb>& inputs, const std::vector<RgbD>& a,
-                         const std::vector<RgbD>& b, const Encoding& output);
+                         const std::vector<RgbD>& b, const Viewing& viewing);
 
 /// sample_colors() over a domain: its corners, its neutral axis, the nodes and cell centres of a
 /// lattice, and points spread evenly.

@@ -1,7 +1,10 @@
 // Statistics of a set of errors, the same everywhere a figure is printed.
 #pragma once
 
+#include "lutlib/rgb.h"
+
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace lutlib {
@@ -11,6 +14,10 @@ struct ErrorStats {
     double max = 0, p99 = 0, p95 = 0, mean = 0;
     std::size_t count = 0;
     std::size_t worst = 0; ///< index of the maximum
+    /// Where the maximum was looked for elsewhere than among the `count` values: at which colour it
+    /// was found, and whether a larger one may lie where nobody looked.
+    std::optional<Rgb> at = {};
+    bool largest_seen = false;
 };
 
 /// Values are taken absolute; a NaN counts as +Inf. An empty set gives zeros.

@@ -1,0 +1,146 @@
+#include "lutlib/metrics/climb.h"
+
+#include "lutlib/metrics/samples.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <set>
+
+namespace lutlib {
+namespace {
+
+// Many look around a little, the highest of them longer.
+struct Round {
+    std::size_t climbers, looks;
+};
+constexpr std::array<Round, 4> rounds{{{1024, 2}, {256, 4}, {64, 8}, {12, 30}}};
+constexpr std::size_t all_looks = [] {
+    std::size_t sum = 0;
+    for (const Round& round : rounds) {
+        sum += round.looks;
+    }
+    return sum;
+}();
+constexpr std::size_t directions = 24;
+constexpr std::size_t candidates = 16384;
+constexpr float shrink = 0.75F;
+
+using Axes = std::array<std::vector<float>, 3>;
+using Cell = std::array<std::size_t, 3>;
+
+Cell cell_of(const Axes& axis, Rgb at) {
+    Cell out{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto above = std::upper_bound(axis[c].begin() + 1, axis[c].end() - 1, at[c]);
+        out[c] = static_cast<std::size_t>(above - axis[c].begin()) - 1;
+    }
+    return out;
+}
+
+// The wider of the gaps on both sides.
+Rgb reach_at(const Axes& axis, const Cell& cell) {
+    Rgb out;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto gap = [&](std::size_t i) { return axis[c][i + 1] - axis[c][i]; };
+        out[c] = std::max(gap(cell[c]), cell[c] > 0 ? gap(cell[c] - 1) : 0.0F);
+    }
+    return out;
+}
+
+std::vector<std::size_t> seeds_of(std::span<const Rgb> colours, std::span<const double> errors,
+                                  const Axes& axis) {
+    std::vector<std::uint32_t> order(colours.size());
+    std::iota(order.begin(), order.end(), 0U);
+    const auto count = static_cast<std::ptrdiff_t>(std::min<std::size_t>(candidates, order.size()));
+    std::partial_sort(order.begin(), order.begin() + count, order.end(),
+                      [&](std::uint32_t a, std::uint32_t b) {
+                          return errors[a] != errors[b] ? errors[a] > errors[b] : a < b;
+                      });
+    std::vector<std::size_t> out;
+    std::set<Cell> taken;
+    for (std::ptrdiff_t i = 0; i < count && out.size() < rounds[0].climbers; ++i) {
+        const std::size_t k = order[static_cast<std::size_t>(i)];
+        if (taken.insert(cell_of(axis, colours[k])).second) {
+            out.push_back(k);
+        }
+    }
+    return out;
+}
+
+// Where a climber looks around itself, in shares of its reach: evenly in -1..1, and nearer.
+std::vector<Rgb> looks_around() {
+    std::vector<Rgb> out = sample_colors(
+        2, {.neutral = 0, .random = static_cast<int>(all_looks * directions), .lattice = false});
+    out.erase(out.begin(), out.begin() + 8);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const float nearer = i % 3 == 0 ? 1.0F : i % 3 == 1 ? 0.3F : 0.1F;
+        out[i] = (out[i] * 2.0F - Rgb{1, 1, 1}) * nearer;
+    }
+    return out;
+}
+
+struct Climber {
+    Peak peak;
+    Rgb reach;
+};
+
+// Ridges run in any direction, so each look is in others.
+void climb(Climber& climber, std::span<const Rgb> around, const Axes& axis,
+           const ErrorsOf& errors_of) {
+    std::array<Rgb, directions> next;
+    std::array<double, directions> error{};
+    for (; !around.empty(); around = around.subspan(directions)) {
+        for (std::size_t i = 0; i < directions; ++i) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                next[i][c] = std::clamp(climber.peak.at[c] + around[i][c] * climber.reach[c],
+                                        axis[c].front(), axis[c].back());
+            }
+        }
+        errors_of(next, error);
+        const auto best =
+            static_cast<std::size_t>(std::max_element(error.begin(), error.end()) - error.begin());
+        if (error[best] > climber.peak.error) {
+            climber.peak = {error[best], next[best]};
+        } else {
+            climber.reach = climber.reach * shrink;
+        }
+    }
+}
+
+} // namespace
+
+Peak climbed(std::span<const Rgb> colours, std::span<const double> errors,
+             const std::array<std::vector<float>, 3>& axis, const ErrorsOf& errors_of) {
+    if (colours.empty()) {
+        return {};
+    }
+    const std::vector<std::size_t> seeds = seeds_of(colours, errors, axis);
+    if (!(errors[seeds.front()] > 0) || std::isinf(errors[seeds.front()])) {
+        return {errors[seeds.front()], colours[seeds.front()]};
+    }
+    std::vector<Climber> climbers;
+    for (const std::size_t seed : seeds) {
+        climbers.push_back(
+            {{errors[seed], colours[seed]}, reach_at(axis, cell_of(axis, colours[seed]))});
+    }
+    const std::vector<Rgb> around = looks_around();
+    std::size_t looked = 0;
+    for (const Round& round : rounds) {
+        climbers.resize(std::min(climbers.size(), round.climbers));
+        tbb::parallel_for(std::size_t{0}, climbers.size(), [&](std::size_t i) {
+            climb(climbers[i],
+                  std::span(around).subspan(looked * directions, round.looks * directions), axis,
+                  errors_of);
+        });
+        looked += round.looks;
+        std::sort(climbers.begin(), climbers.end(),
+                  [](const Climber& a, const Climber& b) { return a.peak.error > b.peak.error; });
+    }
+    return climbers.front().peak;
+}
+
+} // namespace lutlib

@@ -1,0 +1,48 @@
+// The colours on which two maps are compared, the same for every verb: some that tell how large
+// errors usually are, and those among which the largest hides.
+#pragma once
+
+#include "lutlib/lut.h"
+#include "lutlib/metrics/breaks.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace lutlib {
+
+struct SampleLimits {
+    std::size_t even = 100'000;    ///< ErrorSamples::even
+    std::size_t grid = 1 << 19;    ///< of the union grid; of a larger one, a part
+    std::size_t between = 1 << 19; ///< of the middles between its colours
+};
+/// For what has to follow a hand.
+inline constexpr SampleLimits quick_samples{
+    .even = 20'000, .grid = std::size_t{1} << 15, .between = std::size_t{1} << 13};
+
+struct ErrorSamples {
+    Domain domain;
+    /// Spread evenly over the domain's code values (sample_colors()): means and percentiles are of
+    /// these alone.
+    std::vector<Rgb> even;
+    /// Where errors may peak.
+    std::vector<Rgb> hiding;
+    /// Per channel, the coordinates of the union grid, rising, the domain's ends among them.
+    std::array<std::vector<float>, 3> axis;
+    /// hiding has all of the union grid, and the grid has all breaks: a maximum over it, climbed,
+    /// is the maximum; else it is the largest that was seen.
+    bool whole = true;
+};
+
+/// The union grid is every colour whose channels are breaks of one of the maps or an end of the
+/// domain. Two piecewise linear maps differ most on it; what is linear between diagonals, or not
+/// linear to the eye, between. `hiding` is that grid; 256 neutrals and those of the grid; and the
+/// middles of its cells, faces and edges: all where they are no more than `limits.between`, else
+/// those of cells up to that number and an eighth of it of any kind, spread evenly.
+///
+/// Of a grid with more colours than `limits.grid`: its corners, its edges and faces up to a
+/// quarter of that number each, and the rest from within, spread evenly (the R3 sequence).
+ErrorSamples error_samples(const Domain& domain, const Breaks& breaks,
+                           const SampleLimits& limits = {});
+
+} // namespace lutlib

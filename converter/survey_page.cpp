@@ -98,6 +98,25 @@ plot::Scatter scatter(const Survey& survey, const Metric& metric, const Cost& co
     return out;
 }
 
+// How results outside 0..1 are taken.
+std::string range_text(const Survey& survey) {
+    const std::string outside =
+        survey.outside.share > 0
+            ? fmt::format("{:.3g} % of the colours have a channel outside 0..1, by {:.3g} at most",
+                          100 * survey.outside.share, survey.outside.most)
+            : "none of the look's results lies outside 0..1";
+    if (survey.clamped) {
+        return "Range: the look and every result are held to 0..1, as a display holds them; " +
+               outside + " (--unclamped judges that too).";
+    }
+    return survey.settings.unclamped
+               ? "Range: --unclamped: results are judged as they are, outside 0..1 too, which no "
+                 "display shows; " +
+                     outside + "."
+               : "Range: the output is no display's, so results are judged as they are, outside "
+                 "0..1 too.";
+}
+
 std::vector<std::string> method(const Survey& survey) {
     const lutlib::SurveySettings& s = survey.settings;
     std::vector<std::string> out{
@@ -108,17 +127,18 @@ std::vector<std::string> method(const Survey& survey) {
                     survey.colours),
         fmt::format(
             "Time: what lutconv apply does, on one of the cores and with its vectors, over {} "
-            "pixels "
-            "whose colours are spread evenly in no order, which is the hardest for caches; "
-            "warmed, median of {} runs, with the quartiles beside it. Pixels do not wait for each "
+            "pixels whose colours are spread evenly in no order, which is the hardest for caches; "
+            "in each of {} rounds every combination once, warmed; the median, the interval that "
+            "holds it with 95 %, and the best. Pixels do not wait for each "
             "other, so that more cores take so much less time as long as memory keeps up. It "
             "depends on size, 1D table, storage and lookup, "
             "not on the values, and was measured once for each of these.",
-            s.pixels, s.repetitions),
+            s.pixels, s.rounds),
         "Bytes: of the nodes as stored, and 12 for each entry of the 1D table where there is one: "
         "1024, or as many as the look's own has. Bake time: one run, all cores.",
         "Dominated: another combination is no worse in largest dE2000, time and bytes, and better "
         "in one. The dashed line joins what no other beats in the plot's own two measures."};
+    out.push_back(range_text(survey));
     for (const std::string& note : survey.notes) {
         out.push_back("Note: " + note + ".");
     }
@@ -131,7 +151,7 @@ plot::Table table(const Survey& survey, std::size_t recommended) {
     for (const Metric& metric : metrics) {
         out.columns.emplace_back(metric.name);
     }
-    for (const char* name : {"bytes", "ns a pixel", "quartiles", "bake ms", "dominated by"}) {
+    for (const char* name : {"bytes", "ns a pixel", "95 % of it", "bake ms", "dominated by"}) {
         out.columns.emplace_back(name);
     }
     const std::vector<std::size_t> by = dominators_of(survey);
@@ -144,9 +164,9 @@ plot::Table table(const Survey& survey, std::size_t recommended) {
         }
         cells.cells.push_back({std::to_string(row.bytes), costs[1].of(row), true});
         cells.cells.push_back(plot::number_cell(costs[0].of(row)));
-        cells.cells.push_back({fmt::format("{:.3g} to {:.3g}", 1e9 * row.pixel.lower_quartile,
-                                           1e9 * row.pixel.upper_quartile),
-                               1e9 * row.pixel.lower_quartile, true});
+        cells.cells.push_back(
+            {fmt::format("{:.3g} to {:.3g}", 1e9 * row.pixel.low, 1e9 * row.pixel.high),
+             1e9 * row.pixel.low, true});
         cells.cells.push_back(plot::number_cell(1e3 * row.bake_seconds));
         cells.cells.push_back(plot::text_cell(cells.dominated ? to_text(survey.rows[by[i]].what)
                                                               : "nothing: on the front"));
@@ -176,9 +196,11 @@ nlohmann::ordered_json row_json(const SurveyRow& row) {
             {"bake_seconds", row.bake_seconds},
             {"ns_per_pixel",
              {{"median", 1e9 * row.pixel.median},
-              {"lower_quartile", 1e9 * row.pixel.lower_quartile},
-              {"upper_quartile", 1e9 * row.pixel.upper_quartile},
-              {"repetitions", row.pixel.repetitions}}}};
+              {"low_95", 1e9 * row.pixel.low},
+              {"high_95", 1e9 * row.pixel.high},
+              {"best", 1e9 * row.pixel.best},
+              {"repetitions", row.pixel.repetitions},
+              {"emulated", lutlib::is_emulated(*row.what.lookup)}}}};
 }
 
 // The middle look's mean error of a lookup at 16 nodes, over the looks of a range of stiffness.
@@ -254,17 +276,20 @@ std::string survey_html(const Survey& survey, const std::string& look) {
 
 nlohmann::ordered_json survey_json(const Survey& survey, const std::string& look) {
     const lutlib::Recommendation& r = survey.recommendation;
-    nlohmann::ordered_json out{{"look", look},
-                               {"machine", lutlib::machine_text()},
-                               {"colours", survey.colours},
-                               {"timed_pixels", survey.settings.pixels},
-                               {"notes", survey.notes},
-                               {"recommendation",
-                                {{"words", recommendation_text(survey)},
-                                 {"row", r.row},
-                                 {"promise_delta_e_2000", survey.settings.promise},
-                                 {"checked_colours", survey.checked},
-                                 {"kept", r.kept}}}};
+    nlohmann::ordered_json out{
+        {"look", look},
+        {"machine", lutlib::machine_text()},
+        {"colours", survey.colours},
+        {"timed_pixels", survey.settings.pixels},
+        {"clamped", survey.clamped},
+        {"outside_display", {{"share", survey.outside.share}, {"most", survey.outside.most}}},
+        {"notes", survey.notes},
+        {"recommendation",
+         {{"words", recommendation_text(survey)},
+          {"row", r.row},
+          {"promise_delta_e_2000", survey.settings.promise},
+          {"checked_colours", survey.checked},
+          {"kept", r.kept}}}};
     const std::vector<std::size_t> by = dominators_of(survey);
     for (std::size_t i = 0; i < survey.rows.size(); ++i) {
         nlohmann::ordered_json row = row_json(survey.rows[i]);
@@ -282,8 +307,8 @@ std::string survey_csv(const Survey& survey) {
     for (const Metric& metric : metrics) {
         head.emplace_back(metric.name);
     }
-    for (const char* name : {"bytes", "bake_seconds", "ns_per_pixel", "ns_lower_quartile",
-                             "ns_upper_quartile", "on_front"}) {
+    for (const char* name : {"bytes", "bake_seconds", "ns_per_pixel", "ns_low_95", "ns_high_95",
+                             "ns_best", "ns_emulated", "on_front"}) {
         head.emplace_back(name);
     }
     std::string out = csv_line(head);
@@ -298,12 +323,12 @@ std::string survey_csv(const Survey& survey) {
             words.push_back(fmt::format("{:.9g}", metric.of(row.error)));
         }
         words.push_back(std::to_string(row.bytes));
-        for (const double value :
-             {row.bake_seconds, 1e9 * row.pixel.median, 1e9 * row.pixel.lower_quartile,
-              1e9 * row.pixel.upper_quartile}) {
+        for (const double value : {row.bake_seconds, 1e9 * row.pixel.median, 1e9 * row.pixel.low,
+                                   1e9 * row.pixel.high, 1e9 * row.pixel.best}) {
             words.push_back(fmt::format("{:.6g}", value));
         }
-        words.push_back(by[i] == lutlib::not_dominated ? "1" : "0");
+        words.emplace_back(lutlib::is_emulated(*row.what.lookup) ? "1" : "0");
+        words.emplace_back(by[i] == lutlib::not_dominated ? "1" : "0");
         out += csv_line(words);
     }
     return out;

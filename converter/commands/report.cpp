@@ -31,6 +31,7 @@ struct Options {
     std::string input, suite, output, json, csv, input_encoding, output_encoding;
     std::vector<int> sizes;
     double promise = 1;
+    bool unclamped = false;
 };
 
 // A bar on a terminal; nothing where standard error is a file.
@@ -82,8 +83,10 @@ Report report_on_look(const Options& o) {
     ProgressBar bar;
     lutlib::SurveySettings settings;
     settings.promise = o.promise;
+    settings.unclamped = o.unclamped;
     if (!o.sizes.empty()) {
         settings.sizes = o.sizes;
+        settings.own_size = false;
     }
     const lutlib::Survey survey = lutlib::survey(
         recipe, settings, [&](double share, const std::string& doing) { bar.draw(share, doing); });
@@ -141,6 +144,9 @@ Run declare_report(CLI::App& app) {
     app.add_option("--input-encoding", o->input_encoding,
                    std::string("what the look's input is: ") + encoding_help);
     app.add_option("--output-encoding", o->output_encoding, "what its results are encoded in");
+    app.add_flag("--unclamped", o->unclamped,
+                 "where displays take the output: errors of what lies outside 0..1 too, which no "
+                 "display shows (for looks whose output goes on being worked on)");
     return [o] { return run(*o); };
 }
 

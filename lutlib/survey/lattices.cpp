@@ -2,24 +2,27 @@
 
 #include "lutlib/error.h"
 #include "lutlib/metrics/samples.h"
+#include "lutlib/named.h"
 #include "lutlib/recipe/bake_recipe.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
+#include <string>
 
 namespace lutlib {
 namespace {
 
-constexpr std::array<ShaperChoice, 5> shapers{{
+constexpr std::array<ShaperChoice, 5> usual_shapers{{
     {.name = "none", .label = "no shaper", .bake_name = "none"},
     {.name = "srgb", .label = "sRGB shaper", .bake_name = "srgb"},
     {.name = "log", .label = "log shaper", .bake_name = "acescct"},
     {.name = "pq", .label = "PQ shaper", .bake_name = "pq"},
     {.name = "own", .label = "its own shaper", .bake_name = "base"},
 }};
-constexpr const ShaperChoice& own_shaper = shapers.back();
-constexpr int shaper_entries = 1024;
+constexpr const ShaperChoice& own_shaper = usual_shapers.back();
+constexpr int usual_entries = 1024;
 // A shaper this near to a straight line, in code values, does nothing.
 constexpr double straight = 1e-6;
 
@@ -36,12 +39,45 @@ bool is_straight(const Lut1D& shaper) {
     return true;
 }
 
+// Every name that a recipe may bake with and that is not among the usual ones, in a table of its
+// own since rows are known by their addresses.
+const ShaperChoice* recipe_shaper(std::string_view name) {
+    static const std::vector<ShaperChoice> rows = [] {
+        static std::deque<std::string> labels;
+        std::vector<ShaperChoice> out;
+        for (const std::string_view each : recipe_shaper_names()) {
+            out.push_back({.name = each,
+                           .label = labels.emplace_back(std::string(each) + " shaper"),
+                           .bake_name = each,
+                           .recipe = true});
+        }
+        return out;
+    }();
+    return find_named(rows, name);
+}
+
+// The usual ones, the look's own where it has one, and the recipe's where that is another.
+std::vector<const ShaperChoice*> shapers_for(const Recipe& recipe) {
+    std::vector<const ShaperChoice*> out;
+    bool usual = recipe.bake.shaper.empty();
+    for (const ShaperChoice& shaper : usual_shapers) {
+        if (&shaper != &own_shaper || (recipe.base_lut && recipe.base_lut->shaper)) {
+            out.push_back(&shaper);
+        }
+        usual = usual || shaper.bake_name == recipe.bake.shaper;
+    }
+    if (const ShaperChoice* const own = usual ? nullptr : recipe_shaper(recipe.bake.shaper)) {
+        out.push_back(own);
+    }
+    return out;
+}
+
 // The shares are of all shapers and sizes.
 class Sampler {
   public:
-    Sampler(const SurveyReference& reference, const SurveySettings& settings,
+    Sampler(const SurveyReference& reference, const SurveySettings& settings, std::size_t shapers,
             const Progress& progress)
-        : reference_(reference), sizes_(settings.sizes), progress_(progress) {}
+        : reference_(reference), sizes_(settings.sizes), shapers_(shapers), progress_(progress) {}
 
     void add(const ShaperChoice& shaper) {
         Recipe recipe = reference_.recipe;
@@ -50,7 +86,9 @@ class Sampler {
             recipe.bake.domain = reference_.domain;
         }
         recipe.bake.shaper = shaper.bake_name;
-        recipe.bake.shaper_size = shaper_entries;
+        if (!shaper.recipe) {
+            recipe.bake.shaper_size = usual_entries;
+        }
         for (const int size : sizes_) {
             recipe.bake.size = size;
             const double start = now_seconds();
@@ -66,7 +104,7 @@ class Sampler {
                            [](Rgb c) { return to_double(c); });
             out.rows.push_back({&shaper, std::move(lut), std::move(nodes), seconds});
             progress_(static_cast<double>(out.rows.size()) /
-                          static_cast<double>(shapers.size() * sizes_.size()),
+                          static_cast<double>(shapers_ * sizes_.size()),
                       "sampling");
         }
     }
@@ -76,13 +114,14 @@ class Sampler {
   private:
     const SurveyReference& reference_;
     const std::vector<int>& sizes_;
+    const std::size_t shapers_;
     const Progress& progress_;
 };
 
 } // namespace
 
 const ShaperChoice& no_shaper() {
-    return shapers.front();
+    return usual_shapers.front();
 }
 
 SurveyReference::SurveyReference(const Recipe& look, const SurveySettings& settings)
@@ -92,7 +131,12 @@ SurveyReference::SurveyReference(const Recipe& look, const SurveySettings& setti
           sample_colors(2, {.neutral = 1024, .random = settings.colours, .lattice = false}),
           domain)),
       expected(images_of(exact, inputs)) {
-    held = std::all_of(expected.begin(), expected.end(), [](RgbD c) { return saturate(c) == c; });
+    const bool display = is_for_displays(recipe.output_encoding());
+    outside = display ? outside_display(expected) : OutsideDisplay{};
+    clamped = display && !settings.unclamped;
+    for (RgbD& c : expected) {
+        c = seen(c);
+    }
 }
 
 Difference SurveyReference::error_of(const StoredLut& stored, const Lookup& lookup) const {
@@ -100,19 +144,17 @@ Difference SurveyReference::error_of(const StoredLut& stored, const Lookup& look
     stored.apply(inputs, results, lookup);
     std::vector<RgbD> got(results.size());
     for (std::size_t i = 0; i < got.size(); ++i) {
-        got[i] = to_double(held ? saturate(results[i]) : results[i]);
+        got[i] = seen(to_double(results[i]));
     }
     return difference_of(inputs, expected, got, recipe.output_encoding());
 }
 
 PointLattices point_lattices(const SurveyReference& reference, const SurveySettings& settings,
                              const Progress& progress) {
-    Sampler sampler(reference, settings, progress);
-    const auto& base = reference.recipe.base_lut;
-    for (const ShaperChoice& shaper : shapers) {
-        if (&shaper == &own_shaper && !(base && base->shaper)) {
-            continue;
-        }
+    const std::vector<const ShaperChoice*> shapers = shapers_for(reference.recipe);
+    Sampler sampler(reference, settings, shapers.size(), progress);
+    for (const ShaperChoice* const each : shapers) {
+        const ShaperChoice& shaper = *each;
         try {
             sampler.add(shaper);
         } catch (const Error& error) {

@@ -17,10 +17,13 @@ struct SurveyReference {
     Domain domain;
     std::vector<Rgb> inputs;
     std::vector<RgbD> expected;
-    bool held = false; ///< no answer lies outside 0..1, and lookups are held to it as well
+    bool clamped = false;   ///< `expected`, and what lookups give, are held to 0..1
+    OutsideDisplay outside; ///< of the look's results before that
 
     SurveyReference(const Recipe& recipe, const SurveySettings& settings);
 
+    /// A lookup's result as it is judged.
+    RgbD seen(RgbD c) const { return clamped ? saturate(c) : c; }
     /// Of reading `stored` at the inputs.
     Difference error_of(const StoredLut& stored, const Lookup& lookup) const;
 };

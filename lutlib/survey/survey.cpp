@@ -3,6 +3,7 @@
 #include "lutlib/color/difference.h"
 #include "lutlib/metrics/peak.h"
 #include "lutlib/metrics/samples.h"
+#include "lutlib/resample/resample.h"
 #include "lutlib/survey/lattices.h"
 
 #include <tbb/parallel_for.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <deque>
 #include <iterator>
 #include <map>
 #include <mutex>
@@ -20,6 +22,9 @@ namespace {
 
 // Where shares of the progress bar end.
 constexpr double after_sampling = 0.1, after_timing = 0.3, after_fitting = 0.8;
+
+// Beyond it a survey would take minutes and gigabytes where seconds are expected.
+constexpr int largest_own_size = 129;
 
 // What a lookup's time depends on: not on the nodes' values.
 struct TimingKey {
@@ -36,33 +41,34 @@ TimingKey timing_key(const Lut& lut, const Storage& storage, const Lookup& looku
 
 using Timings = std::map<TimingKey, Timing>;
 
-// Seconds a pixel of every lattice in every storage by every lookup.
+// Seconds a pixel of every lattice in every storage by every lookup, all of them in each round.
 Timings timings_of(const std::vector<PointLattice>& lattices, const Domain& domain,
                    const SurveySettings& settings, const Progress& progress) {
     const std::vector<Rgb> pixels = over_domain(
         sample_colors(2, {.neutral = 2, .random = settings.pixels, .lattice = false}), domain);
     std::vector<Rgb> results(pixels.size());
-    const auto timed = [&](const StoredLut& stored, const Lookup& lookup) {
-        Timing t = measure([&] { stored.apply(pixels, results, lookup); }, settings.repetitions);
-        const auto count = static_cast<double>(pixels.size());
-        t.median /= count;
-        t.lower_quartile /= count;
-        t.upper_quartile /= count;
-        return t;
-    };
-    Timings out;
-    std::size_t done = 0;
+    std::deque<StoredLut> stored;
+    std::vector<TimingKey> keys;
+    std::vector<std::function<void()>> runs;
+    std::set<TimingKey> seen;
     for (const PointLattice& lattice : lattices) {
         for (const Storage& storage : storages()) {
-            const StoredLut stored(lattice.lut, *lattice.nodes, storage);
+            if (!seen.insert(timing_key(lattice.lut, storage, lookups().front())).second) {
+                continue;
+            }
+            const StoredLut& lut = stored.emplace_back(lattice.lut, *lattice.nodes, storage);
             for (const Lookup& lookup : lookups()) {
-                const TimingKey key = timing_key(lattice.lut, storage, lookup);
-                if (!out.count(key)) {
-                    out[key] = timed(stored, lookup);
-                }
+                keys.push_back(timing_key(lattice.lut, storage, lookup));
+                runs.emplace_back(
+                    [&pixels, &results, &lut, &lookup] { lut.apply(pixels, results, lookup); });
             }
         }
-        progress(static_cast<double>(++done) / static_cast<double>(lattices.size()), "timing");
+    }
+    const std::vector<Timing> timings = measure_interleaved(
+        runs, settings.rounds, [&](double share) { progress(share, "timing"); });
+    Timings out;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        out[keys[i]] = timings[i].shared_by(pixels.size());
     }
     return out;
 }
@@ -103,8 +109,8 @@ double peak(const SurveyReference& reference, const Candidate& candidate,
                       [&](Rgb in) {
                           Rgb got;
                           stored.apply({&in, 1}, {&got, 1}, *what.lookup);
-                          return delta_e_2000(lab(to_double(reference.held ? saturate(got) : got)),
-                                              lab(reference.exact(to_double(in))));
+                          return delta_e_2000(lab(reference.seen(to_double(got))),
+                                              lab(reference.seen(reference.exact(to_double(in)))));
                       });
 }
 
@@ -142,6 +148,24 @@ void append(std::vector<T>& out, std::vector<T> more) {
     std::move(more.begin(), more.end(), std::back_inserter(out));
 }
 
+// The size that the recipe bakes to, among those looked at.
+void add_own_size(const Recipe& recipe, Survey& out) {
+    const auto& base = recipe.base_lut;
+    const int own =
+        recipe.bake.size.value_or(base && base->cube ? base->cube->size : usual_cube_size);
+    std::vector<int>& sizes = out.settings.sizes;
+    const auto at = std::lower_bound(sizes.begin(), sizes.end(), own);
+    if (at != sizes.end() && *at == own) {
+        return;
+    }
+    if (own > largest_own_size) {
+        out.notes.push_back("the " + std::to_string(own) +
+                            " nodes that the recipe is baked to left out: name them with --sizes");
+        return;
+    }
+    sizes.insert(at, own);
+}
+
 } // namespace
 
 std::string to_text(const Combination& c) {
@@ -153,13 +177,21 @@ std::string to_text(const Combination& c) {
     return out + (c.fitted ? ", fitted" : "");
 }
 
-Survey survey(const Recipe& recipe, const SurveySettings& settings, const Progress& progress) {
+Survey survey(const Recipe& recipe, const SurveySettings& wanted, const Progress& progress) {
     const auto from_to = [&](double from, double to) -> Progress {
         return [&progress, from, to](double share, const std::string& doing) {
             progress(std::lerp(from, to, share), doing);
         };
     };
+    Survey out;
+    out.settings = wanted;
+    if (wanted.own_size) {
+        add_own_size(recipe, out);
+    }
+    const SurveySettings& settings = out.settings;
     const SurveyReference reference(recipe, settings);
+    out.clamped = reference.clamped;
+    out.outside = reference.outside;
     const PointLattices lattices = point_lattices(reference, settings, from_to(0, after_sampling));
     const Timings timings = timings_of(lattices.rows, reference.domain, settings,
                                        from_to(after_sampling, after_timing));
@@ -168,10 +200,8 @@ Survey survey(const Recipe& recipe, const SurveySettings& settings, const Progre
         fitted_candidates(reference, lattices.rows, settings, from_to(after_timing, after_fitting));
     append(candidates, std::move(fits.rows));
 
-    Survey out;
-    out.settings = settings;
     out.colours = reference.inputs.size();
-    out.notes = lattices.notes;
+    append(out.notes, lattices.notes);
     append(out.notes, std::move(fits.notes));
     out.rows = measured(reference, candidates, timings, from_to(after_fitting, 1));
     const Settled result = settled(reference, candidates, settings, out.rows);

@@ -5,6 +5,7 @@
 #include "lutlib/interpolation/stored_lut.h"
 #include "lutlib/metrics/compare.h"
 #include "lutlib/recipe/recipe.h"
+#include "lutlib/survey/display.h"
 #include "lutlib/survey/timing.h"
 
 #include <functional>
@@ -15,11 +16,13 @@
 
 namespace lutlib {
 
-/// A 1D table before the lattice: none, srgb, log, pq, or the look's own.
+/// A 1D table before the lattice: none, srgb, log, pq, the look's own, or the one that the recipe
+/// is baked with.
 struct ShaperChoice {
     std::string_view name;
     std::string_view label;
     std::string_view bake_name; ///< of bake_recipe()
+    bool recipe = false;        ///< what the recipe itself asks for
 };
 
 struct Combination {
@@ -37,14 +40,17 @@ struct SurveyRow {
     Difference error;
     std::size_t bytes = 0;
     double bake_seconds = 0;
-    Timing pixel; ///< seconds a pixel on one core
+    Timing pixel; ///< seconds a pixel on one core; of an emulated lookup, the emulation's
 };
 
 struct SurveySettings {
     std::vector<int> sizes{8, 16, 17, 25, 32, 33, 49, 64, 65};
+    bool own_size = true; ///< the size that the recipe is baked to is tried too
+    /// Of an output that displays take: as light would be, not as they show it.
+    bool unclamped = false;
     int colours = 6000; ///< spread evenly, on which errors are measured; 1024 neutrals besides
     int pixels = 16384; ///< of a timed run
-    int repetitions = 15;
+    int rounds = 15;    ///< of timed runs, each combination once in each
     double promise = 1; ///< largest dE2000 of the recommendation
 };
 
@@ -62,6 +68,8 @@ struct Survey {
     std::vector<std::string> notes; ///< what was left out, and why
     std::size_t colours = 0;
     SurveySettings settings;
+    bool clamped = false;   ///< every result is held to 0..1, as a display holds it
+    OutsideDisplay outside; ///< of the look's own results
     Recommendation recommendation;
     std::size_t checked = 0; ///< further colours on which the recommendation holds, and uphill
 };
@@ -69,9 +77,15 @@ struct Survey {
 /// From 0 to 1, and what is being done.
 using Progress = std::function<void(double share, const std::string& doing)>;
 
-/// The reference is the recipe, evaluated exactly. Where that lies within 0..1, results are held to
-/// 0..1 as displays do. What is recommended has been checked on colours other than the table's, and
-/// uphill from the worst of them; where that found more, the row's largest dE2000 says so.
+/// Whether a lookup stands for what texture units do: its time is then the emulation's.
+inline bool is_emulated(const Lookup& lookup) {
+    return lookup.fraction_bits > 0;
+}
+
+/// The reference is the recipe, evaluated exactly. Where its output is for displays, both sides are
+/// held to 0..1 as those do, unless the settings say otherwise. What is recommended has been
+/// checked on colours other than the table's, and uphill from the worst of them; where that found
+/// more, the row's largest dE2000 says so.
 Survey survey(const Recipe& recipe, const SurveySettings& settings, const Progress& progress);
 
 } // namespace lutlib

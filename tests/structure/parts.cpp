@@ -65,7 +65,7 @@ const std::vector<Part>& parts() {
          no_big_library},
         {"lutlib/survey",
          {"lutlib", "lutlib/bake", "lutlib/color", "lutlib/engine", "lutlib/fit",
-          "lutlib/interpolation", "lutlib/metrics", "lutlib/recipe"},
+          "lutlib/interpolation", "lutlib/metrics", "lutlib/recipe", "lutlib/resample"},
          no_big_library},
         {"lutlib/io",
          {"lutlib", "lutlib/bake", "lutlib/bake/fitted.*", "lutlib/color", "lutlib/engine",

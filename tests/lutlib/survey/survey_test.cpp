@@ -27,7 +27,8 @@ SurveySettings small() {
     out.sizes = {8, 9};
     out.colours = 500;
     out.pixels = 256;
-    out.repetitions = 3;
+    out.rounds = 3;
+    out.own_size = false;
     return out;
 }
 
@@ -45,8 +46,8 @@ TEST(Survey, measures_every_combination_of_storage_and_lookup_for_each_size) {
                     });
                 ASSERT_NE(row, result.rows.end());
                 EXPECT_GT(row->pixel.median, 0);
-                EXPECT_LE(row->pixel.lower_quartile, row->pixel.median);
-                EXPECT_GE(row->pixel.upper_quartile, row->pixel.median);
+                EXPECT_LE(row->pixel.low, row->pixel.median);
+                EXPECT_GE(row->pixel.high, row->pixel.median);
                 EXPECT_EQ(row->bytes, static_cast<std::size_t>(size * size * size) * storage.bytes);
                 EXPECT_GT(row->error.delta_e_2000.max, 0);
             }
@@ -104,6 +105,74 @@ TEST(Survey, looks_at_the_own_shaper_of_a_look) {
     for (const std::string& note : result.notes) {
         EXPECT_EQ(note.find("its own shaper"), std::string::npos) << note;
     }
+}
+
+const SurveyRow& row_of(const Survey& result, int size, std::string_view storage,
+                        const Lookup& lookup) {
+    const auto row = std::find_if(result.rows.begin(), result.rows.end(), [&](const SurveyRow& r) {
+        return r.what.size == size && r.what.storage->name == storage && r.what.lookup == &lookup &&
+               !r.what.fitted && r.what.shaper->name == "none";
+    });
+    EXPECT_NE(row, result.rows.end());
+    return *row;
+}
+
+// Leaves 0..1 on both sides.
+RgbD contrast(RgbD c) {
+    return 1.6 * c - RgbD{0.31, 0.31, 0.31};
+}
+
+TEST(Survey, clamps_as_a_display_does_and_agrees_with_what_bake_makes) {
+    const Recipe recipe = recipe_of(contrast);
+    SurveySettings settings = small();
+    settings.sizes = {16};
+    const Survey result = survey(recipe, settings, [](double, const std::string&) {});
+    EXPECT_TRUE(result.clamped);
+    EXPECT_GT(result.outside.share, 0.4);
+    EXPECT_NEAR(result.outside.most, 0.31, 1e-6);
+
+    const Engine& engine = *engine_named("piccolo"); // trilinear
+    const Transform look = Transform::of(recipe);
+    const Bake picture = bake(look, engine, 16, 8);
+    const std::vector<Rgb> inputs =
+        sample_colors(2, {.neutral = 1024, .random = settings.colours, .lattice = false});
+    const LookupError baked =
+        lookup_error(engine, decoded(picture.picture), 16, inputs, images_of(look, inputs));
+    const SurveyRow& row = row_of(result, 16, "8", lookup_of(Interpolation::trilinear));
+    EXPECT_NEAR(row.error.delta_e_2000.mean, baked.delta_e.mean, 1e-4 * baked.delta_e.mean);
+    EXPECT_NEAR(row.error.delta_e_2000.p99, baked.delta_e.p99, 1e-4 * baked.delta_e.p99);
+}
+
+TEST(Survey, judges_what_no_display_shows_where_it_is_asked_to) {
+    SurveySettings settings = small();
+    settings.unclamped = true;
+    const Survey seen = survey(recipe_of(contrast), small(), [](double, const std::string&) {});
+    const Survey all = survey(recipe_of(contrast), settings, [](double, const std::string&) {});
+    EXPECT_FALSE(all.clamped);
+    EXPECT_EQ(all.outside.share, seen.outside.share);
+    const Lookup& lookup = lookup_of(Interpolation::tetrahedral);
+    // Codes cannot hold what lies outside; floats can.
+    EXPECT_NEAR(row_of(all, 9, "8", lookup).error.absolute.max, 0.31, 0.01);
+    EXPECT_LT(row_of(seen, 9, "8", lookup).error.absolute.max, 0.06);
+    EXPECT_LT(row_of(all, 9, "float", lookup).error.absolute.max, 1e-6);
+}
+
+TEST(Survey, tries_the_shaper_and_the_size_that_the_recipe_is_baked_with) {
+    Recipe recipe = recipe_of(test_looks()[3].f);
+    recipe.bake.shaper = "tone";
+    recipe.bake.shaper_size = 300;
+    recipe.bake.size = 11;
+    SurveySettings settings = small();
+    settings.own_size = true;
+    const Survey result = survey(recipe, settings, [](double, const std::string&) {});
+    std::size_t found = 0;
+    for (const SurveyRow& row : result.rows) {
+        if (row.what.size == 11 && row.what.shaper->name == "tone") {
+            ++found;
+            EXPECT_EQ(row.bytes, 1331 * row.what.storage->bytes + 300 * sizeof(Rgb));
+        }
+    }
+    EXPECT_GE(found, storages().size() * lookups().size());
 }
 
 TEST(Survey, progress_rises_to_the_end) {

@@ -3,6 +3,7 @@
 #include "converter/command.h"
 #include "converter/look_files.h"
 #include "converter/recipe_options.h"
+#include "converter/stiff_page.h"
 #include "converter/survey_page.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
@@ -18,6 +19,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace converter {
@@ -28,7 +30,7 @@ namespace io = lutlib::io;
 constexpr std::array<std::string_view, 1> suites{"stiff"};
 
 struct Options {
-    std::string input, suite, output, json, csv, input_encoding, output_encoding;
+    std::string input, suite, output, json, csv, input_encoding, output_encoding, gpu_times;
     std::vector<int> sizes;
     double promise = 1;
     bool unclamped = false;
@@ -91,9 +93,13 @@ Report report_on_look(const Options& o) {
     const lutlib::Survey survey = lutlib::survey(
         recipe, settings, [&](double share, const std::string& doing) { bar.draw(share, doing); });
     const std::string name = std::filesystem::path(io::input_name(o.input)).filename().string();
-    return {survey_html(survey, name), survey_csv(survey),
+    std::optional<GpuTimes> gpu;
+    if (!o.gpu_times.empty()) {
+        gpu = read_gpu_times(o.gpu_times, survey);
+    }
+    return {survey_html(survey, name, gpu), survey_csv(survey),
             fmt::format("{} combinations\n{}\n", survey.rows.size(), recommendation_text(survey)),
-            survey_json(survey, name)};
+            survey_json(survey, name, gpu)};
 }
 
 Report report_on_suite() {
@@ -144,6 +150,8 @@ Run declare_report(CLI::App& app) {
     app.add_option("--input-encoding", o->input_encoding,
                    std::string("what the look's input is: ") + encoding_help);
     app.add_option("--output-encoding", o->output_encoding, "what its results are encoded in");
+    app.add_option("--gpu-times", o->gpu_times,
+                   "a file of what preview_bench --json prints: its lookups' times on a GPU too");
     app.add_flag("--unclamped", o->unclamped,
                  "where displays take the output: errors of what lies outside 0..1 too, which no "
                  "display shows (for looks whose output goes on being worked on)");

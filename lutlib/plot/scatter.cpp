@@ -1,105 +1,23 @@
 #include "lutlib/plot/scatter.h"
 
+#include "lutlib/plot/palette.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace plot {
 namespace {
 
 constexpr double width = 860, height = 500;
 constexpr double left = 86, right = 186, top = 40, bottom = 62;
+constexpr std::size_t most_names = 8;
 
-// Okabe and Ito's palette, which the colour-blind can tell apart.
-constexpr std::array<const char*, 6> colours{"#999999", "#D55E00", "#0072B2",
-                                             "#009E73", "#CC79A7", "#E69F00"};
-
-// A logarithmic axis from pixel `start` to pixel `end`.
-struct Axis {
-    double low, high; // powers of ten
-    double start, end;
-
-    double at(double value) const {
-        const double power = value > 0 ? std::log10(value) : low;
-        const double t = std::isnan(value) ? 1 : (power - low) / (high - low);
-        return start + std::clamp(t, 0.0, 1.0) * (end - start);
-    }
-    bool shows(double value) const {
-        return value > 0 && std::isfinite(value) && std::log10(value) >= low;
-    }
+struct Point {
+    double x, y;
 };
-
-template <class Get>
-Axis axis_of(const std::vector<Mark>& marks, double start, double end, const Get& get) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Mark& mark : marks) {
-        const double value = get(mark);
-        if (value > 0 && std::isfinite(value)) {
-            low = std::min(low, std::log10(value));
-            high = std::max(high, std::log10(value));
-        }
-    }
-    if (low > high) {
-        low = -1, high = 1;
-    }
-    const double margin = std::max(0.04 * (high - low), 0.05);
-    return {low - margin, high + margin, start, end};
-}
-
-// Every decade; 2 and 5 as well where there are few.
-std::vector<double> ticks(const Axis& axis) {
-    std::vector<double> out;
-    const double decades = axis.high - axis.low;
-    const int step = static_cast<int>(std::ceil(decades / 10));
-    for (int power = static_cast<int>(std::floor(axis.low)); power <= axis.high; ++power) {
-        for (const double digit : {1.0, 2.0, 5.0}) {
-            const double value = digit * std::pow(10.0, power);
-            const double place = std::log10(value);
-            const bool wanted = digit == 1 ? power % step == 0 : decades < 3.2;
-            if (wanted && place >= axis.low && place <= axis.high) {
-                out.push_back(value);
-            }
-        }
-    }
-    return out;
-}
-
-// Powers of ten beyond what is read at a glance are written as such.
-std::string tick_text(double value) {
-    const double power = std::log10(value);
-    if ((power < -3.5 || power > 3.5) && std::abs(power - std::round(power)) < 1e-9) {
-        return fmt::format("10<tspan dy=\"-6\" font-size=\"11\">{:g}</tspan>", std::round(power));
-    }
-    return fmt::format("{:g}", value);
-}
-
-std::string frame(const Scatter& s, const Axis& x, const Axis& y) {
-    std::string out = fmt::format("<text class=\"title\" x=\"{:g}\" y=\"22\">{}</text>\n", left,
-                                  escaped(s.title));
-    for (const double value : ticks(x)) {
-        out +=
-            fmt::format("<path class=\"grid\" d=\"M{0:.1f} {1:g}V{2:g}\"/>"
-                        "<text x=\"{0:.1f}\" y=\"{3:g}\" text-anchor=\"middle\">{4}</text>\n",
-                        x.at(value), top, height - bottom, height - bottom + 19, tick_text(value));
-    }
-    for (const double value : ticks(y)) {
-        out += fmt::format("<path class=\"grid\" d=\"M{1:g} {0:.1f}H{2:g}\"/>"
-                           "<text x=\"{3:g}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>\n",
-                           y.at(value), left, width - right, left - 7, y.at(value) + 5,
-                           tick_text(value));
-    }
-    out += fmt::format("<path class=\"frame\" d=\"M{0:g} {1:g}V{2:g}H{3:g}\"/>\n", left, top,
-                       height - bottom, width - right);
-    out += fmt::format("<text x=\"{:g}\" y=\"{:g}\" text-anchor=\"middle\">{}</text>\n",
-                       (left + width - right) / 2, height - 14, escaped(s.x_label));
-    out += fmt::format("<text transform=\"translate(18 {:g}) rotate(-90)\" "
-                       "text-anchor=\"middle\">{}</text>\n",
-                       (top + height - bottom) / 2, escaped(s.y_label));
-    return out;
-}
 
 // The front as a staircase: what is attainable at each cost.
 std::string front_line(const Scatter& s, const Axis& x, const Axis& y) {
@@ -120,24 +38,114 @@ std::string front_line(const Scatter& s, const Axis& x, const Axis& y) {
     return path.empty() ? "" : "<path class=\"front\" d=\"" + path + "\"/>\n";
 }
 
-std::string mark_svg(const Scatter& s, const Mark& mark, const Axis& x, const Axis& y) {
-    const double middle = (static_cast<double>(s.series.size()) - 1) / 2;
-    const double aside = s.series_gap * (static_cast<double>(mark.series) - middle);
-    const double px = x.at(mark.x) + aside, py = y.at(mark.y), r = mark.pale ? 3 : 4.5;
+// A place for each mark, in order of importance, where it leaves those before it to be seen.
+std::vector<Point> places(const std::vector<const Mark*>& marks, const Axis& x, const Axis& y) {
+    constexpr double apart = 4.2, furthest = 40;
+    std::vector<Point> out;
+    out.reserve(marks.size());
+    for (const Mark* const mark : marks) {
+        const Point wanted{x.at(mark->x), y.at(mark->y)};
+        Point place = wanted;
+        const auto is_taken = [&] {
+            return std::any_of(out.begin(), out.end(), [&](const Point& other) {
+                return std::hypot(other.x - place.x, other.y - place.y) < apart;
+            });
+        };
+        double aside = 0;
+        while (is_taken() && aside < furthest) {
+            aside += apart;
+            place.x = wanted.x + aside;
+            if (is_taken()) {
+                place.x = wanted.x - aside;
+            }
+        }
+        out.push_back(place);
+    }
+    return out;
+}
+
+std::string mark_svg(const Mark& mark, Point at, const Axis& x, const Axis& y) {
+    const double r = mark.pale ? 3 : 4.5;
     const char* const kind = mark.recommended ? "mark best" : mark.pale ? "mark" : "mark top";
-    const std::string colour = colours[mark.series % colours.size()];
     const std::string beyond = x.shows(mark.x) && y.shows(mark.y) ? "" : " (beyond the axis)";
-    const std::string attributes =
-        fmt::format(" class=\"{}\" fill=\"{}\" data-row=\"{}\"><title>{}</title>", kind, colour,
-                    mark.row, escaped(mark.label + beyond));
+    const std::string title =
+        mark.label.empty() ? "" : "<title>" + escaped(mark.label + beyond) + "</title>";
+    const std::string attributes = fmt::format(" class=\"{} s{}\" data-row=\"{}\"", kind,
+                                               mark.series % series_colours.size(), mark.row);
     if (mark.diamond) {
         const double d = 1.25 * r;
-        return fmt::format("<path d=\"M{0:.1f} {1:.1f}l{2:.1f} {2:.1f}l-{2:.1f} {2:.1f}l-{2:.1f} "
-                           "-{2:.1f}z\"{3}</path>\n",
-                           px, py - d, d, attributes);
+        return fmt::format("<path d=\"M{0:.1f} {1:.1f}l{2:.3g} {2:.3g}l-{2:.3g} {2:.3g}l-{2:.3g} "
+                           "-{2:.3g}z\"{3}>{4}</path>\n",
+                           at.x, at.y - d, d, attributes, title);
     }
-    return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:g}\"{}</circle>\n", px, py, r,
-                       attributes);
+    return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:g}\"{}>{}</circle>\n", at.x, at.y,
+                       r, attributes, title);
+}
+
+// Where the interval of a mark's x is seen beside the mark.
+std::string interval_svg(const Mark& mark, Point at, const Axis& x) {
+    const double from = x.at(mark.x_low), to = x.at(mark.x_high);
+    if (mark.pale || !(mark.x_low > 0) || to - from < 9) {
+        return "";
+    }
+    return fmt::format("<path class=\"interval\" d=\"M{0:.1f} {2:.1f}v6m0 -3H{1:.1f}m0 -3v6\"/>\n",
+                       from, to, at.y - 3);
+}
+
+// The marks of the front with how much of the plot each dominates alone, in square pixels.
+std::vector<std::pair<double, std::size_t>> knees(const std::vector<const Mark*>& marks,
+                                                  const Axis& x, const Axis& y) {
+    std::vector<std::size_t> front;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        if (marks[i]->on_front && x.shows(marks[i]->x) && y.shows(marks[i]->y)) {
+            front.push_back(i);
+        }
+    }
+    std::sort(front.begin(), front.end(), [&](std::size_t a, std::size_t b) {
+        return marks[a]->x != marks[b]->x ? marks[a]->x < marks[b]->x : marks[a]->y > marks[b]->y;
+    });
+    std::vector<std::pair<double, std::size_t>> out;
+    for (std::size_t k = 0; k < front.size(); ++k) {
+        const Mark& mark = *marks[front[k]];
+        const double across =
+            (k + 1 < front.size() ? x.at(marks[front[k + 1]]->x) : width - right) - x.at(mark.x);
+        const double down = y.at(mark.y) - (k > 0 ? y.at(marks[front[k - 1]]->y) : top);
+        out.emplace_back(across * down, front[k]);
+    }
+    std::sort(out.rbegin(), out.rend());
+    return out;
+}
+
+// The names of the knees, in the room that the front leaves below and to the left, none over
+// another.
+std::string names_svg(const std::vector<const Mark*>& marks, const std::vector<Point>& at,
+                      const Axis& x, const Axis& y) {
+    struct Box {
+        double left, right, top, bottom;
+    };
+    constexpr double letter = 6.4, line = 14; // pixels of the small type of names
+    std::vector<Box> taken;
+    std::string out;
+    for (const auto& [area, i] : knees(marks, x, y)) {
+        const std::string& name = marks[i]->name;
+        const double length = letter * static_cast<double>(name.size());
+        const bool fits = at[i].x - 6 - length > left + 2;
+        const double from = fits ? at[i].x - 6 - length : at[i].x + 5;
+        const double base = std::min(at[i].y + 15, height - bottom - 4);
+        const Box box{from, from + length, base - line + 2, base + 2};
+        const bool hidden = std::any_of(taken.begin(), taken.end(), [&](const Box& other) {
+            return box.left < other.right && other.left < box.right && box.top < other.bottom &&
+                   other.top < box.bottom;
+        });
+        if (name.empty() || hidden || taken.size() == most_names) {
+            continue;
+        }
+        taken.push_back(box);
+        out += fmt::format("<text class=\"name\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}"
+                           "</text>\n",
+                           fits ? at[i].x - 6 : from, base, fits ? "end" : "start", escaped(name));
+    }
+    return out;
 }
 
 std::string legend(const Scatter& s) {
@@ -151,7 +159,7 @@ std::string legend(const Scatter& s) {
     };
     for (std::size_t i = 0; i < s.series.size(); ++i) {
         line(fmt::format("<circle cx=\"{:g}\" cy=\"{:g}\" r=\"4\" fill=\"{}\"/>", x, y,
-                         colours[i % colours.size()]),
+                         series_colours[i % series_colours.size()]),
              s.series[i].name);
     }
     if (!s.circle_name.empty()) {
@@ -165,30 +173,31 @@ std::string legend(const Scatter& s) {
     return out;
 }
 
-} // namespace
+int rank_of(const Mark& mark) {
+    return mark.recommended ? 0 : mark.pale ? 2 : 1;
+}
 
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            out += "&amp;";
-            break;
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        default:
-            out += c;
-        }
+// Those that matter most come first.
+std::vector<const Mark*> by_importance(const std::vector<Mark>& marks) {
+    std::vector<const Mark*> out;
+    for (const Mark& mark : marks) {
+        out.push_back(&mark);
     }
+    std::stable_sort(out.begin(), out.end(),
+                     [](const Mark* a, const Mark* b) { return rank_of(*a) < rank_of(*b); });
     return out;
 }
+
+template <class Get>
+Axis axis_of(const std::vector<Mark>& marks, double start, double end, const Get& get) {
+    std::vector<double> values;
+    for (const Mark& mark : marks) {
+        values.push_back(get(mark));
+    }
+    return axis_over(values, start, end);
+}
+
+} // namespace
 
 std::string svg(const Scatter& s) {
     const Axis x = axis_of(s.marks, left, width - right, [](const Mark& m) { return m.x; });
@@ -196,19 +205,21 @@ std::string svg(const Scatter& s) {
     if (s.y_floor > 0) {
         y.low = std::clamp(std::log10(s.y_floor), y.low, y.high - 0.1);
     }
+    const std::vector<const Mark*> marks = by_importance(s.marks);
+    const std::vector<Point> at = places(marks, x, y);
     std::string out =
         fmt::format("<svg viewBox=\"0 0 {:g} {:g}\" role=\"img\" aria-label=\"{}\">\n", width,
                     height, escaped(s.title));
-    out += frame(s, x, y) + front_line(s, x, y);
-    // What matters lies on top.
-    for (const bool strong : {false, true}) {
-        for (const Mark& mark : s.marks) {
-            if (mark.pale != strong) {
-                out += mark_svg(s, mark, x, y);
+    out += svg({s.title, s.x_label, s.y_label, left, width - right, top, height - bottom}, x, y);
+    // What matters most is drawn last.
+    for (const int rank : {2, 1, 0}) {
+        for (std::size_t i = 0; i < marks.size(); ++i) {
+            if (rank_of(*marks[i]) == rank) {
+                out += interval_svg(*marks[i], at[i], x) + mark_svg(*marks[i], at[i], x, y);
             }
         }
     }
-    return out + legend(s) + "</svg>\n";
+    return out + front_line(s, x, y) + names_svg(marks, at, x, y) + legend(s) + "</svg>\n";
 }
 
 } // namespace plot

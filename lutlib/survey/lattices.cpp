@@ -1,5 +1,6 @@
 #include "lutlib/survey/lattices.h"
 
+#include "lutlib/color/difference_all.h"
 #include "lutlib/error.h"
 #include "lutlib/metrics/samples.h"
 #include "lutlib/named.h"
@@ -134,9 +135,41 @@ SurveyReference::SurveyReference(const Recipe& look, const SurveySettings& setti
     const bool display = is_for_displays(recipe.output_encoding());
     outside = display ? outside_display(expected) : OutsideDisplay{};
     clamped = display && !settings.unclamped;
+    shown =
+        clamped ? in_sequence({exact, Transform::each([](RgbD c) { return saturate(c); })}) : exact;
     for (RgbD& c : expected) {
         c = seen(c);
     }
+}
+
+void SurveyReference::delta_e(std::span<const RgbD> a, std::span<const RgbD> b,
+                              std::span<double> out) const {
+    const Encoding output = recipe.output_encoding();
+    const Matrix3 to_rec709 = rgb_to_rgb(output.primaries(), rec709);
+    const auto lab_of = [&](std::span<const RgbD> codes) {
+        std::vector<RgbD> light(codes.begin(), codes.end());
+        output.decode_all(light);
+        for (RgbD& c : light) {
+            c = to_rec709 * c;
+        }
+        std::vector<Lab> lab(light.size());
+        lab_from_linear_all(light, lab);
+        return lab;
+    };
+    delta_e_2000_all(lab_of(a), lab_of(b), out);
+}
+
+Transform SurveyReference::reading(std::shared_ptr<const StoredLut> stored,
+                                   const Lookup& lookup) const {
+    return Transform::batch(
+        [stored = std::move(stored), &lookup, held = clamped](std::span<RgbD> colours) {
+            std::vector<Rgb> in(colours.size()), got(colours.size());
+            std::transform(colours.begin(), colours.end(), in.begin(), to_float);
+            stored->apply(in, got, lookup);
+            std::transform(got.begin(), got.end(), colours.begin(),
+                           [held](Rgb c) { return held ? saturate(to_double(c)) : to_double(c); });
+        },
+        Precision::float32);
 }
 
 Difference SurveyReference::error_of(const StoredLut& stored, const Lookup& lookup) const {

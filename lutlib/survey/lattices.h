@@ -5,6 +5,7 @@
 #include "lutlib/transform.h"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,8 @@ namespace lutlib {
 /// What is surveyed: a look, and colours with what it makes of them.
 struct SurveyReference {
     const Recipe& recipe;
-    Transform exact;
+    Transform exact; ///< the look
+    Transform shown; ///< the look as it is judged
     Domain domain;
     std::vector<Rgb> inputs;
     std::vector<RgbD> expected;
@@ -24,6 +26,10 @@ struct SurveyReference {
 
     /// A lookup's result as it is judged.
     RgbD seen(RgbD c) const { return clamped ? saturate(c) : c; }
+    /// By dE2000, of results as they are judged; into a span of the same length.
+    void delta_e(std::span<const RgbD> a, std::span<const RgbD> b, std::span<double> out) const;
+    /// A lattice's answers as they are judged.
+    Transform reading(std::shared_ptr<const StoredLut> stored, const Lookup& lookup) const;
     /// Of reading `stored` at the inputs.
     Difference error_of(const StoredLut& stored, const Lookup& lookup) const;
 };

@@ -4,6 +4,7 @@
 #include "lutlib/metrics/peak.h"
 #include "lutlib/metrics/samples.h"
 #include "lutlib/resample/resample.h"
+#include "lutlib/survey/detailer.h"
 #include "lutlib/survey/lattices.h"
 
 #include <tbb/parallel_for.h>
@@ -73,17 +74,27 @@ Timings timings_of(const std::vector<PointLattice>& lattices, const Domain& doma
     return out;
 }
 
-std::vector<SurveyRow> measured(const SurveyReference& reference,
-                                const std::vector<Candidate>& candidates, const Timings& timings,
-                                const Progress& progress) {
-    std::vector<SurveyRow> rows(candidates.size());
+// The rows, and what else there is to say of each.
+void measure_rows(const SurveyReference& reference, const std::vector<Candidate>& candidates,
+                  const Timings& timings, const Progress& progress, Survey& out) {
+    const Detailer detailer(reference);
+    out.detail_colours = detailer.colours();
+    std::vector<SurveyRow>& rows = out.rows;
+    rows.resize(candidates.size());
+    out.details.resize(candidates.size());
     std::atomic<std::size_t> done = 0;
     std::mutex one_at_a_time;
     tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t i) {
         const Candidate& c = candidates[i];
-        const StoredLut stored(c.lattice->lut, *c.nodes, *c.what.storage);
-        rows[i] = {c.what, reference.error_of(stored, *c.what.lookup), stored.bytes(), c.seconds,
+        const auto stored =
+            std::make_shared<const StoredLut>(c.lattice->lut, *c.nodes, *c.what.storage);
+        const Transform read = reference.reading(stored, *c.what.lookup);
+        rows[i] = {c.what, reference.error_of(*stored, *c.what.lookup), stored->bytes(), c.seconds,
                    timings.at(timing_key(c.lattice->lut, *c.what.storage, *c.what.lookup))};
+        std::vector<double> errors(reference.inputs.size());
+        reference.delta_e(reference.expected, images_of(read, reference.inputs), errors);
+        out.details[i] = detailer.of(read, c.lattice->lut, *c.what.lookup,
+                                     rows[i].error.worst_to_eye.in, std::move(errors));
         ++done;
         const std::unique_lock lock(one_at_a_time, std::try_to_lock);
         if (lock) {
@@ -91,7 +102,6 @@ std::vector<SurveyRow> measured(const SurveyReference& reference,
                      "measuring errors");
         }
     });
-    return rows;
 }
 
 // The largest dE2000 of a candidate, uphill from the worst of the colours.
@@ -203,7 +213,7 @@ Survey survey(const Recipe& recipe, const SurveySettings& wanted, const Progress
     out.colours = reference.inputs.size();
     append(out.notes, lattices.notes);
     append(out.notes, std::move(fits.notes));
-    out.rows = measured(reference, candidates, timings, from_to(after_fitting, 1));
+    measure_rows(reference, candidates, timings, from_to(after_fitting, 1), out);
     const Settled result = settled(reference, candidates, settings, out.rows);
     out.recommendation = result.recommendation;
     out.checked = result.checked;

@@ -5,6 +5,7 @@
 #include "lutlib/interpolation/stored_lut.h"
 #include "lutlib/metrics/compare.h"
 #include "lutlib/recipe/recipe.h"
+#include "lutlib/survey/details.h"
 #include "lutlib/survey/display.h"
 #include "lutlib/survey/timing.h"
 
@@ -70,6 +71,8 @@ struct Survey {
     SurveySettings settings;
     bool clamped = false;   ///< every result is held to 0..1, as a display holds it
     OutsideDisplay outside; ///< of the look's own results
+    DetailColours detail_colours;
+    std::vector<Details> details; ///< of each row
     Recommendation recommendation;
     std::size_t checked = 0; ///< further colours on which the recommendation holds, and uphill
 };

@@ -74,13 +74,51 @@ TEST(Report, is_a_page_whose_points_chromium_shows_with_the_figures_of_its_json)
         GTEST_SKIP()
             << "there is no /usr/bin/chromium to open the page in (Debian package chromium)";
     }
-    // Five views of two plots with a point for each combination, and a row of the table.
-    EXPECT_EQ(count(dom, "data-row=\""), 10 * rows);
+    // Four views of two plots with a point for each combination, and a row of the table.
+    EXPECT_EQ(count(dom, "data-row=\""), 8 * rows);
     EXPECT_EQ(count(dom, "<tr id=\"row-"), rows);
-    EXPECT_EQ(count(dom, "class=\"front\""), 10u);
-    EXPECT_EQ(count(dom, "class=\"mark best\""), 10u);
+    EXPECT_EQ(count(dom, "class=\"front\""), 8u);
+    EXPECT_EQ(count(dom, "class=\"mark best"), 8u);
+    // Where the recommended one errs, without a script; and every patch of the chart.
+    EXPECT_EQ(count(source, "class=\"heat\""), 4u);
+    EXPECT_EQ(count(source, "class=\"patch\""), 24u + 10 + 11);
+    EXPECT_EQ(count(source, "class=\"band\""), 7u);
+    // The script filled the filters: two sizes after "all".
+    EXPECT_NE(dom.find(">8</option><option>16</option></select>"), std::string::npos);
     // The script ran: headings have become buttons that sort.
     EXPECT_GT(count(dom, "role=\"button\""), 10u);
+}
+
+TEST(Report, merges_the_times_of_a_gpu_and_refuses_what_are_none) {
+    const Folder folder;
+    const std::string look = folder.write("look.cube", saturated_cube(3));
+    const std::string times = folder.write("gpu.json", R"({
+        "device": "Card 9", "width": 960, "height": 540, "frames": {}, "rows": [
+        {"group": "copy", "name": "rgba8", "median_ms": 1, "bytes": 1, "ratio_to_copy": 1},
+        {"group": "lut, rgba8 to rgba8", "name": "shared-tetrahedral", "median_ms": 0.5,
+         "bytes": 1, "ratio_to_copy": 1.5},
+        {"group": "lut, rgba8 to rgba8", "name": "piccolo", "median_ms": 2, "bytes": 1,
+         "ratio_to_copy": 6}]})");
+    const std::string page = folder.path("r.html"), figures = folder.path("r.json");
+    const Result result = lutconv(
+        {"report", look, "--sizes", "16", "-o", page, "--json", figures, "--gpu-times", times});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const json all = json::parse(contents(figures));
+    const json& gpu = all["gpu"];
+    EXPECT_EQ(gpu["device"], "Card 9");
+    ASSERT_EQ(gpu["rows"].size(), 2u);
+    EXPECT_DOUBLE_EQ(gpu["rows"][0]["milliseconds_4K"].get<double>(), 8);
+    const json& row = all["rows"][gpu["rows"][0]["row"].get<std::size_t>()];
+    EXPECT_EQ(row["lookup"], "tetrahedral");
+    EXPECT_EQ(row["storage"], "8");
+    EXPECT_TRUE(gpu["rows"][1]["row"].is_null());
+    EXPECT_NE(contents(page).find("On a GPU: Card 9"), std::string::npos);
+
+    const Result refused =
+        lutconv({"report", look, "--sizes", "2", "-o", page, "--gpu-times", look});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find(look), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("preview_bench --json"), std::string::npos) << refused.err;
 }
 
 TEST(Report, plots_the_stiff_suite) {

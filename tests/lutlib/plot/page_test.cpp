@@ -74,6 +74,28 @@ TEST(Page, headings_of_words_and_of_numbers_differ) {
     EXPECT_NE(html(empty).find("<th class=\"words\">ns</th>"), std::string::npos);
 }
 
+TEST(Page, panels_hold_every_row_s_values_for_scripts_and_nothing_ends_them_early) {
+    Page with = page();
+    with.panels.markup = "<p id=\"d-a\">first</p>";
+    with.panels.values = {{"a", "text"}};
+    with.panels.rows = {{"first"}, {"\"2\" </script>"}, {"back\\slash"}};
+    const std::string text = html(with);
+    EXPECT_NE(text.find("<p id=\"d-a\">first</p>"), std::string::npos);
+    EXPECT_NE(text.find("[\"a\",\"text\"]"), std::string::npos);
+    EXPECT_NE(text.find("[\"\\\"2\\\" \\u003c/script>\"]"), std::string::npos) << text;
+    EXPECT_NE(text.find("[\"back\\\\slash\"]"), std::string::npos) << text;
+    EXPECT_EQ(html(page()).find("id=\"panels\""), std::string::npos);
+}
+
+TEST(Page, filters_are_hidden_until_a_script_fills_them) {
+    Page with = page();
+    with.table.filters = {0};
+    const std::string text = html(with);
+    EXPECT_NE(text.find("<span class=\"filters\" hidden>"), std::string::npos);
+    EXPECT_EQ(all_of(text, "<select data-column=\"([0-9]+)\"").size(), 1U);
+    EXPECT_EQ(html(page()).find("<select"), std::string::npos);
+}
+
 TEST(Page, text_is_escaped_wherever_it_stands) {
     Page rude = page();
     const std::string text = "<i>\"a\" & b</i>";

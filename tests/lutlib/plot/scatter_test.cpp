@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace plot {
@@ -46,7 +47,7 @@ TEST(Scatter, what_no_logarithmic_axis_can_show_stands_at_the_edge_and_says_so) 
     constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const std::string text =
-        svg(scatter_of({{1, 1}, {10, 10}, {0, 1}, {1, infinity}, {-3, 1}, {1, nan}}));
+        svg(scatter_of({{1, 1}, {10, 10}, {0, 1}, {1, infinity}, {-3, 5}, {1, nan}}));
     EXPECT_EQ(all_of(text, "<title>mark( \\(beyond the axis\\))</title>").size(), 4U);
     EXPECT_EQ(all_of(text, "<title>(mark)</title>").size(), 2U);
     const std::vector<double> x = numbers_of(text, circle_x);
@@ -96,21 +97,53 @@ TEST(Scatter, pale_marks_lie_below_and_every_mark_leads_to_its_row) {
     scatter.marks[2].recommended = true;
     const std::string text = svg(scatter);
     EXPECT_EQ(all_of(text, "data-row=\"([0-9]+)\""), (std::vector<std::string>{"1", "0", "2"}));
-    EXPECT_EQ(all_of(text, "class=\"(mark[a-z ]*)\""),
+    EXPECT_EQ(all_of(text, "class=\"(mark[a-z ]*) s0\""),
               (std::vector<std::string>{"mark", "mark top", "mark best"}));
     EXPECT_EQ(all_of(text, "<path (d)=\"M[0-9. ]+l").size(), 1U);
 }
 
-TEST(Scatter, series_of_equal_cost_stand_side_by_side_in_colours_of_their_own) {
-    Scatter scatter = scatter_of({{5, 1}, {5, 1}, {1, 1}, {10, 10}});
+TEST(Scatter, no_mark_hides_another) {
+    Scatter scatter = scatter_of({{1, 1}, {10, 10}});
+    for (int i = 0; i < 12; ++i) {
+        scatter.marks.push_back(scatter.marks[1]);
+        scatter.marks.back().pale = true;
+    }
+    const std::string text = svg(scatter);
+    const std::vector<double> x = numbers_of(text, circle_x), y = numbers_of(text, circle_y);
+    ASSERT_EQ(x.size(), 14U);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            EXPECT_GT(std::hypot(x[i] - x[k], y[i] - y[k]), 4) << i << " " << k;
+        }
+    }
+}
+
+TEST(Scatter, names_the_knees_of_the_front_and_shows_intervals_that_are_wide_enough) {
+    Scatter scatter = scatter_of({{1, 100}, {10, 10}, {10.01, 9.99}, {100, 1}, {50, 50}});
+    for (Mark& mark : scatter.marks) {
+        mark.on_front = mark.x != 50;
+        mark.name = "at " + std::to_string(static_cast<int>(mark.x * 100));
+    }
+    scatter.marks[1].x_low = 7;
+    scatter.marks[1].x_high = 14;
+    scatter.marks[3].x_low = 99.9;
+    scatter.marks[3].x_high = 100.1;
+    const std::string text = svg(scatter);
+    // Of two in one place one is named; what is not on the front is not.
+    const auto names = all_of(text, "class=\"name\"[^>]*>(at [0-9]+)<");
+    EXPECT_EQ(names.size(), 3U) << text;
+    EXPECT_EQ(std::count(names.begin(), names.end(), "at 5000"), 0);
+    EXPECT_EQ(all_of(text, "class=\"(interval)\"").size(), 1U);
+}
+
+TEST(Scatter, series_have_colours_of_their_own) {
+    Scatter scatter = scatter_of({{5, 1}, {6, 1}, {1, 1}, {10, 10}});
     scatter.series = {{"nearest"}, {"trilinear"}};
     scatter.marks[1].series = 1;
-    scatter.series_gap = 8;
     const std::string text = svg(scatter);
-    const std::vector<double> x = numbers_of(text, circle_x);
-    EXPECT_NEAR(x[1] - x[0], 8, 0.11);
-    const auto fills = all_of(text, "class=\"mark[a-z ]*\" fill=\"(#[0-9A-F]+)\"");
-    EXPECT_NE(fills[0], fills[1]);
+    const auto fills = all_of(text, "class=\"mark[a-z ]* (s[0-9])\"");
+    EXPECT_EQ(std::count(fills.begin(), fills.end(), "s1"), 1);
+    EXPECT_EQ(fills.size(), 4U);
     for (const char* name : {">nearest<", ">trilinear<"}) {
         EXPECT_NE(text.find(name), std::string::npos) << name;
     }

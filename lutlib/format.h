@@ -1,6 +1,7 @@
 // The descriptor of a LUT file format, and of what a format can hold.
 #pragma once
 
+#include "lutlib/byte_source.h"
 #include "lutlib/limits.h"
 #include "lutlib/lut.h"
 
@@ -101,6 +102,9 @@ class Extensions {
 /// A format of LUT files: one row, at the end of the file that knows the format. Functions that are
 /// null make a format that is only written or only read; each is handed its own row.
 struct FileFormat {
+    /// How many of a file's first bytes are enough to recognise it, where it has read_in_pieces.
+    static constexpr std::size_t head_bytes = std::size_t{64} << 10;
+
     std::string_view name;  ///< as in --format
     std::string_view label; ///< for help
     Extensions extensions;
@@ -113,6 +117,10 @@ struct FileFormat {
     /// Parses a whole file. `file` names it in errors and lends its extension. Throws Error.
     Reading (*read)(const FileFormat& format, std::string_view bytes, const std::string& file,
                     const ReadOptions& options) = nullptr;
+    /// The same of a UTF-8 file that arrives in pieces: its first bytes, as many as `recognise`
+    /// looks at, and the rest. Null where it must be there whole.
+    Lut (*read_in_pieces)(std::string_view head, ByteSource& more,
+                          const std::string& file) = nullptr;
     /// As `read`, but values that are no numbers are read as NaN instead of refused: for examining
     /// and repairing. Null where a file of the format cannot hold any.
     Lut (*read_broken)(std::string_view bytes, const std::string& file) = nullptr;

@@ -125,11 +125,24 @@ LineScanner::LineScanner(std::string_view bytes) : rest_(bytes) {
     }
 }
 
+LineScanner::LineScanner(std::string_view head, ByteSource& more) : LineScanner(head) {
+    more_ = &more;
+}
+
 bool LineScanner::next(std::string_view& line) {
+    std::size_t end = rest_.find_first_of("\r\n");
+    // A CR at the end of what is there may be half of a CR LF.
+    while (end == rest_.npos || end + 1 == rest_.size()) {
+        const std::size_t searched = std::min(end, rest_.size());
+        if (!fetch_more()) {
+            break;
+        }
+        end = rest_.find_first_of("\r\n", searched);
+    }
     if (rest_.empty()) {
         return false;
     }
-    const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
+    end = std::min(end, rest_.size());
     line = rest_.substr(0, end);
     rest_.remove_prefix(end);
     if (!rest_.empty()) {
@@ -137,6 +150,40 @@ bool LineScanner::next(std::string_view& line) {
     }
     ++line_;
     return true;
+}
+
+bool LineScanner::fetch(std::size_t least) {
+    bool fetched = false;
+    while (rest_.size() < least && fetch_more()) {
+        fetched = true;
+    }
+    return fetched;
+}
+
+std::size_t LineScanner::remaining() const {
+    return rest_.size() + (more_ ? more_->remaining() : 0);
+}
+
+// What has been walked over makes room; only a longer line makes the buffer grow.
+bool LineScanner::fetch_more() {
+    if (!more_) {
+        return false;
+    }
+    constexpr std::size_t usual = std::size_t{64} << 10;
+    if (buffer_.size() < 2 * rest_.size() || buffer_.empty()) {
+        std::vector<char> larger(std::max(usual, 2 * rest_.size()));
+        std::copy(rest_.begin(), rest_.end(), larger.begin());
+        buffer_ = std::move(larger);
+    } else {
+        std::copy(rest_.begin(), rest_.end(), buffer_.begin());
+    }
+    const std::size_t held = rest_.size();
+    const std::size_t got = more_->read(buffer_.data() + held, buffer_.size() - held);
+    rest_ = {buffer_.data(), held + got};
+    if (got == 0) {
+        more_ = nullptr;
+    }
+    return got > 0;
 }
 
 void LineScanner::skip(std::size_t bytes, std::size_t lines) {

@@ -1,11 +1,14 @@
 // Lines and words of a text file, with line numbers for errors. All of it ignores the locale.
 #pragma once
 
+#include "lutlib/byte_source.h"
+
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace lutlib {
 
@@ -14,9 +17,21 @@ namespace lutlib {
 class LineScanner {
   public:
     explicit LineScanner(std::string_view bytes);
+    /// Of a text that begins with `head` and goes on with what `more` gives. Lines and rest() hold
+    /// until the next call of next() or fetch().
+    LineScanner(std::string_view head, ByteSource& more);
+    LineScanner(LineScanner&&) = default;
+    LineScanner& operator=(LineScanner&&) = default;
 
     /// False at the end. The line excludes its end.
     bool next(std::string_view& line);
+
+    /// Brings text into rest() when it has fewer than `least` bytes and there is more. True if it
+    /// did.
+    bool fetch(std::size_t least);
+
+    /// Bytes of the whole text from rest() on, as far as is known.
+    std::size_t remaining() const;
 
     /// Number of the line that next() returned last, from 1; 0 before the first.
     std::size_t line_number() const { return line_; }
@@ -28,8 +43,12 @@ class LineScanner {
     void skip(std::size_t bytes, std::size_t lines);
 
   private:
+    bool fetch_more();
+
     std::string_view rest_;
     std::size_t line_ = 0;
+    ByteSource* more_ = nullptr; ///< null: rest_ is all there is
+    std::vector<char> buffer_;   ///< what rest_ views, of a text in pieces
 };
 
 /// Without blanks at both ends. Blanks are tabs and all spaces, no-break spaces among them.

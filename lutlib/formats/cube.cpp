@@ -49,14 +49,16 @@ constexpr std::string_view title_keyword = "TITLE";
 
 class CubeReader {
   public:
-    CubeReader(std::string_view bytes, const std::string& file, bool keep_non_finite = false)
-        : lines_(bytes), file_(file), keep_non_finite_(keep_non_finite) {
-        if (bytes.empty()) {
+    // `head` is the whole text, or its first bytes.
+    CubeReader(LineScanner lines, std::string_view head, const std::string& file,
+               bool keep_non_finite = false)
+        : lines_(std::move(lines)), file_(file), keep_non_finite_(keep_non_finite) {
+        if (head.empty()) {
             throw Error("the file is empty; a .cube needs at least LUT_3D_SIZE or LUT_1D_SIZE",
                         {file_, 0, {}});
         }
-        refuse_mistaken_file(bytes, file_);
-        if (bytes.substr(0, 4096).find('\0') != std::string_view::npos) {
+        refuse_mistaken_file(head, file_);
+        if (head.substr(0, 4096).find('\0') != std::string_view::npos) {
             throw Error("this is a binary file, not a .cube text", {file_, 0, {}});
         }
     }
@@ -83,10 +85,12 @@ class CubeReader {
         if (!table_ || filled_ == table_->size()) {
             return;
         }
-        const RowRun run =
-            parse_rows(lines_.rest(), table_->data() + filled_, table_->size() - filled_);
-        lines_.skip(run.bytes, run.rows);
-        filled_ += run.rows;
+        do {
+            const RowRun run =
+                parse_rows(lines_.rest(), table_->data() + filled_, table_->size() - filled_);
+            lines_.skip(run.bytes, run.rows);
+            filled_ += run.rows;
+        } while (filled_ < table_->size() && lines_.fetch(rows_look_ahead + 1));
         next_table_when_full();
     }
 
@@ -241,7 +245,7 @@ class CubeReader {
     // A few bytes must not make the reader allocate a large table only to find it truncated.
     void check_room_for(std::size_t rows, std::string_view line) const {
         constexpr std::size_t shortest_row = 6; // "0 0 0" and a line end, which the last may lack
-        const std::size_t room = (lines_.rest().size() + 1) / shortest_row;
+        const std::size_t room = (lines_.remaining() + 1) / shortest_row;
         if (rows > room) {
             fail("the table is truncated: " + std::to_string(rows) +
                      " rows are needed, the rest of the file has room for at most " +
@@ -389,15 +393,19 @@ class CubeReader {
 
 Lut read(std::string_view bytes, const std::string& file, bool keep_non_finite) {
     if (const std::optional<std::string> utf8 = utf8_of_utf16(bytes)) {
-        return CubeReader(*utf8, file, keep_non_finite).read();
+        return CubeReader(LineScanner(*utf8), *utf8, file, keep_non_finite).read();
     }
-    return CubeReader(bytes, file, keep_non_finite).read();
+    return CubeReader(LineScanner(bytes), bytes, file, keep_non_finite).read();
 }
 
 } // namespace
 
 Lut read_cube(std::string_view bytes, const std::string& file) {
     return read(bytes, file, false);
+}
+
+Lut read_cube_in_pieces(std::string_view head, ByteSource& more, const std::string& file) {
+    return CubeReader(LineScanner(head, more), head, file).read();
 }
 
 Lut read_broken_cube(std::string_view bytes, const std::string& file) {

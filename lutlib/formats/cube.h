@@ -29,6 +29,7 @@
 // "LUT files" readme.
 #pragma once
 
+#include "lutlib/byte_source.h"
 #include "lutlib/format.h"
 
 #include <string>
@@ -42,8 +43,11 @@ enum class CubeDialect { adobe, resolve };
 /// missing, truncated, overlong or out of limits.h, a value that is not a finite number, a domain
 /// that is empty or inverted, a binary or empty file.
 Lut read_cube(std::string_view bytes, const std::string& file);
-/// The same, but a row's values that are infinite or no number are read as NaN: for examining and
-/// repairing. What it returns may fail validate().
+/// The same of UTF-8 text that begins with `head`, 4096 bytes at least unless it is shorter, and
+/// goes on with what `more` gives.
+Lut read_cube_in_pieces(std::string_view head, ByteSource& more, const std::string& file);
+/// As read_cube(), but a row's values that are infinite or no number are read as NaN: for examining
+/// and repairing. What it returns may fail validate().
 Lut read_broken_cube(std::string_view bytes, const std::string& file);
 
 /// The shortest decimals that read back bit-identically. Throws Error for what the dialect cannot

@@ -79,7 +79,7 @@ void append_head(std::string& out, const Lut& lut, CubeDialect dialect,
 }
 
 bool head_has(std::string_view bytes, std::string_view keyword) {
-    const std::string_view head = bytes.substr(0, 1U << 16);
+    const std::string_view head = bytes.substr(0, FileFormat::head_bytes);
     const auto same = [](char a, char b) { return upper(a) == b; };
     return std::search(head.begin(), head.end(), keyword.begin(), keyword.end(), same) !=
            head.end();
@@ -152,6 +152,7 @@ constinit const FileFormat formats::cube{
               .encodings = true},
     .recognise = recognise,
     .read = read,
+    .read_in_pieces = read_cube_in_pieces,
     .read_broken = read_broken_cube,
     .write =
         [](const FileFormat& /*format*/, const Lut& lut, const WriteOptions& options) {
@@ -173,6 +174,7 @@ constinit const FileFormat formats::cube_resolve{
               .encodings = true},
     .recognise = recognise_resolve,
     .read = read,
+    .read_in_pieces = read_cube_in_pieces,
     .read_broken = read_broken_cube,
     .write =
         [](const FileFormat& /*format*/, const Lut& lut, const WriteOptions& options) {

@@ -17,6 +17,7 @@ static_assert(std::endian::native == std::endian::little, "the digit loads assum
 constexpr std::size_t row_length = 100;
 // More bytes than are looked at ahead: a sign, 8 digits, a point and 16 digits behind those.
 constexpr std::size_t look_ahead = row_length + 28;
+static_assert(look_ahead == rows_look_ahead);
 
 constexpr std::array<std::uint64_t, 9> whole_power_of_ten{
     1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};

@@ -17,22 +17,6 @@
 namespace lutlib::io {
 namespace {
 
-class Descriptor {
-  public:
-    explicit Descriptor(int fd) : fd_(fd) {}
-    ~Descriptor() {
-        if (fd_ > STDERR_FILENO) {
-            ::close(fd_);
-        }
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    int get() const { return fd_; }
-
-  private:
-    int fd_;
-};
-
 [[noreturn]] void fail(const std::string& message, const std::string& file, int error_number) {
     throw Error(message + ": " + std::generic_category().message(error_number), {file, 0, {}});
 }
@@ -103,44 +87,6 @@ std::string temporary_name(const std::string& target) {
 
 constexpr const char* empty_file = "the file is empty";
 
-// What can be read from: a file, a device or a pipe, but no directory.
-class Input {
-  public:
-    explicit Input(const std::string& path)
-        : name_(input_name(path)),
-          file_(path == standard_stream ? STDIN_FILENO
-                                        : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
-        struct stat info {};
-        if (file_.get() < 0 || ::fstat(file_.get(), &info) != 0) {
-            fail("cannot open the file", name_, errno);
-        }
-        if (S_ISDIR(info.st_mode)) {
-            throw Error("this is a directory; name a file", {name_, 0, {}});
-        }
-        announced_ = S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) : 0;
-    }
-
-    const std::string& name() const { return name_; }
-    std::size_t announced() const { return announced_; }
-
-    /// Some of the next bytes; 0 at the end.
-    std::size_t read(char* to, std::size_t most) const {
-        ssize_t got = 0;
-        do {
-            got = ::read(file_.get(), to, most);
-        } while (got < 0 && errno == EINTR);
-        if (got < 0) {
-            fail("cannot read the file", name_, errno);
-        }
-        return static_cast<std::size_t>(got);
-    }
-
-  private:
-    std::string name_;
-    Descriptor file_;
-    std::size_t announced_ = 0;
-};
-
 // Devices, pipes and sockets have no old content to protect and cannot be renamed over.
 bool is_special(const std::string& path) {
     struct stat info {};
@@ -175,41 +121,81 @@ std::string extension_of(std::string_view path) {
     return out;
 }
 
-std::string read_file(const std::string& path, std::size_t max_bytes) {
-    const Input file(path);
-    if (file.announced() > max_bytes) {
-        too_large(file.name(), max_bytes);
+FileInput::FileInput(const std::string& path)
+    : name_(input_name(path)),
+      file_(path == standard_stream ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    struct stat info {};
+    if (file_.get() < 0 || ::fstat(file_.get(), &info) != 0) {
+        fail("cannot open the file", name_, errno);
+    }
+    if (S_ISDIR(info.st_mode)) {
+        throw Error("this is a directory; name a file", {name_, 0, {}});
+    }
+    size_ = S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) : 0;
+}
+
+std::size_t FileInput::read(char* to, std::size_t most) {
+    ssize_t got = 0;
+    do {
+        got = ::read(file_.get(), to, most);
+    } while (got < 0 && errno == EINTR);
+    if (got < 0) {
+        fail("cannot read the file", name_, errno);
+    }
+    read_ += static_cast<std::size_t>(got);
+    return static_cast<std::size_t>(got);
+}
+
+std::size_t FileInput::remaining() const {
+    return size_ - std::min(size_, read_);
+}
+
+std::string FileInput::head(std::size_t most) {
+    std::string out(most, '\0');
+    std::size_t length = 0;
+    while (const std::size_t got = length < most ? read(out.data() + length, most - length) : 0) {
+        length += got;
+    }
+    out.resize(length);
+    if (length == 0) {
+        throw Error(empty_file, {name_, 0, {}});
+    }
+    return out;
+}
+
+std::string FileInput::all_of(std::string head, std::size_t max_bytes) {
+    std::string bytes = std::move(head);
+    std::size_t length = bytes.size();
+    if (length + remaining() > max_bytes) {
+        too_large(name_, max_bytes);
     }
     // One byte more than announced, so that the end shows without growing. Pipes announce nothing.
-    std::string bytes(std::max<std::size_t>(file.announced() + 1, 4096), '\0');
-    std::size_t length = 0;
-    while (const std::size_t got = file.read(bytes.data() + length, bytes.size() - length)) {
+    bytes.resize(std::max<std::size_t>(length + remaining() + 1, 4096));
+    while (const std::size_t got = read(bytes.data() + length, bytes.size() - length)) {
         length += got;
         if (length > max_bytes) {
-            too_large(file.name(), max_bytes);
+            too_large(name_, max_bytes);
         }
         if (length == bytes.size()) {
             bytes.resize(length * 2);
         }
     }
     if (length == 0) {
-        throw Error(empty_file, {file.name(), 0, {}});
+        throw Error(empty_file, {name_, 0, {}});
     }
     bytes.resize(length);
     return bytes;
+}
+
+std::string read_file(const std::string& path, std::size_t max_bytes) {
+    return FileInput(path).all_of({}, max_bytes);
 }
 
 std::optional<std::string> head_of_regular_file(const std::string& path, std::size_t bytes) {
     if (path == standard_stream || is_special(path)) {
         return std::nullopt;
     }
-    const Input file(path);
-    std::string head(bytes, '\0');
-    head.resize(file.read(head.data(), bytes));
-    if (head.empty()) {
-        throw Error(empty_file, {file.name(), 0, {}});
-    }
-    return head;
+    return FileInput(path).head(bytes);
 }
 
 PendingFile::PendingFile(const std::string& target)

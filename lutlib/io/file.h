@@ -3,7 +3,9 @@
 // is the old file or the whole new one.
 #pragma once
 
+#include "lutlib/byte_source.h"
 #include "lutlib/io/cleanup.h"
+#include "lutlib/io/descriptor.h"
 #include "lutlib/limits.h"
 
 #include <cstddef>
@@ -19,6 +21,30 @@ inline constexpr std::string_view standard_stream = "-";
 /// Every byte of a file, or of standard input for `-`. Throws Error for a file that is missing,
 /// unreadable, a directory, empty or longer than `max_bytes`, before that much is allocated.
 std::string read_file(const std::string& path, std::size_t max_bytes = limits::max_file_bytes);
+
+/// A file, or standard input for `-`, that is read piece by piece. Throws Error for one that is
+/// missing, unreadable or a directory.
+class FileInput final : public ByteSource {
+  public:
+    explicit FileInput(const std::string& path);
+
+    /// For messages.
+    const std::string& name() const { return name_; }
+    std::size_t read(char* to, std::size_t most) override;
+    std::size_t remaining() const override;
+
+    /// The next bytes, fewer than `most` only at the end. Throws Error where there are none.
+    std::string head(std::size_t most);
+    /// Every byte that is left behind `head`, which has been read. Throws Error as read_file()
+    /// does.
+    std::string all_of(std::string head, std::size_t max_bytes = limits::max_file_bytes);
+
+  private:
+    std::string name_;
+    Descriptor file_;
+    std::size_t size_ = 0; ///< of a regular file, as it was opened; 0: not known
+    std::size_t read_ = 0;
+};
 
 /// The first bytes of a regular file, for libraries that then read it from its path themselves.
 /// Nothing of pipes and devices, whose bytes can be read but once. Throws Error as read_file()

@@ -93,29 +93,35 @@ const FileFormat& format_for_writing(const std::string& path, const Lut& lut) {
     return *best;
 }
 
-const FileFormat& recognise_format(std::string_view bytes, const std::string& file) {
-    refuse_mistaken_file(bytes, file);
-    if (const std::optional<std::string> utf8 = utf8_of_utf16(bytes)) {
-        return recognise_format(*utf8, file);
-    }
+const FileFormat* find_format(std::string_view bytes, const std::string& file) {
     constexpr int extension_score = 40;
     const std::string extension = extension_of(file);
-    const auto readers = formats_where([](const FileFormat* row) { return row->read != nullptr; });
     const FileFormat* best = nullptr;
     int best_score = 0;
-    for (const FileFormat* const row : readers) {
-        const int score =
-            content_score(*row, bytes) + (row->extensions.contain(extension) ? extension_score : 0);
+    for (const FileFormat* const row : file_formats()) {
+        const int score = !row->read
+                              ? 0
+                              : content_score(*row, bytes) +
+                                    (row->extensions.contain(extension) ? extension_score : 0);
         if (score > best_score) {
             best = row;
             best_score = score;
         }
     }
+    return best;
+}
+
+const FileFormat& recognise_format(std::string_view bytes, const std::string& file) {
+    refuse_mistaken_file(bytes, file);
+    if (const std::optional<std::string> utf8 = utf8_of_utf16(bytes)) {
+        return recognise_format(*utf8, file);
+    }
+    const FileFormat* const best = find_format(bytes, file);
     if (!best) {
         throw Error(
             "no known LUT format by content or extension; 'lutconv convert --from NAME' reads it "
             "as one of these: " +
-                names_of(readers),
+                names_of(formats_where([](const FileFormat* row) { return row->read != nullptr; })),
             {file, 0, {}});
     }
     return *best;

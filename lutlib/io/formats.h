@@ -15,6 +15,8 @@ namespace lutlib::io {
 std::span<const FileFormat* const> file_formats();
 /// The row named, or a UsageError that lists the names.
 const FileFormat& require_file_format(std::string_view name);
+/// What reads UTF-8 text or pixels that begin so; null for nothing known.
+const FileFormat* find_format(std::string_view bytes, const std::string& file);
 /// What reads these bytes: by content first, then by the extension of `file`. Throws Error.
 const FileFormat& recognise_format(std::string_view bytes, const std::string& file);
 /// What writes a file of this name: of the formats with its extension (the first format's, for

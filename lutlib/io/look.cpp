@@ -12,6 +12,7 @@
 #include "lutlib/metrics/samples.h"
 #include "lutlib/metrics/scale.h"
 #include "lutlib/recipe/bake_recipe.h"
+#include "lutlib/text.h"
 
 #include <fmt/core.h>
 
@@ -78,6 +79,15 @@ std::string scale_text(const Transform& theirs, const Lut& lut, Interpolation ho
                        why);
 }
 
+// The format of a file that need not be there whole, by its first bytes; null for all others.
+const FileFormat* format_in_pieces(std::string_view head, const std::string& path) {
+    if (is_recipe(head) || utf8_of_utf16(head)) {
+        return nullptr;
+    }
+    const FileFormat* const format = find_format(head, path);
+    return format && format->read_in_pieces ? format : nullptr;
+}
+
 bool claims_to_be_a_look(const std::string& path) {
     const auto formats = file_formats();
     return std::any_of(formats.begin(), formats.end(), [&](const FileFormat* format) {
@@ -88,19 +98,28 @@ bool claims_to_be_a_look(const std::string& path) {
 } // namespace
 
 Look Look::open(const std::string& path, const LookOptions& options) {
-    return of_bytes(read_file(path), path, options);
+    FileInput file(path);
+    std::string head = file.head(FileFormat::head_bytes);
+    const FileFormat* const format =
+        file.remaining() > 0 && options.format.empty() ? format_in_pieces(head, path) : nullptr;
+    if (!format || file.remaining() > limits::max_file_bytes) {
+        return of_bytes(file.all_of(std::move(head)), path, options);
+    }
+    Look out(path, options);
+    out.take({.lut = format->read_in_pieces(head, file, out.name_)}, *format);
+    return out;
 }
 
+Look::Look(const std::string& path, const LookOptions& options)
+    : path_(path), name_(input_name(path)), options_(options) {}
+
 Look Look::of_bytes(std::string bytes, const std::string& path, const LookOptions& options) {
-    Look out;
+    Look out(path, options);
     out.bytes_ = std::move(bytes);
-    out.path_ = path;
-    out.name_ = input_name(path);
-    out.options_ = options;
     if (options.format.empty() && is_recipe(out.bytes_)) {
         out.read_recipe();
     } else {
-        out.read_table(options);
+        out.read_table();
     }
     return out;
 }
@@ -140,18 +159,23 @@ void Look::read_recipe() {
     recipe_->base_lut = std::make_shared<const Lut>(std::move(base.lut));
 }
 
-void Look::read_table(const LookOptions& options) {
-    const FileFormat& format = options.format.empty() ? recognise_format(bytes_, name_)
-                                                      : require_file_format(options.format);
-    Reading reading = decode_lut(
-        bytes_, name_,
-        {.size = 0, .layout = options.layout, .engine = options.engine, .row = options.row},
-        format.name);
+void Look::read_table() {
+    const FileFormat& format = options_.format.empty() ? recognise_format(bytes_, name_)
+                                                       : require_file_format(options_.format);
+    take(decode_lut(bytes_, name_, read_options(0), format.name), format);
+}
+
+ReadOptions Look::read_options(int size) const {
+    return {
+        .size = size, .layout = options_.layout, .engine = options_.engine, .row = options_.row};
+}
+
+void Look::take(Reading reading, const FileFormat& format) {
     kind_ = {std::string(format.name), reading.layout, reading.engine};
     files_ = {{name_, std::move(reading.losses), reading.lut.keywords,
-               remarks_of(reading.remarks, reading.lut, options.encodings)}};
+               remarks_of(reading.remarks, reading.lut, options_.encodings)}};
     table_losses_ = std::move(reading.table_losses);
-    const EncodingNames said = names_of(options.encodings);
+    const EncodingNames said = names_of(options_.encodings);
     EncodingNames& names = reading.lut.encodings;
     names = {said.input.empty() ? names.input : said.input,
              said.output.empty() ? names.output : said.output};
@@ -214,10 +238,7 @@ LookTable Look::table(int size) const {
     if (size == 0 || is_table()) {
         return {lut_, table_losses_};
     }
-    Reading reading = decode_lut(
-        bytes_, name_,
-        {.size = size, .layout = options_.layout, .engine = options_.engine, .row = options_.row},
-        kind_.format);
+    Reading reading = decode_lut(bytes_, name_, read_options(size), kind_.format);
     return {std::make_shared<const Lut>(std::move(reading.lut)), std::move(reading.table_losses)};
 }
 
@@ -248,7 +269,7 @@ LookReference Look::reference(Interpolation how) const {
                       " interpolation, not " + std::string(name_of(how));
     } else {
         try {
-            out.look = in_opencolorio(how);
+            out.look = opened_by_opencolorio(how);
             out.scale = scale_text(out.look, *lut_, how);
             if (out.scale.empty()) {
                 return out;
@@ -261,9 +282,19 @@ LookReference Look::reference(Interpolation how) const {
     return out;
 }
 
+Transform Look::opened_by_opencolorio(Interpolation how) const {
+    // It chooses its reader by the extension first.
+    const bool is_named_so =
+        require_file_format(kind_.format).extensions.contain(extension_of(path_));
+    const auto own = is_named_so ? ocio().open(path_, {.interpolation = how}) : std::nullopt;
+    return own ? *own : in_opencolorio(how);
+}
+
 Transform Look::in_opencolorio(Interpolation how) const {
     const FileFormat& format = require_file_format(kind_.format);
-    return ocio().parse(bytes_, formats::opencolorio_extension(format, name_), name_,
+    // A table that was read in pieces is not kept as text.
+    return ocio().parse(bytes_.empty() ? read_file(path_) : bytes_,
+                        formats::opencolorio_extension(format, name_), name_,
                         {.interpolation = how});
 }
 

@@ -109,18 +109,23 @@ class Look {
     /// Nothing unless it is one.
     std::optional<LookPicture> picture() const;
 
-    /// Evaluated by OpenColorIO, which reads the user's own bytes independently of lutlib wherever
-    /// it can, else what lutlib read. What it does not know is exact(): recipes, and nearest
-    /// interpolation. Throws Error where OpenColorIO is not installed.
+    /// Evaluated by OpenColorIO, which opens the user's own path, or else is given its bytes, both
+    /// independently of lutlib's reader wherever it can; else what lutlib read. What it does not
+    /// know is exact(): recipes, and nearest interpolation. Throws Error where OpenColorIO is not
+    /// installed.
     LookReference reference(Interpolation how) const;
 
   private:
-    Look() = default;
+    Look(const std::string& path, const LookOptions& options);
     void read_recipe();
-    void read_table(const LookOptions& options);
+    void read_table();
+    ReadOptions read_options(int size) const;
+    void take(Reading reading, const FileFormat& format);
     Transform in_opencolorio(Interpolation how) const;
+    Transform opened_by_opencolorio(Interpolation how) const;
 
-    std::string bytes_, path_, name_;
+    std::string bytes_; ///< empty: it was read in pieces
+    std::string path_, name_;
     LookOptions options_;
     LookKind kind_;
     std::vector<LookFile> files_;

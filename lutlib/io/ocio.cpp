@@ -13,8 +13,8 @@ const Ocio& ocio() {
 }
 
 Transform open_in_ocio(const std::string& path, const EvaluationOptions& options) {
-    const std::string bytes = read_file(path);
-    return ocio().parse(bytes, extension_of(path), path, options);
+    const auto own = ocio().open(path, options);
+    return own ? *own : ocio().parse(read_file(path), extension_of(path), path, options);
 }
 
 } // namespace lutlib::io

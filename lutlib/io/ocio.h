@@ -7,6 +7,7 @@
 #include "lutlib/interpolation/interpolation.h"
 #include "lutlib/transform.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,11 @@ class Ocio {
     /// content. `file` names it in errors. Throws Error.
     virtual Transform parse(std::string_view bytes, const std::string& extension,
                             const std::string& file, const EvaluationOptions& options) const = 0;
+    /// The same of the file itself, which OpenColorIO opens at the user's own path. Nothing where it
+    /// would not find it there: standard input, and a path with "$" or "%", which it expands as
+    /// variables. Throws Error.
+    virtual std::optional<Transform> open(const std::string& path,
+                                          const EvaluationOptions& options) const = 0;
     /// A look as OpenColorIO's own matrices, curves and cubes. Throws Error.
     virtual Transform from_lut(const Lut& lut, const EvaluationOptions& options) const = 0;
 
@@ -60,7 +66,7 @@ class Ocio {
 /// Loads OpenColorIO on the first call. Throws Error when it is not installed.
 const Ocio& ocio();
 
-/// A file as OpenColorIO evaluates it. Throws Error.
+/// A file as OpenColorIO evaluates it, by its own path where it can be. Throws Error.
 Transform open_in_ocio(const std::string& path, const EvaluationOptions& options = {});
 
 } // namespace lutlib::io

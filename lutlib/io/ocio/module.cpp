@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 
 namespace lutlib::io {
 namespace {
@@ -23,6 +25,13 @@ std::size_t corrections_in(std::string_view bytes) {
         count += opens && end < bytes.size() && behind.find(bytes[end]) != std::string_view::npos;
     }
     return count;
+}
+
+// Whether OpenColorIO, handed this path, opens this very file.
+bool finds(const std::string& path) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(path, error) &&
+           std::filesystem::absolute(path, error).string().find_first_of("$%") == path.npos;
 }
 
 class Library final : public Ocio {
@@ -51,6 +60,18 @@ class Library final : public Ocio {
             return transform_of(
                 cpu_processor(processor_of_file(bytes, extension, file, options.interpolation),
                               options.optimization));
+        });
+    }
+
+    std::optional<Transform> open(const std::string& path,
+                                  const EvaluationOptions& options) const override {
+        if (!finds(path)) {
+            return std::nullopt;
+        }
+        return guarded(path, [&] {
+            const std::string absolute = std::filesystem::absolute(path).string();
+            return transform_of(cpu_processor(processor_at(absolute, path, options.interpolation),
+                                              options.optimization));
         });
     }
 

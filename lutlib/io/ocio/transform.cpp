@@ -54,7 +54,12 @@ std::string with_name(std::string text, const std::string& path, const std::stri
 } // namespace
 
 OCIO::ConstConfigRcPtr plain_config() {
-    static const OCIO::ConstConfigRcPtr config = OCIO::Config::CreateRaw();
+    // Without a cache of processors, which would answer for a file that has changed since.
+    static const OCIO::ConstConfigRcPtr config = [] {
+        const OCIO::ConfigRcPtr out = OCIO::Config::CreateRaw()->createEditableCopy();
+        out->setProcessorCacheFlags(OCIO::PROCESSOR_CACHE_OFF);
+        return out;
+    }();
     return config;
 }
 
@@ -62,15 +67,10 @@ OCIO::ConstProcessorRcPtr processor_of_transform(const OCIO::ConstTransformRcPtr
     return plain_config()->getProcessor(transform);
 }
 
-OCIO::ConstProcessorRcPtr processor_of_file(std::string_view bytes, const std::string& extension,
-                                            const std::string& file,
-                                            std::optional<Interpolation> interpolation) {
-    // OpenColorIO reads only by path, expands "$" and "%" in it as variables and remembers what it
-    // read under it. A file of our own in a folder of our own has none of these troubles; its name
-    // stays, for a Discreet 1D .lut says its depth there.
-    const TemporaryFile copy(bytes, file, extension);
+OCIO::ConstProcessorRcPtr processor_at(const std::string& path, const std::string& file,
+                                       std::optional<Interpolation> interpolation) {
     const OCIO::FileTransformRcPtr transform = OCIO::FileTransform::Create();
-    transform->setSrc(copy.path().c_str());
+    transform->setSrc(path.c_str());
     transform->setCCCId("0"); // collections hold several corrections; other formats ignore it
     transform->setInterpolation(interpolation ? ocio_interpolation(*interpolation)
                                               : OCIO::INTERP_DEFAULT);
@@ -80,9 +80,19 @@ OCIO::ConstProcessorRcPtr processor_of_file(std::string_view bytes, const std::s
         return processor;
     } catch (const OCIO::Exception& e) {
         OCIO::ClearAllCaches();
-        throw Error("OpenColorIO cannot read it: " + with_name(e.what(), copy.path(), file),
+        throw Error("OpenColorIO cannot read it: " + with_name(e.what(), path, file),
                     {file, 0, {}});
     }
+}
+
+OCIO::ConstProcessorRcPtr processor_of_file(std::string_view bytes, const std::string& extension,
+                                            const std::string& file,
+                                            std::optional<Interpolation> interpolation) {
+    // OpenColorIO reads only by path, expands "$" and "%" in it as variables and remembers what it
+    // read under it. A file of our own in a folder of our own has none of these troubles; its name
+    // stays, for a Discreet 1D .lut says its depth there.
+    const TemporaryFile copy(bytes, file, extension);
+    return processor_at(copy.path(), file, interpolation);
 }
 
 OCIO::GroupTransformRcPtr group_of_lut(const Lut& lut, Interpolation interpolation) {

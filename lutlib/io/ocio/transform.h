@@ -26,8 +26,13 @@ auto guarded(const std::string& file, Action&& action) {
     }
 }
 
-/// A file's bytes as a processor of everything in it, not yet optimised. `interpolation` is of
-/// cubes for which the file names none; unset: they say that none is named. Throws Error.
+/// What OpenColorIO reads at a path, as a processor of everything in it, not yet optimised. `file`
+/// names it in errors. `interpolation` is of cubes for which the file names none; unset: they say
+/// that none is named. Throws Error.
+OCIO::ConstProcessorRcPtr processor_at(const std::string& path, const std::string& file,
+                                       std::optional<Interpolation> interpolation);
+
+/// The same of a file's bytes.
 OCIO::ConstProcessorRcPtr processor_of_file(std::string_view bytes, const std::string& extension,
                                             const std::string& file,
                                             std::optional<Interpolation> interpolation);

@@ -106,6 +106,17 @@ TEST(Look, of_operators_is_opencolorios_and_no_table) {
     EXPECT_LE(error, 1.3 * coarse.losses.front().figure);
 }
 
+TEST(Look, has_the_users_own_file_for_its_reference_not_what_lutlib_read) {
+    const ScratchFolder folder;
+    const std::string path = folder.file("x.cube");
+    write_file(path, "LUT_1D_SIZE 3\n0 0 0\n0.5 0.5 0.5\n1 1 1\n");
+    const Look look = Look::open(path);
+    write_file(path, "LUT_1D_SIZE 3\n0 0 0\n0.25 0.25 0.25\n1 1 1\n");
+    const LookReference reference = look.reference(Interpolation::tetrahedral);
+    EXPECT_TRUE(reference.refusal.empty()) << reference.refusal;
+    EXPECT_FLOAT_EQ(static_cast<float>(reference.look({0.5, 0.5, 0.5}).g), 0.25F);
+}
+
 TEST(Look, tells_what_of_the_file_it_has_not_read_apart_from_what_its_table_loses) {
     const Look look = Look::open(file("grade.ccc"));
     ASSERT_EQ(look.files().size(), 1U);

@@ -90,6 +90,18 @@ TEST(Ocio, opens_files_with_upper_case_suffixes_blanks_and_variables_in_their_na
     EXPECT_LT(largest_difference(lut, open_in_ocio(path), Interpolation::tetrahedral), agreement);
 }
 
+TEST(Ocio, opens_a_file_at_its_own_path_except_where_it_would_not_find_it_there) {
+    const ScratchFolder folder;
+    const std::string text = "LUT_1D_SIZE 2\n0 0 0\n3 3 3\n";
+    write_file(folder.file("My Look.cube"), text);
+    write_file(folder.file("$HOME.cube"), text);
+    const auto own = ocio().open(folder.file("My Look.cube"), {});
+    ASSERT_TRUE(own);
+    EXPECT_FLOAT_EQ(static_cast<float>((*own)({0.5, 0.5, 0.5}).r), 1.5F);
+    EXPECT_FALSE(ocio().open(folder.file("$HOME.cube"), {}));
+    EXPECT_FALSE(ocio().open("-", {}));
+}
+
 TEST(Ocio, reads_a_changed_file_anew) {
     const ScratchFolder folder;
     const std::string path = folder.file("x.cube");

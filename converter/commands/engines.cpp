@@ -32,9 +32,9 @@ std::string sizes_of(const Engine& engine) {
 
 std::string as_text(const Engine& e) {
     const lutlib::PictureSize extent = *lutlib::layout_named(e.layout)->picture(e.default_size);
-    return fmt::format("{:<10}{}\n"
-                       "          {} nodes ({}x{}, layout {}), {} bits{}; takes {}, {} bits\n"
-                       "          feeds: {}\n          import: {}\n          lookup: {}\n",
+    return fmt::format("{:<12}{}\n"
+                       "            {} nodes ({}x{}, layout {}), {} bits{}; takes {}, {} bits\n"
+                       "            feeds: {}\n            import: {}\n            lookup: {}\n",
                        e.name, e.label, e.default_size, extent.width, extent.height, e.layout,
                        e.default_bits,
                        e.srgb_tag == lutlib::SrgbTag::present ? ", tagged sRGB" : "", sizes_of(e),

@@ -49,6 +49,7 @@ constexpr std::array curve_table{
     &curve::davinci_intermediate,
     &curve::applelog,
     &curve::protune,
+    &curve::o3de_log2,
 };
 
 constexpr std::array gamut_table{

@@ -169,10 +169,19 @@ Rgb obs(const Picture& picture, int n, Rgb in) {
     return trilinear(lattice_of(picture, "tiles", n), saturate(in) * static_cast<float>(n - 1));
 }
 
-Rgb threejs(const Picture& picture, int n, Rgb in) {
-    const float size = static_cast<float>(n);
+// One fetch of a 3D texture, at the centres of its outer texels for 0 and 1.
+Rgb from_texel_centres(const Lattice& lattice, Rgb in) {
+    const float size = static_cast<float>(lattice.n);
     const Rgb uvw = Rgb{0.5F, 0.5F, 0.5F} * (1 / size) + saturate(in) * (1 - 1 / size);
-    return trilinear(lattice_of(picture, "strip", n), uvw * size - Rgb{0.5F, 0.5F, 0.5F});
+    return trilinear(lattice, uvw * size - Rgb{0.5F, 0.5F, 0.5F});
+}
+
+Rgb threejs(const Picture& picture, int n, Rgb in) {
+    return from_texel_centres(lattice_of(picture, "strip", n), in);
+}
+
+Rgb o3de(const Picture& picture, int n, Rgb in) {
+    return from_texel_centres(lattice_of(picture, "ocio", n), in);
 }
 
 Rgb godot(const Picture& picture, int n, Rgb in) {
@@ -433,12 +442,39 @@ constexpr auto table = std::to_array<Engine>({
         .interpolation = Interpolation::tetrahedral,
         .lookup = ocio,
     },
+    {
+        .name = "o3de",
+        .label = "O3DE Look Modification",
+        .layout = "ocio",
+        .default_size = 32,
+        .sizes = {},
+        .usual_sizes = {},
+        .default_bits = 16,
+        .bits = any_bits,
+        .srgb_tag = SrgbTag::absent,
+        .colour_chunks = ColourChunks::unknown,
+        .encoding = "o3de-log2",
+        .input = "scene light before the tone map, in ACEScg, through the shaper Log2 48 nits",
+        .import = "lutconv convert PICTURE -o look.azasset (12-bit codes), or O3DE's "
+                  "exr_to_3dl_azasset.py; Shaper Type Log2 48 nits, the default",
+        .lookup_help = "one trilinear fetch of a 3D texture at c*(N-1)/N + 0.5/N",
+        .source = "O3DE, LookModificationTransform.azsl, AcesDisplayMapperFeatureProcessor.cpp, "
+                  "Look Modification component",
+        .node_input = at_lattice,
+        .place = place_at_lattice,
+        .interpolation = Interpolation::trilinear,
+        .lookup = o3de,
+    },
 });
 
 } // namespace
 
 std::span<const Engine> engines() {
     return table;
+}
+
+bool is_fed_display_codes(const Engine& engine) {
+    return engine.encoding.empty() || engine.encoding == display_codes;
 }
 
 const Engine* engine_named(std::string_view name) {

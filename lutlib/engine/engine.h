@@ -22,7 +22,7 @@ enum class ColourChunks { ignored, converted, unknown };
 /// by the sRGB curve, which it encodes again.
 enum class Filtering { codes, light };
 
-/// One engine. Every lookup takes a display-encoded colour; NaN and -Inf read as 0, +Inf as 1.
+/// One engine. Every lookup takes a colour in codes of 0..1; NaN and -Inf read as 0, +Inf as 1.
 struct Engine {
     std::string_view name;
     std::string_view label;
@@ -58,6 +58,8 @@ struct Engine {
 };
 
 std::span<const Engine> engines();
+/// Whether its lookup stands behind the tone map, or anywhere: not on scene light.
+bool is_fed_display_codes(const Engine& engine);
 /// In letters of any case. Null when there is none.
 const Engine* engine_named(std::string_view name);
 

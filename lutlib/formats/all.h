@@ -11,5 +11,6 @@ extern const FileFormat cube; ///< Adobe/Iridas
 extern const FileFormat cube_resolve;
 extern const FileFormat flame; ///< Autodesk .3dl
 extern const FileFormat lustre;
+extern const FileFormat azasset; ///< O3DE
 
 } // namespace lutlib::formats

@@ -21,6 +21,7 @@ constexpr auto rows = std::to_array<const FileFormat*>({
     &formats::cube_resolve,
     &formats::flame,
     &formats::lustre,
+    &formats::azasset,
     &formats::csp,
     &formats::spi1d,
     &formats::spi3d,

@@ -1,5 +1,7 @@
 #include "lutlib/io/recipe_file.h"
 
+#include "lutlib/formats/all.h"
+
 #include "lutlib/io/file.h"
 
 #include <filesystem>
@@ -22,8 +24,12 @@ bool is_recipe(std::string_view bytes) {
         bytes.remove_prefix(bom.size());
     }
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-    // Rich text begins alike.
-    return first != bytes.npos && bytes[first] == '{' && !bytes.substr(first).starts_with("{\\rtf");
+    if (first == bytes.npos || bytes[first] != '{') {
+        return false;
+    }
+    // Rich text begins alike, and so does another format of JSON.
+    const std::string_view head = bytes.substr(first, 4096);
+    return !head.starts_with("{\\rtf") && head.find(formats::azasset.magic) == head.npos;
 }
 
 std::string base_path(const Recipe& recipe, const std::string& recipe_path) {

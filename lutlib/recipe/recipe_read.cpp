@@ -1,4 +1,5 @@
 #include "lutlib/error.h"
+#include "lutlib/json_text.h"
 #include "lutlib/limits.h"
 #include "lutlib/named.h"
 #include "lutlib/recipe/recipe.h"
@@ -199,23 +200,6 @@ BakeSettings read_bake(const Node& node) {
     return out;
 }
 
-json parsed(std::string_view text, const std::string& file) {
-    try {
-        return json::parse(text.begin(), text.end());
-    } catch (const json::parse_error& error) {
-        const auto end =
-            text.begin() +
-            static_cast<std::ptrdiff_t>(std::min(text.size(), error.byte > 0 ? error.byte - 1 : 0));
-        const auto line = static_cast<std::size_t>(std::count(text.begin(), end, '\n')) + 1;
-        const std::size_t start = text.rfind('\n', static_cast<std::size_t>(end - text.begin()));
-        const std::size_t first = start == text.npos ? 0 : start + 1;
-        throw Error("this is not JSON",
-                    {file, line, std::string(text.substr(first, text.find('\n', first) - first))});
-    } catch (const json::exception& error) {
-        throw Error(std::string("this JSON cannot be read: ") + error.what(), {file, 0, ""});
-    }
-}
-
 } // namespace
 
 std::vector<std::string_view> recipe_shaper_names() {
@@ -225,7 +209,7 @@ std::vector<std::string_view> recipe_shaper_names() {
 }
 
 Recipe parse_recipe(std::string_view text, const std::string& file) {
-    const json document = parsed(text, file);
+    const json document = parse_json(text, file);
     const Node root{document, "", file};
     if (!root.object().has("schema_version")) {
         root.refuse("lacks \"schema_version\": " + std::to_string(schema_version));

@@ -37,6 +37,13 @@ const GpuLookup* lookup_of(const std::string& name) {
     if (lookup == nullptr && !name.empty()) {
         throw lutlib::UsageError("no lookup is named '" + name + "'; --list names them");
     }
+    if (lookup != nullptr && lookup->engine != nullptr &&
+        !lutlib::is_fed_display_codes(*lookup->engine)) {
+        throw lutlib::UsageError(
+            std::string(lookup->engine->label) +
+            " grades scene light before the tone map, and looks stand behind it here: preview the "
+            "look itself (without --engine)");
+    }
     return lookup;
 }
 

@@ -37,5 +37,6 @@ extern const TransferCurve dlog;
 extern const TransferCurve blackmagic_film5, davinci_intermediate;
 extern const TransferCurve applelog;
 extern const TransferCurve protune;
+extern const TransferCurve o3de_log2;
 
 } // namespace lutlib::curve

@@ -200,6 +200,10 @@ constexpr Published published[] = {
     {"davinci-intermediate", 100, 1, 1e-6},
     // Apple: mid grey.
     {"applelog", 0.18, 0.488272, 1e-6},
+    // O3DE: 6.5 stops either side of mid grey.
+    {"o3de-log2", 0.18, 0.5, 1e-12},
+    {"o3de-log2", 0.18 * 90.50966799187809, 1, 1e-12},
+    {"o3de-log2", 0.36, 0.5 + 1.0 / 13, 1e-12},
     // GoPro: light of 0..1 at codes of 0..1.
     {"protune", 0, 0, 1e-12},
     {"protune", 1, 1, 1e-12},

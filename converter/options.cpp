@@ -1,5 +1,7 @@
 #include "converter/options.h"
 
+#include "converter/usage.h"
+
 #include "lutlib/named.h"
 
 namespace converter {
@@ -24,6 +26,13 @@ std::optional<lutlib::Interpolation> InterpolationOption::get() const {
         return std::nullopt;
     }
     return lutlib::require_named(lutlib::interpolations(), "interpolation", name_).kind;
+}
+
+void declare_reference_white(CLI::App& app, double& nits) {
+    app.add_option("--reference-white", nits,
+                   "cd/m2 of diffuse white, for colour differences; PQ codes say their own light")
+        ->check(above_zero())
+        ->capture_default_str();
 }
 
 } // namespace converter

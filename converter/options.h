@@ -34,4 +34,7 @@ class InterpolationOption {
     std::string name_;
 };
 
+/// --reference-white, in cd/m2, for colour differences; at first BT.2408's.
+void declare_reference_white(CLI::App& app, double& nits);
+
 } // namespace converter

@@ -41,11 +41,20 @@ void put(const std::string& text, const std::string& output) {
 } // namespace
 
 nlohmann::ordered_json to_json(const lutlib::ErrorStats& stats) {
-    return {{"max", stats.max},
-            {"p99", stats.p99},
-            {"p95", stats.p95},
-            {"mean", stats.mean},
-            {"count", stats.count}};
+    nlohmann::ordered_json out{{"p99", stats.p99},
+                               {"mean", stats.mean},
+                               {"p95", stats.p95},
+                               {"count", stats.count},
+                               {"max", stats.max}};
+    if (stats.at) {
+        out["at"] = {stats.at->r, stats.at->g, stats.at->b};
+        out["largest_seen"] = stats.largest_seen;
+    }
+    return out;
+}
+
+nlohmann::ordered_json to_json(const lutlib::Viewing& viewing) {
+    return {{"output", viewing.output.name()}, {"reference_white", viewing.reference_white}};
 }
 
 std::string to_text(const lutlib::ErrorStats& stats) {

@@ -3,6 +3,7 @@
 
 #include "lutlib/format.h"
 #include "lutlib/metrics/stats.h"
+#include "lutlib/metrics/viewing.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -11,10 +12,13 @@
 
 namespace converter {
 
-/// {"max", "p99", "p95", "mean", "count"}
+/// {"p99", "mean", "p95", "count", "max"} and where the maximum was found: "at", "largest_seen"
 nlohmann::ordered_json to_json(const lutlib::ErrorStats& stats);
 
-/// "max 0.0123, p99 0.01, p95 0.008, mean 0.002"
+/// {"output", "reference_white"}
+nlohmann::ordered_json to_json(const lutlib::Viewing& viewing);
+
+/// As io::figures_text().
 std::string to_text(const lutlib::ErrorStats& stats);
 
 /// "input 0..4 cut to 0..1: 3 units of input"

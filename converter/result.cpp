@@ -50,7 +50,8 @@ nlohmann::ordered_json to_json(const lutlib::Difference& d) {
             {"delta_e_itp", to_json(d.delta_e_itp)},
             {"psnr", d.psnr},
             {"worst", to_json(d.worst)},
-            {"worst_to_eye", to_json(d.worst_to_eye)}};
+            {"worst_to_eye", to_json(d.worst_to_eye)},
+            {"worst_to_itp", to_json(d.worst_to_itp)}};
 }
 
 std::string to_text(const lutlib::Difference& d, const std::string& indent) {
@@ -63,10 +64,9 @@ std::string to_text(const lutlib::Difference& d, const std::string& indent) {
 void write_and_report(const Result& result, bool json, nlohmann::ordered_json extra) {
     write_look(result.lut, result.output);
     const lutlib::Lut& lut = result.lut;
-    const lutlib::Difference error =
-        compare(result.exact, lutlib::Transform::of(lut),
-                lutlib::samples_over(lut.domain(), lut.cube ? std::min(lut.cube->size, 33) : 33),
-                result.encoding);
+    const lutlib::Difference error = measure(
+        result.exact, lutlib::Transform::of(lut),
+        error_samples(lut.domain(), united(result.breaks, breaks_of(lut))), result.encoding);
     if (json) {
         nlohmann::ordered_json out{{"output", result.output},
                                    {"size", lut.cube ? lut.cube->size : 0},
@@ -81,8 +81,9 @@ void write_and_report(const Result& result, bool json, nlohmann::ordered_json ex
     for (const std::string& note : result.notes) {
         text += "  " + note + "\n";
     }
-    text += fmt::format("  error of the LUT against that, {} colours\n{}", error.absolute.count,
-                        to_text(error, "    "));
+    text += fmt::format(
+        "  error of the LUT against that; p99 and mean over {} colours spread evenly\n{}",
+        error.absolute.count, to_text(error, "    "));
     print(text, result.shown);
 }
 

@@ -19,8 +19,9 @@ struct Result {
     std::string made_of; ///< "a.cube, then b.cube"
     /// What the LUT stands for, over its domain.
     lutlib::Transform exact;
-    lutlib::Encoding encoding;      ///< of the result's code values
-    std::vector<std::string> notes; ///< lines of text, what was lost
+    lutlib::Encoding encoding;                   ///< of the result's code values
+    std::vector<std::string> notes;              ///< lines of text, what was lost
+    lutlib::Breaks breaks = lutlib::no_breaks(); ///< of `exact`
 };
 
 /// Writes the LUT, measures it over its domain, and prints text or JSON; "size" is 0 there for a 1D

@@ -26,11 +26,10 @@ namespace {
 
 using lutlib::Bake;
 using lutlib::BudgetBake;
+using lutlib::Difference;
 using lutlib::Domain;
 using lutlib::FilledBake;
-using lutlib::LookupError;
 using lutlib::io::bake_report;
-using lutlib::io::measure_bake;
 
 struct Options {
     std::string input, output;
@@ -38,12 +37,20 @@ struct Options {
     int size = 0, bits = 0;
     InterpolationOption interpolation;
     PlacingOptions placing;
-    double max_delta_e = 0;
+    double max_delta_e = 0, max_delta_itp = 0;
+    double reference_white = lutlib::reference_white_nits;
     bool fit = false, explain = false, json = false;
 };
 
-std::string fit_text(const FilledBake& filled) {
-    const lutlib::ErrorStats &before = filled.point_sampled, &after = filled.result;
+std::string gain_text(std::string_view what, const lutlib::ErrorStats& before,
+                      const lutlib::ErrorStats& after) {
+    return fmt::format(
+        "    {}: mean {:.4g} instead of {:.4g} ({:.1f} % less), max {:.4g} instead of "
+        "{:.4g}\n",
+        what, after.mean, before.mean, 100 * (1 - after.mean / before.mean), after.max, before.max);
+}
+
+std::string fit_text(const FilledBake& filled, const lutlib::Viewing& viewing) {
     if (!filled.fitted) {
         return "  fitting does not help this look at this size; its nodes are point samples\n";
     }
@@ -54,29 +61,55 @@ std::string fit_text(const FilledBake& filled) {
             : fmt::format("  lost: {} of the look's own values at the nodes lie outside 0..1, by "
                           "{:.4g} at most; the fit aims at the look held to 0..1\n",
                           lost.clamped_values, lost.most_clamped);
+    const Difference &before = *filled.point_sampled, &after = *filled.result;
+    const lutlib::Metric eye = eye_metric(viewing);
     return clamped +
-           fmt::format("  fitted to the engine's lookup: mean error {:.4g} instead of {:.4g} "
-                       "({:.1f} % less), max {:.4g} instead of {:.4g}; over {} colours that the "
-                       "fit has not seen\n",
-                       after.mean, before.mean, 100 * (1 - after.mean / before.mean), after.max,
-                       before.max, after.count);
+           fmt::format(
+               "  fitted to the engine's lookup, over {} colours that the fit has not seen, "
+               "and the largest of all:\n{}{}    greys are tinted by {:.4g} at most instead "
+               "of {:.4g} (code values, between channels)\n",
+               after.absolute.count,
+               gain_text(lutlib::metrics()[static_cast<std::size_t>(eye)].label, before.by(eye),
+                         after.by(eye)),
+               gain_text("code values", before.absolute, after.absolute), filled.tint,
+               filled.tint_of_point_samples);
 }
 
-std::string budget_text(const Options& o, const BudgetBake& found) {
+// What was promised: the option, its metric and its limit.
+struct Promise {
+    std::string_view option, label;
+    lutlib::Metric metric;
+    double most;
+};
+
+std::optional<Promise> promise_of(const Options& o) {
+    if (o.max_delta_itp > 0) {
+        return Promise{"--max-delta-itp", "dE-ITP", lutlib::Metric::delta_e_itp, o.max_delta_itp};
+    }
+    if (o.max_delta_e > 0) {
+        return Promise{"--max-delta-e", "dE2000", lutlib::Metric::delta_e_2000, o.max_delta_e};
+    }
+    return std::nullopt;
+}
+
+std::string budget_text(const Options& o, const BudgetBake& found, const lutlib::Viewing& viewing) {
     const Bake& bake = found.filled.bake;
-    return fmt::format("  {} dE2000 {:g}{} {} nodes, {} bits, {}, {} bytes of codes, {} tried\n"
-                       "    on the {} colours it was chosen on: {}\n"
-                       "    on {} others, and uphill from the worst of them: {}\n",
-                       found.kept ? "stays within" : "no combination stays within", o.max_delta_e,
-                       found.kept ? ":" : "; the closest is", bake.size, bake.picture.depth.bits,
-                       found.filled.fitted ? "fitted" : "point-sampled",
+    const Promise promise = *promise_of(o);
+    const std::string note =
+        is_hdr(viewing.output) && promise.metric == lutlib::Metric::delta_e_2000
+            ? "  note: dE2000 means little above diffuse white; --max-delta-itp judges HDR\n"
+            : "";
+    return fmt::format("  {} {} {:g}{} {} nodes, {} bits, {}, {} bytes of codes, {} tried\n{}",
+                       found.kept ? "stays within" : "no combination stays within", promise.label,
+                       promise.most, found.kept ? ":" : "; the closest is", bake.size,
+                       bake.picture.depth.bits, found.filled.fitted ? "fitted" : "point-sampled",
                        lutlib::lattice_bytes(bake.size, bake.picture.depth.bits), found.tried,
-                       found.chosen_on.delta_e.count, to_text(found.chosen_on.delta_e),
-                       found.checked_on.delta_e.count, to_text(found.checked_on.delta_e));
+                       note);
 }
 
 nlohmann::ordered_json as_json(const Options& o, const FilledBake& filled, const Domain& domain,
-                               const lutlib::LookPlace& place, const LookupError& error) {
+                               const lutlib::LookPlace& place, const Difference& error,
+                               const lutlib::Viewing& viewing) {
     const Bake& bake = filled.bake;
     const lutlib::io::Reach reach = lutlib::io::reach_of(domain, place.applied());
     return {{"input", o.input},
@@ -97,37 +130,49 @@ nlohmann::ordered_json as_json(const Options& o, const FilledBake& filled, const
               {"max_rounding", bake.loss.max_rounding},
               {"mean_rounding", bake.loss.mean_rounding}}},
             {"fitted", filled.fitted},
+            {"viewing", to_json(viewing)},
             {"absolute_error", to_json(error.absolute)},
-            {"delta_e_2000", to_json(error.delta_e)}};
+            {"delta_e_2000", to_json(error.delta_e_2000)},
+            {"delta_e_itp", to_json(error.delta_e_itp)}};
 }
 
 nlohmann::ordered_json fit_json(const FilledBake& filled) {
-    return {{"point_sampled", to_json(filled.point_sampled)},
-            {"result", to_json(filled.result)},
-            {"look_clamped_values", filled.look_loss.clamped_values},
-            {"look_most_clamped", filled.look_loss.most_clamped}};
+    const Difference &before = *filled.point_sampled, &after = *filled.result;
+    return {
+        {"point_sampled", to_json(before.absolute)},
+        {"result", to_json(after.absolute)},
+        {"delta_e_2000",
+         {{"point_sampled", to_json(before.delta_e_2000)},
+          {"result", to_json(after.delta_e_2000)}}},
+        {"delta_e_itp",
+         {{"point_sampled", to_json(before.delta_e_itp)}, {"result", to_json(after.delta_e_itp)}}},
+        {"grey_tint", {{"point_sampled", filled.tint_of_point_samples}, {"result", filled.tint}}},
+        {"look_clamped_values", filled.look_loss.clamped_values},
+        {"look_most_clamped", filled.look_loss.most_clamped}};
 }
 
 nlohmann::ordered_json budget_json(const Options& o, const BudgetBake& found) {
-    return {{"max_delta_e", o.max_delta_e},
+    const Promise promise = *promise_of(o);
+    return {{promise.metric == lutlib::Metric::delta_e_itp ? "max_delta_itp" : "max_delta_e",
+             promise.most},
             {"kept", found.kept},
             {"tried", found.tried},
             {"bytes",
              lutlib::lattice_bytes(found.filled.bake.size, found.filled.bake.picture.depth.bits)},
-            {"chosen_on", to_json(found.chosen_on.delta_e)},
-            {"checked_on", to_json(found.checked_on.delta_e)}};
+            {"largest", found.largest}};
 }
 
 bool is_beyond_fitting(const Options& o, const FilledBake& filled) {
     return o.fit && filled.bake.size > lutlib::largest_fitted_size;
 }
 
-FilledBake fill(const Options& o, const lutlib::Transform& look, const lutlib::Engine& engine) {
+FilledBake fill(const Options& o, const lutlib::Transform& look, const lutlib::Engine& engine,
+                const lutlib::FitView& view) {
     const int size = o.size ? o.size : engine.default_size;
     const int bits = o.bits ? o.bits : engine.default_bits;
     check_contract(engine, size, bits);
-    return o.fit ? bake_fitted(look, engine, size, bits)
-                 : FilledBake{bake(look, engine, size, bits), false, {}, {}};
+    return o.fit ? bake_fitted(look, engine, size, bits, view)
+                 : FilledBake{.bake = bake(look, engine, size, bits)};
 }
 
 std::optional<int> if_given(int value) {
@@ -142,7 +187,8 @@ struct BakeReport {
     lutlib::Interpolation interpolation; ///< how the look was read
     Domain domain;
     lutlib::LookPlace place;
-    LookupError error;
+    lutlib::Viewing viewing; ///< of what comes out
+    Difference error;
     std::optional<Explanation> explanation;
 
     bool is_kept() const { return !budgeted || budgeted->kept; }
@@ -171,14 +217,27 @@ BakeReport make_report(const Options& o) {
     out.title = look.title();
     out.interpolation = look.interpolation();
     out.domain = look.domain();
-    if (o.max_delta_e > 0) {
-        out.budgeted =
-            bake_within(exact, engine, {o.max_delta_e, if_given(o.size), if_given(o.bits), true});
+    out.viewing = lutlib::io::viewing_of(out.place, o.reference_white);
+    const lutlib::Breaks breaks = lutlib::io::placed(look.breaks(), placement);
+    if (const std::optional<Promise> promise = promise_of(o)) {
+        out.budgeted = bake_within(exact, engine,
+                                   {.most = promise->most,
+                                    .size = if_given(o.size),
+                                    .bits = if_given(o.bits),
+                                    .fit = true,
+                                    .metric = promise->metric,
+                                    .viewing = out.viewing,
+                                    .breaks = breaks,
+                                    .nodes = placement.before ? std::nullopt : look.nodes()});
         out.filled = out.budgeted->filled;
+        out.error = out.budgeted->error;
     } else {
-        out.filled = fill(o, exact, engine);
+        out.filled = fill(o, exact, engine, {breaks, out.viewing});
+        const Bake& bake = out.filled.bake;
+        out.error = out.filled.result ? *out.filled.result
+                                      : measure_lookup(bake.picture, engine, bake.size, exact,
+                                                       breaks, out.viewing);
     }
-    out.error = measure_bake(out.filled.bake, exact);
     if (o.explain) {
         // What changes less than half a code is not seen in the picture.
         out.explanation = explain(table_to_explain(look, exact, placement),
@@ -202,8 +261,8 @@ void write_picture(const Options& o, const BakeReport& report) {
 
 nlohmann::ordered_json report_json(const Options& o, const BakeReport& report) {
     nlohmann::ordered_json json =
-        as_json(o, report.filled, report.domain, report.place, report.error);
-    if (report.filled.result.count > 0) {
+        as_json(o, report.filled, report.domain, report.place, report.error, report.viewing);
+    if (report.filled.result) {
         json["fit"] = fit_json(report.filled);
     }
     if (is_beyond_fitting(o, report.filled)) {
@@ -220,15 +279,15 @@ nlohmann::ordered_json report_json(const Options& o, const BakeReport& report) {
 
 std::string report_text(const Options& o, const BakeReport& report) {
     std::string out = bake_report(input_text(o.input), output_text(o.output), report.filled.bake,
-                                  report.domain, report.place, report.error);
-    if (report.filled.result.count > 0) {
-        out += fit_text(report.filled);
+                                  report.domain, report.place, report.error, report.viewing);
+    if (report.filled.result) {
+        out += fit_text(report.filled, report.viewing);
     }
     if (is_beyond_fitting(o, report.filled)) {
         out += "  not fitted: " + lutlib::fit_limit_text() + "\n";
     }
     if (report.budgeted) {
-        out += budget_text(o, *report.budgeted);
+        out += budget_text(o, *report.budgeted, report.viewing);
     }
     if (report.explanation) {
         out += to_text(*report.explanation);
@@ -237,9 +296,8 @@ std::string report_text(const Options& o, const BakeReport& report) {
 }
 
 void say_that_nothing_was_written(const Options& o, const BudgetBake& found) {
-    print(fmt::format("  nothing was written; raise --max-delta-e above {:.4g}{}\n",
-                      found.largest_delta_e(),
-                      o.size || o.bits ? ", or leave --size and --bits open" : ""),
+    print(fmt::format("  nothing was written; raise {} above {:.4g}{}\n", promise_of(o)->option,
+                      found.largest, o.size || o.bits ? ", or leave --size and --bits open" : ""),
           std::string(lutlib::io::standard_stream));
 }
 
@@ -275,11 +333,17 @@ Run declare_bake(CLI::App& app) {
                              "look between them; keeps point samples where that does not help, "
                              "and beyond {} nodes per axis",
                              lutlib::largest_fitted_size));
-    app.add_option(
-           "--max-delta-e", o->max_delta_e,
-           "take the smallest combination of size, bits and fit that the engine accepts and "
-           "that stays within this dE2000; writes nothing, with exit code 1, when none does")
-        ->check(above_zero());
+    CLI::Option* const promise =
+        app.add_option(
+               "--max-delta-e", o->max_delta_e,
+               "take the smallest combination of size, bits and fit that the engine accepts and "
+               "that stays within this dE2000; writes nothing, with exit code 1, when none does")
+            ->check(above_zero());
+    app.add_option("--max-delta-itp", o->max_delta_itp,
+                   "the same of dE-ITP (ITU-R BT.2124), for HDR outputs, where dE2000 means little")
+        ->check(above_zero())
+        ->excludes(promise);
+    declare_reference_white(app, o->reference_white);
     app.add_flag("--explain", o->explain,
                  "list the parts of the look that a shader could do without a LUT");
     app.add_flag("--json", o->json, "print the results as JSON");

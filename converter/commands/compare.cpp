@@ -16,12 +16,14 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 
 namespace converter {
 namespace {
 
 struct Options {
-    std::string a, b, encoding = "srgb";
+    std::string a, b, encoding;
+    double reference_white = lutlib::reference_white_nits;
     InterpolationOption interpolation;
     int samples = 100000;
     std::vector<float> domain;
@@ -40,6 +42,8 @@ lutlib::Domain united(const lutlib::Domain& a, const lutlib::Domain& b) {
 struct Compared {
     lutlib::Transform exact;
     lutlib::Domain domain;
+    lutlib::Breaks breaks;
+    std::optional<lutlib::Encoding> output;
 };
 
 Compared opened(const std::string& name, const Options& o) {
@@ -47,7 +51,7 @@ Compared opened(const std::string& name, const Options& o) {
         return {};
     }
     const lutlib::io::Look look = open_look(name, {.interpolation = o.interpolation.get()});
-    return {look.exact(), look.domain()};
+    return {look.exact(), look.domain(), look.breaks(), look.encodings().output};
 }
 
 int run(const Options& o) {
@@ -55,23 +59,29 @@ int run(const Options& o) {
         throw lutlib::UsageError("--samples must be a number from 1 to 100000000");
     }
     require_one_standard_input(std::array{o.a, o.b});
-    const lutlib::Encoding encoding = encoding_of(o.encoding, "--encoding");
     const Compared a = opened(o.a, o), b = opened(o.b, o);
     lutlib::Domain domain = united(a.domain, b.domain);
     if (!o.domain.empty()) {
         domain = domain_of(o.domain);
     }
-    constexpr int lattice = 17;
-    const std::vector<lutlib::Rgb> inputs = samples_over(domain, lattice, o.samples);
-    const lutlib::Difference d = compare(a.exact, b.exact, inputs, encoding);
+    const lutlib::Viewing viewing{o.encoding.empty()
+                                      ? a.output.value_or(b.output.value_or(lutlib::srgb()))
+                                      : encoding_of(o.encoding, "--encoding"),
+                                  o.reference_white};
+    const lutlib::ErrorSamples samples = error_samples(
+        domain, united(a.breaks, b.breaks), {.even = static_cast<std::size_t>(o.samples)});
+    const lutlib::Difference d = measure(a.exact, b.exact, samples, viewing);
     if (o.json) {
-        nlohmann::ordered_json out{{"a", o.a}, {"b", o.b}, {"samples", inputs.size()}};
+        nlohmann::ordered_json out{
+            {"a", o.a}, {"b", o.b}, {"samples", o.samples}, {"viewing", to_json(viewing)}};
         out.update(to_json(d));
         print(out, "");
         return ok;
     }
-    print(fmt::format("{} against {}, {} colours over {}\n{}", input_text(o.a), input_text(o.b),
-                      inputs.size(), lutlib::io::domain_text(domain), to_text(d, "  ")),
+    print(fmt::format("{} against {} over {}; p99 and mean over {} colours spread evenly\n"
+                      "  as colours of {}\n{}",
+                      input_text(o.a), input_text(o.b), lutlib::io::domain_text(domain), o.samples,
+                      lutlib::io::text_of(viewing), to_text(d, "  ")),
           "");
     return ok;
 }
@@ -84,10 +94,12 @@ Run declare_compare(CLI::App& app) {
     app.add_option("B", o->b, "the other, or the word identity")->required();
     o->interpolation.declare(app, "how LUTs are read between their nodes");
     app.add_option("--encoding", o->encoding,
-                   std::string("encoding of the looks' outputs, for colour differences: ") +
-                       encoding_help)
-        ->capture_default_str();
-    app.add_option("--samples", o->samples, "colours spread over the domain, besides a lattice")
+                   std::string("encoding of the looks' outputs, for colour differences (default: "
+                               "what they say, else srgb): ") +
+                       encoding_help);
+    declare_reference_white(app, o->reference_white);
+    app.add_option("--samples", o->samples,
+                   "colours spread evenly over the domain, for the mean and the percentiles")
         ->capture_default_str();
     app.add_option("--domain", o->domain,
                    "inputs to compare on: minimum and maximum (default: both looks' domains)")

@@ -23,9 +23,15 @@ int run(const Options& o) {
     const auto look = read_table(o.input);
     const lutlib::Lut lut = resample(*look, o.made.sampling.sampling_of({look.get()}), method);
     const std::string name = input_text(o.input);
-    write_and_report(
-        {lut, o.made.output, o.made.output, name, method.transform_of(*look), encoding, {}},
-        o.made.json, {{"input", o.input}});
+    write_and_report({lut,
+                      o.made.output,
+                      o.made.output,
+                      name,
+                      method.transform_of(*look),
+                      encoding,
+                      {},
+                      lutlib::breaks_of(*look)},
+                     o.made.json, {{"input", o.input}});
     return ok;
 }
 

@@ -32,7 +32,8 @@ struct Options {
     EngineOption engine;
     InterpolationOption interpolation;
     PlacingOptions placing;
-    int samples = lutlib::SampleCounts{}.random;
+    int samples = static_cast<int>(lutlib::SampleLimits{}.even);
+    double reference_white = lutlib::reference_white_nits;
     bool json = false;
 };
 
@@ -40,6 +41,7 @@ struct Verdict {
     std::string oracle,
         refusal; ///< who said what is right; why it was not asked of the file itself
     lutlib::LookPlace place{};
+    lutlib::Viewing viewing{};
     std::string claimed{}; ///< which of the look's encodings are the picture's word alone
     std::string scale;     ///< how its reading of the file differs by a factor, and why ours counts
     std::optional<lutlib::Verification> result{}; ///< unless the picture has no lattice
@@ -100,8 +102,7 @@ std::vector<lutlib::Alternative> other_places(const Subject& s, const lutlib::Tr
     recorded.look = encodings_of(io::look_encodings_of(s.image));
     recorded.convert = true;
     if (recorded.look != place.look && recorded.needed().converts()) {
-        out.push_back({"it was baked as a look of other encodings (" +
-                           recorded.needed().text() +
+        out.push_back({"it was baked as a look of other encodings (" + recorded.needed().text() +
                            "): if that is right, say so with --look-input and --look-output, else "
                            "bake it anew",
                        recorded.needed().around(unplaced)});
@@ -136,15 +137,17 @@ Verdict judge(const Options& o, const Subject& s) {
     out.claimed = claim.filled;
     const lutlib::Transform right = out.place.applied().around(reference.look);
     if (s.size > 0) {
-        const std::vector<lutlib::Rgb> inputs =
-            lutlib::sample_colors(s.size, {.random = o.samples});
-        out.result = verify(s.codes, *s.engine, s.size, right, inputs,
+        out.viewing = io::viewing_of(out.place, o.reference_white);
+        out.result = verify(s.codes, *s.engine, s.size, right,
+                            io::placed(look.breaks(), out.place.applied()), out.viewing,
+                            {.even = static_cast<std::size_t>(o.samples)},
                             [&] { return other_bakes(look, how, reference.look, out.place, s); });
         if (s.fitted()) {
             out.result->diagnosis.reset();
             out.fitted =
                 check_fitted(s.codes, *s.engine, s.size, right,
-                             lutlib::sample_colors(std::min(s.size, 33), {.random = o.samples}));
+                             lutlib::sample_colors(std::min(s.size, 33), {.random = o.samples}),
+                             {io::placed(look.breaks(), out.place.applied()), out.viewing});
         }
         const bool holds = out.fitted ? out.fitted->right() : out.result->texels.wrong == 0;
         out.passed = holds && s.contract.empty() && !out.place.is_wrong();
@@ -225,13 +228,12 @@ std::string fitted_text(const lutlib::FittedCheck& check) {
     return out;
 }
 
-std::string lookup_text(const Subject& s, const lutlib::LookupError& error) {
-    return fmt::format("  {}'s lookup ({}) over {} colours: {}\n"
-                       "    worst at {:.4g} {:.4g} {:.4g}\n"
-                       "    as dE2000: {}\n",
+std::string lookup_text(const Subject& s, const lutlib::Difference& error,
+                        const lutlib::Viewing& viewing) {
+    return fmt::format("  {}'s lookup ({}) against the look; p99 and mean over {} colours spread "
+                       "evenly:\n{}",
                        s.engine->name, s.engine->lookup_help, error.absolute.count,
-                       to_text(error.absolute), error.worst.r, error.worst.g, error.worst.b,
-                       to_text(error.delta_e));
+                       io::figures_text(error, viewing, "    "));
 }
 
 // Everything but the file's chunks is as the engine wants it.
@@ -277,7 +279,7 @@ std::string as_text(const Options& o, const Subject& s, const Verdict& v) {
         } else if (v.result->texels.wrong > 0) {
             out += diagnosis_text(*v.result);
         }
-        out += lookup_text(s, v.result->lookup);
+        out += lookup_text(s, v.result->lookup, v.viewing);
     }
     return out + verdict_text(s, v) + "\n";
 }
@@ -317,7 +319,7 @@ nlohmann::ordered_json as_json(const Options& o, const Subject& s, const Verdict
     }
     if (v.result) {
         const lutlib::TexelCheck& t = v.result->texels;
-        const lutlib::LookupError& lookup = v.result->lookup;
+        const lutlib::Difference& lookup = v.result->lookup;
         out["texels"] = {{"count", t.texels},
                          {"wrong", t.wrong},
                          {"max_difference_codes", t.max_difference},
@@ -327,9 +329,11 @@ nlohmann::ordered_json as_json(const Options& o, const Subject& s, const Verdict
         } else if (t.wrong > 0 && !v.fitted) {
             out["nearest"] = diagnosis_json(v.result->nearest);
         }
-        out["lookup"] = {{"absolute_error", to_json(lookup.absolute)},
-                         {"delta_e_2000", to_json(lookup.delta_e)},
-                         {"worst", {lookup.worst.r, lookup.worst.g, lookup.worst.b}}};
+        out["lookup"] = {{"viewing", to_json(v.viewing)},
+                         {"absolute_error", to_json(lookup.absolute)},
+                         {"delta_e_2000", to_json(lookup.delta_e_2000)},
+                         {"delta_e_itp", to_json(lookup.delta_e_itp)},
+                         {"worst", {lookup.worst.in.r, lookup.worst.in.g, lookup.worst.in.b}}};
     }
     if (v.fitted) {
         out["fitted"] = fitted_json(*v.fitted);
@@ -363,8 +367,10 @@ Run declare_verify(CLI::App& app) {
     o->interpolation.declare(app, "how the look was read between its nodes (default: as recorded "
                                   "in the picture)");
     o->placing.declare(app);
-    app.add_option("--samples", o->samples, "random colours for the lookup's error")
+    app.add_option("--samples", o->samples,
+                   "colours spread evenly, for the mean and the percentiles of the lookup's error")
         ->capture_default_str();
+    declare_reference_white(app, o->reference_white);
     app.add_flag("--json", o->json, "print the results as JSON");
     return [o] { return run(*o); };
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lutlib {
 namespace {
@@ -113,6 +114,24 @@ Picture decoded(const CodeImage& codes) {
         }
     }
     return out;
+}
+
+Transform read_by(const Engine& engine, Picture picture, int size) {
+    return Transform::each([&engine, size, picture = std::move(picture)](RgbD c) {
+        return to_double(engine.lookup(picture, size, to_float(c)));
+    });
+}
+
+Transform held_to_codes(const Transform& look) {
+    return in_sequence({look, Transform::each([](RgbD c) { return saturate(c); })});
+}
+
+Difference measure_lookup(const CodeImage& codes, const Engine& engine, int size,
+                          const Transform& look, const Breaks& breaks, const Viewing& viewing,
+                          const SampleLimits& limits) {
+    const ErrorSamples samples =
+        error_samples({}, united(breaks, breaks_of(reader_of(engine, size))), limits);
+    return measure(held_to_codes(look), read_by(engine, decoded(codes), size), samples, viewing);
 }
 
 LookupError lookup_error(const Engine& engine, const Picture& picture, int size,

@@ -3,7 +3,7 @@
 
 #include "lutlib/code_image.h"
 #include "lutlib/engine/engine.h"
-#include "lutlib/metrics/stats.h"
+#include "lutlib/metrics/compare.h"
 #include "lutlib/transform.h"
 
 #include <cstdint>
@@ -36,6 +36,18 @@ Bake lay_out(const std::vector<RgbD>& nodes, const Engine& engine, int size, int
 
 /// The codes as the engine's sampler sees them: code / maximum.
 Picture decoded(const CodeImage& codes);
+
+/// What the engine's lookup makes of a colour.
+Transform read_by(const Engine& engine, Picture picture, int size);
+
+/// A look as a picture's codes can hold it: to 0..1.
+Transform held_to_codes(const Transform& look);
+
+/// measure() of the engine's lookup of codes against the look held to 0..1, over all codes that the
+/// engine may feed. `breaks` are those of the look.
+Difference measure_lookup(const CodeImage& codes, const Engine& engine, int size,
+                          const Transform& look, const Breaks& breaks, const Viewing& viewing,
+                          const SampleLimits& limits = {});
 
 /// Errors of an engine's lookup against a look, per colour: the largest channel difference, and
 /// the colour difference dE2000 of both as display-encoded sRGB.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lutlib/bake/bake.h"
+#include "lutlib/fit/acceptance.h"
 
 #include <cstdint>
 #include <optional>
@@ -20,40 +21,57 @@ std::string fit_limit_text();
 struct FilledBake {
     Bake bake;
     bool fitted = false;
-    ErrorStats point_sampled; ///< when a fit was tried: by channel, of the point samples ...
-    ErrorStats result;        ///< ... and of what was kept, over colours that the fit has not seen
+    /// When a fit was tried: measure_lookup() of the point samples and of what was kept. Its even
+    /// colours and its climbs are others than those that the fit was made of.
+    std::optional<Difference> point_sampled = {}, result = {};
+    /// The largest difference between the channels' errors of a grey, in code values, of both.
+    double tint_of_point_samples = 0, tint = 0;
     /// What rounding and clamping would have taken of the look's own samples, when others were
     /// fitted. A fit aims at the look held to 0..1, and chooses codes: bake.loss is then empty.
     BakeLoss look_loss = {};
 };
 
-/// bake(), with nodes fitted to the engine's lookup where that helps, up to largest_fitted_size.
-FilledBake bake_fitted(const Transform& look, const Engine& engine, int size, int bits);
+/// bake(), with nodes fitted to the engine's lookup where that helps, up to largest_fitted_size:
+/// where neither the largest nor the mean error grows, in code values or to the eye.
+FilledBake bake_fitted(const Transform& look, const Engine& engine, int size, int bits,
+                       const FitView& view = {});
 
 /// Bytes of the codes, three a node.
 std::uint64_t lattice_bytes(int size, int bits);
 
+/// A promise about the largest error of an engine's lookup, and what may be used to keep it.
 struct Budget {
-    double max_delta_e = 1;        ///< dE2000
+    double most = 1;               ///< by the metric
     std::optional<int> size, bits; ///< only these, where given
     bool fit = true;               ///< fitted lattices may be used
+    Metric metric = Metric::delta_e_2000;
+    Viewing viewing = {};
+    Breaks breaks = no_breaks();   ///< of the look
+    std::optional<int> nodes = {}; ///< of the look's own lattice over 0..1, where it is one
 };
 
 struct BudgetBake {
     FilledBake filled;
-    LookupError chosen_on;  ///< over the colours on which it was chosen
-    LookupError checked_on; ///< over others, and uphill from the worst of them
-    bool kept = false;      ///< both maxima are within the budget
-    std::size_t tried = 0;  ///< combinations looked at
-    double largest_delta_e() const;
+    Difference error;      ///< measure_lookup()
+    double largest = 0;    ///< by the metric of the promise
+    bool kept = false;     ///< it is within the budget
+    std::size_t tried = 0; ///< combinations looked at
 };
+
+/// Point samples that exceed the promise by more than this factor are not tried as a fit, and no
+/// more than so many are: a fit aims at the mean, lowers the largest error little, and takes longer
+/// than all other sizes together.
+inline constexpr double fit_reach = 1.2;
+inline constexpr int most_fits = 3;
 
 /// The smallest combination that keeps the promise; of equal size, point samples come before a fit.
 /// An engine's lookup costs the same for every one of them but for its memory, so the smallest is
-/// also the fastest. The usual sizes are tried from below; every other size up to the first of them
-/// that does is then searched by halves, since errors fall with size, but for the look's own sizes.
-/// When none of the usual sizes does, the one that comes nearest, with `kept` false. Throws
-/// UsageError when the engine takes no combination that was asked for.
+/// also the fastest. Tried, from the smallest: every size from 2 to 65, and k(n-1)+1 up to 256 for
+/// a look of n nodes, whose nodes it holds; of the sizes that the engine takes, that work without a
+/// setting in the project, and whose picture is no larger than a texture may be. Each is left at
+/// the first colour that breaks the promise. When none keeps it, the one that comes nearest of the
+/// few that seemed the nearest, with `kept` false. Throws UsageError when the engine takes no
+/// combination that was asked for.
 BudgetBake bake_within(const Transform& look, const Engine& engine, const Budget& budget);
 
 } // namespace lutlib

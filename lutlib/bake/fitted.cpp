@@ -156,8 +156,9 @@ std::string sentence(const Harm& harm, const Measured& m) {
 } // namespace
 
 FittedCheck check_fitted(const CodeImage& picture, const Engine& engine, int size,
-                         const Transform& look, const std::vector<Rgb>& inputs) {
-    const CodeImage refit = bake_fitted(look, engine, size, picture.depth.bits).bake.picture;
+                         const Transform& look, const std::vector<Rgb>& inputs,
+                         const FitView& view) {
+    const CodeImage refit = bake_fitted(look, engine, size, picture.depth.bits, view).bake.picture;
     const std::vector<RgbD> expected = images_of(look, inputs);
     const auto error_of = [&](const CodeImage& codes) {
         return lookup_error(engine, decoded(codes), size, inputs, expected);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lutlib/bake/bake.h"
+#include "lutlib/fit/acceptance.h"
 #include "lutlib/verify/diagnose.h"
 
 #include <string>
@@ -26,6 +27,7 @@ struct FittedCheck {
 /// The picture's dimensions must be those of the engine's layout for `size`. Takes as long as
 /// bake_fitted() does.
 FittedCheck check_fitted(const CodeImage& picture, const Engine& engine, int size,
-                         const Transform& look, const std::vector<Rgb>& inputs);
+                         const Transform& look, const std::vector<Rgb>& inputs,
+                         const FitView& view = {});
 
 } // namespace lutlib

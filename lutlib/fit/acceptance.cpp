@@ -1,6 +1,8 @@
 #include "lutlib/fit/acceptance.h"
 
 #include "lutlib/fit/samples.h"
+#include "lutlib/metrics/error_samples.h"
+#include "lutlib/metrics/samples.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -14,25 +16,25 @@ namespace {
 // A fit must be better by more than the noise of the colours it is checked on.
 constexpr double least_gain = 0.01;
 
-constexpr int finest_lattice = 33;
+// Other colours than those that reports are over.
+constexpr SampleCounts even_colours{
+    .neutral = 0, .random = 40'000, .lattice = false, .skipped = 1'000'000};
+constexpr SampleLimits hiding_colours{
+    .even = 1, .grid = std::size_t{1} << 17, .between = std::size_t{1} << 16};
+constexpr int grey_colours = 256;
 
-// Thirty in each cell of a small lattice; of more than 16 nodes, fewer.
-int validation_colours(int size) {
-    const int cells = (size - 1) * (size - 1) * (size - 1);
-    return std::clamp(30 * cells, 2000, 100000);
+std::vector<Rgb> greys(const Domain& domain) {
+    std::vector<Rgb> out;
+    for (int i = 0; i <= grey_colours; ++i) {
+        const float t = static_cast<float>(i) / grey_colours;
+        out.push_back({t, t, t});
+    }
+    return over_domain(std::move(out), domain);
 }
 
-std::vector<RgbD> colours_over(const Domain& domain, int lattice_size, const SampleCounts& counts) {
-    std::vector<RgbD> out;
-    for (const Rgb& c : sample_colors(lattice_size, counts)) {
-        RgbD in;
-        for (std::size_t i = 0; i < 3; ++i) {
-            in[i] = std::lerp(static_cast<double>(domain.min[i]),
-                              static_cast<double>(domain.max[i]), static_cast<double>(c[i]));
-        }
-        out.push_back(in);
-    }
-    return out;
+// How far the channels' errors are from being the same, which is what tints a grey.
+double tint(RgbD error) {
+    return std::max({error.r, error.g, error.b}) - std::min({error.r, error.g, error.b});
 }
 
 } // namespace
@@ -41,78 +43,99 @@ bool within_unit(const std::vector<RgbD>& colours) {
     return std::all_of(colours.begin(), colours.end(), [](RgbD c) { return saturate(c) == c; });
 }
 
-ValidationSet::ValidationSet(const Transform& look, const LatticeReader& reader,
-                             const SampleCounts& counts) {
-    std::vector<RgbD> inputs =
-        colours_over(reader.domain, std::min(reader.size, finest_lattice), counts);
-    weights_.resize(inputs.size());
-    std::transform(inputs.begin(), inputs.end(), weights_.begin(),
+Acceptance::Acceptance(const Transform& look, const LatticeReader& reader, const FitView& view)
+    : eye_(view.viewing), metric_(eye_metric(view.viewing)) {
+    std::vector<Rgb> inputs = over_domain(sample_colors(2, even_colours), reader.domain);
+    even_ = inputs.size();
+    const std::vector<Rgb> grey = greys(reader.domain);
+    neutral_ = grey.size();
+    inputs.insert(inputs.end(), grey.begin(), grey.end());
+    const ErrorSamples samples =
+        error_samples(reader.domain, united(view.breaks, breaks_of(reader)), hiding_colours);
+    inputs.insert(inputs.end(), samples.hiding.begin(), samples.hiding.end());
+    std::vector<RgbD> colours(inputs.size());
+    std::transform(inputs.begin(), inputs.end(), colours.begin(), to_double);
+    weights_.resize(colours.size());
+    std::transform(colours.begin(), colours.end(), weights_.begin(),
                    [&](RgbD in) { return reader.weights(in); });
-    targets_ = mapped(look, std::move(inputs));
+    targets_ = mapped(look, std::move(colours));
 }
 
-std::vector<double> ValidationSet::errors(const std::vector<RgbD>& nodes, bool held) const {
-    std::vector<double> out(targets_.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, out.size(), 1024), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            const NodeWeights& w = weights_[i];
-            RgbD sum;
-            for (std::size_t k = 0; k < w.count; ++k) {
-                sum = sum + w.weight[k] * nodes[w.node[k]];
-            }
-            out[i] =
-                largest_magnitude(held ? saturate(sum) - saturate(targets_[i]) : sum - targets_[i]);
-        }
-    });
+Acceptance::Errors Acceptance::errors(const std::vector<RgbD>& nodes, bool held) const {
+    Errors out{std::vector<double>(targets_.size()), std::vector<double>(targets_.size())};
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, targets_.size(), 1024),
+                      [&](const auto& range) {
+                          std::vector<RgbD> got(range.size()), right(range.size());
+                          for (std::size_t i = 0; i < range.size(); ++i) {
+                              const NodeWeights& w = weights_[range.begin() + i];
+                              for (std::size_t k = 0; k < w.count; ++k) {
+                                  got[i] = got[i] + w.weight[k] * nodes[w.node[k]];
+                              }
+                              right[i] = targets_[range.begin() + i];
+                              if (held) {
+                                  got[i] = saturate(got[i]);
+                                  right[i] = saturate(right[i]);
+                              }
+                          }
+                          const auto part = [&](std::vector<double>& errors) {
+                              return std::span(errors).subspan(range.begin(), range.size());
+                          };
+                          eye_(Metric::code, got, right, part(out.code));
+                          eye_(metric_, got, right, part(out.eye));
+                          // Of greys, the tint stands for the code error.
+                          for (std::size_t i = 0; i < range.size(); ++i) {
+                              const std::size_t at = range.begin() + i;
+                              if (at >= even_ && at < even_ + neutral_) {
+                                  out.code[at] = tint(got[i] - right[i]);
+                              }
+                          }
+                      });
     return out;
 }
 
-Acceptance::Acceptance(const Transform& look, const LatticeReader& reader)
-    : repair_set_(look, reader, {.random = validation_colours(reader.size)}),
-      validation_set_(look, reader,
-                      {.neutral = 997,
-                       .random = validation_colours(reader.size),
-                       .lattice = true,
-                       .skipped = validation_colours(reader.size)}) {}
-
-bool Acceptance::within_unit() const {
-    return lutlib::within_unit(validation_set_.targets());
+ErrorStats Acceptance::of_even(const std::vector<double>& errors) const {
+    return error_stats({errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(even_)});
 }
 
-// Gives nodes back their plain values wherever a colour of the repair set is beyond the cap.
-void Acceptance::repair(std::vector<RgbD>& nodes, const std::vector<RgbD>& plain, bool held,
-                        double cap) const {
-    for (bool changed = true; changed;) {
-        changed = false;
-        const std::vector<double> now = repair_set_.errors(nodes, held);
-        for (std::size_t i = 0; i < now.size(); ++i) {
-            if (now[i] <= cap) {
-                continue;
-            }
-            const NodeWeights& w = repair_set_.weights(i);
-            for (std::size_t k = 0; k < w.count; ++k) {
-                changed = changed || !(nodes[w.node[k]] == plain[w.node[k]]);
-                nodes[w.node[k]] = plain[w.node[k]];
-            }
-        }
-    }
+bool Acceptance::within_unit() const {
+    return lutlib::within_unit(targets_);
 }
 
 FittedLattice Acceptance::accepted(std::vector<RgbD> candidate, const std::vector<RgbD>& plain,
-                                   bool held) const {
-    FittedLattice out;
-    out.point_sampled = out.result = error_stats(validation_set_.errors(plain, held));
-    const std::vector<double> before = repair_set_.errors(plain, held);
-    const double worst = *std::max_element(before.begin(), before.end());
-    for (const double tightness : {1.0, 0.95, 0.9, 0.8}) {
-        repair(candidate, plain, held, tightness * worst);
-        const ErrorStats stats = error_stats(validation_set_.errors(candidate, held));
-        if (stats.max <= out.point_sampled.max) {
-            out.fitted = stats.mean < (1 - least_gain) * out.point_sampled.mean;
-            out.result = out.fitted ? stats : out.point_sampled;
-            break;
+                                   bool held, double tightness) const {
+    const Errors before = errors(plain, held);
+    const auto first = static_cast<std::ptrdiff_t>(even_),
+               last = static_cast<std::ptrdiff_t>(even_ + neutral_);
+    const auto largest = [&](const std::vector<double>& e) {
+        return std::max(*std::max_element(e.begin(), e.begin() + first),
+                        *std::max_element(e.begin() + last, e.end()));
+    };
+    const double code_cap = tightness * largest(before.code);
+    const double eye_cap = tightness * largest(before.eye);
+    const double tint_cap =
+        *std::max_element(before.code.begin() + first, before.code.begin() + last) + 1e-9;
+    Errors now;
+    for (bool changed = true; changed;) {
+        changed = false;
+        now = errors(candidate, held);
+        for (std::size_t i = 0; i < weights_.size(); ++i) {
+            const bool is_grey = i >= even_ && i < even_ + neutral_;
+            if (now.code[i] <= (is_grey ? tint_cap : code_cap) && now.eye[i] <= eye_cap) {
+                continue;
+            }
+            const NodeWeights& w = weights_[i];
+            for (std::size_t k = 0; k < w.count; ++k) {
+                changed = changed || !(candidate[w.node[k]] == plain[w.node[k]]);
+                candidate[w.node[k]] = plain[w.node[k]];
+            }
         }
     }
+    FittedLattice out;
+    out.point_sampled = of_even(before.code);
+    const ErrorStats code = of_even(now.code);
+    out.fitted = code.mean < (1 - least_gain) * out.point_sampled.mean &&
+                 of_even(now.eye).mean < (1 - least_gain) * of_even(before.eye).mean;
+    out.result = out.fitted ? code : out.point_sampled;
     out.nodes = out.fitted ? std::move(candidate) : plain;
     return out;
 }

@@ -1,15 +1,22 @@
 // Whether a fitted lattice is better than its point samples, over colours that the fit has not
-// seen.
+// seen and over those where errors peak.
 #pragma once
 
+#include "lutlib/fit/eye_form.h"
 #include "lutlib/interpolation/lattice_reader.h"
-#include "lutlib/metrics/samples.h"
+#include "lutlib/metrics/breaks.h"
 #include "lutlib/metrics/stats.h"
 #include "lutlib/transform.h"
 
 #include <vector>
 
 namespace lutlib {
+
+/// What a fit has to know of the look besides its colours.
+struct FitView {
+    Breaks breaks = no_breaks();
+    Viewing viewing = {};
+};
 
 /// Nodes, red fastest, with the errors of reading them: per colour the largest channel difference,
 /// over colours that the fit has not seen.
@@ -20,40 +27,32 @@ struct FittedLattice {
     ErrorStats result;
 };
 
-/// Colours with what the look makes of them, and the nodes from which a reader makes its answer.
-class ValidationSet {
-  public:
-    ValidationSet(const Transform& look, const LatticeReader& reader, const SampleCounts& counts);
-
-    const NodeWeights& weights(std::size_t colour) const { return weights_[colour]; }
-    const std::vector<RgbD>& targets() const { return targets_; }
-
-    /// Of every colour, the largest channel's; `held`: of values held to 0..1.
-    std::vector<double> errors(const std::vector<RgbD>& nodes, bool held) const;
-
-  private:
-    std::vector<NodeWeights> weights_;
-    std::vector<RgbD> targets_;
-};
-
 class Acceptance {
   public:
-    Acceptance(const Transform& look, const LatticeReader& reader);
+    Acceptance(const Transform& look, const LatticeReader& reader, const FitView& view);
 
-    /// The candidate, repaired until the validation set finds it no worse at its worst than
-    /// `plain`; and that, when the candidate is then no better on average.
-    FittedLattice accepted(std::vector<RgbD> candidate, const std::vector<RgbD>& plain,
-                           bool held) const;
+    /// The candidate, with nodes given back their plain values until it is nowhere worse than
+    /// `plain` is at its worst, in code values and to the eye, over the union grid and between; nor
+    /// greys more tinted. And `plain`, when the candidate then has no lower mean of both.
+    /// `tightness`: of the largest errors, the share that it may reach.
+    FittedLattice accepted(std::vector<RgbD> candidate, const std::vector<RgbD>& plain, bool held,
+                           double tightness = 1) const;
 
-    /// Whether the look leaves 0..1 nowhere in the validation set.
+    /// Whether the look leaves 0..1 nowhere.
     bool within_unit() const;
 
   private:
-    void repair(std::vector<RgbD>& nodes, const std::vector<RgbD>& plain, bool held,
-                double cap) const;
+    struct Errors {
+        std::vector<double> code, eye;
+    };
+    Errors errors(const std::vector<RgbD>& nodes, bool held) const;
+    ErrorStats of_even(const std::vector<double>& errors) const;
 
-    // One set to find where a fit does harm, another to judge it by.
-    ValidationSet repair_set_, validation_set_;
+    Eye eye_;
+    Metric metric_;
+    std::size_t even_ = 0, neutral_ = 0; // the first so many colours, and those after them
+    std::vector<NodeWeights> weights_;
+    std::vector<RgbD> targets_;
 };
 
 /// Whether no channel of any colour lies outside 0..1.

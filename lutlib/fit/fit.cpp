@@ -34,13 +34,13 @@ struct LatticeFit::State {
 };
 
 LatticeFit::LatticeFit(const Transform& look, const LatticeReader& reader,
-                       std::vector<RgbD> point_samples) {
+                       std::vector<RgbD> point_samples, const FitView& view) {
     std::vector<bool> fixed = corners(reader.size);
-    FitSamples samples = fit_samples(look, reader);
+    FitSamples samples = fit_samples(look, reader, view.viewing);
     std::vector<RgbD> fitted = least_squares(samples, point_samples, fixed, reader.size);
     state_ = std::make_unique<State>(State{reader.size, std::move(fixed), std::move(point_samples),
                                            std::move(samples), std::move(fitted),
-                                           Acceptance(look, reader)});
+                                           Acceptance(look, reader, view)});
 }
 
 LatticeFit::~LatticeFit() = default;
@@ -52,14 +52,14 @@ FittedLattice LatticeFit::exact() const {
                                  within_unit(s.samples.target) && s.acceptance.within_unit());
 }
 
-FittedLattice LatticeFit::rounded(CodeDepth depth) const {
+FittedLattice LatticeFit::rounded(CodeDepth depth, double tightness) const {
     const State& s = *state_;
     const std::vector<RgbD> plain = rounded_to_codes(s.point, depth);
     std::vector<RgbD> nodes = rounded_to_codes(s.fitted, depth);
     if (depth.bits < fine_bits) {
         nodes = descended(s.samples, std::move(nodes), plain, s.fixed, s.size, depth);
     }
-    return s.acceptance.accepted(std::move(nodes), plain, true);
+    return s.acceptance.accepted(std::move(nodes), plain, true, tightness);
 }
 
 } // namespace lutlib

@@ -17,6 +17,10 @@ constexpr int most_sweeps = 12;
 constexpr float price_of_excess = 50;
 // The mean is of the largest channel; the others keep a small say, or nothing would hold them.
 constexpr float say_of_all_channels = 0.2F;
+// Black and white, a code error of 1, are 100 apart to the eye.
+constexpr float seen_of_one = 100;
+// What codes count beside the eye, so that their error does not grow.
+constexpr float share_of_codes = 0.3F;
 
 // For each node the samples that read it: the transpose of FitSamples.
 struct Readers {
@@ -48,9 +52,16 @@ struct Readers {
 };
 
 struct Price {
-    float cap = 0;
+    float cap = 0, eye_cap = 0;
 
-    float operator()(const Rgb& error) const {
+    float operator()(const Rgb& error, const EyeForm& form) const {
+        const float seen = form.length(error);
+        return (seen + price_of_excess * std::max(0.0F, seen - eye_cap)) / seen_of_one +
+               share_of_codes * in_codes(error);
+    }
+
+  private:
+    float in_codes(const Rgb& error) const {
         const float r = std::abs(error.r), g = std::abs(error.g), b = std::abs(error.b);
         const float e = std::max(std::max(r, g), b);
         return e + say_of_all_channels * (r + g + b) + price_of_excess * std::max(0.0F, e - cap);
@@ -70,13 +81,17 @@ class CoordinateDescent {
             nodes_[k] = fixed[k] ? plain[k] : nodes_[k];
         }
         double cap = 0;
+        float eye_cap = 0;
         for (std::size_t s = 0; s < error_.size(); ++s) {
             const RgbD target = saturate(samples.target[s]);
-            cap = std::max(cap, largest_magnitude(samples.read(plain, s) - target));
+            const RgbD off = samples.read(plain, s) - target;
+            cap = std::max(cap, largest_magnitude(off));
+            eye_cap = std::max(eye_cap, samples.form[s].length(to_float(off)));
             error_[s] = to_float(samples.read(nodes_, s) - target);
         }
-        price_ = {static_cast<float>(cap)};
-        std::transform(error_.begin(), error_.end(), paid_.begin(), price_);
+        price_.cap = static_cast<float>(cap);
+        price_.eye_cap = eye_cap;
+        std::transform(error_.begin(), error_.end(), samples.form.begin(), paid_.begin(), price_);
     }
 
     // Until no node finds anything to gain, or for `most` sweeps.
@@ -136,7 +151,7 @@ class CoordinateDescent {
         for (std::size_t k = readers_.begin(node); k < readers_.begin(node + 1); ++k) {
             const auto s = static_cast<std::size_t>(readers_.sample[k]);
             error_[s][channel] += static_cast<float>(by) * readers_.weight[k];
-            paid_[s] = price_(error_[s]);
+            paid_[s] = price_(error_[s], samples_.form[s]);
         }
         return true;
     }
@@ -147,7 +162,7 @@ class CoordinateDescent {
             const auto s = static_cast<std::size_t>(readers_.sample[k]);
             Rgb after = error_[s];
             after[channel] += by * readers_.weight[k];
-            out += samples_.share[s] * (paid_[s] - price_(after));
+            out += samples_.share[s] * (paid_[s] - price_(after, samples_.form[s]));
         }
         return out;
     }

@@ -109,12 +109,8 @@ class NodeMatrix {
     std::vector<int> place_;
 };
 
-std::vector<double> solution(const Matrix& matrix, const std::vector<RgbD>& right_side,
-                             std::size_t channel) {
-    Eigen::VectorXd right(matrix.rows());
-    for (std::size_t k = 0; k < right_side.size(); ++k) {
-        right[static_cast<Eigen::Index>(k)] = right_side[k][channel];
-    }
+std::vector<double> solution(const Matrix& matrix, const std::vector<double>& right_side) {
+    const Eigen::Map<const Eigen::VectorXd> right(right_side.data(), matrix.rows());
     Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver;
     solver.setTolerance(solver_tolerance);
     solver.setMaxIterations(solver_iterations);
@@ -123,22 +119,41 @@ std::vector<double> solution(const Matrix& matrix, const std::vector<RgbD>& righ
     return {out.begin(), out.end()};
 }
 
-} // namespace
+// Of a channel's square, what is not the eye's.
+constexpr float even_share = 0.3F;
 
-std::vector<RgbD> least_squares(const FitSamples& samples, const std::vector<RgbD>& point,
-                                const std::vector<bool>& fixed, int size) {
+// What the eye sees of a channel's error at each sample, 1 in the mean, beside an even share.
+std::vector<float> seen(const FitSamples& samples, std::size_t channel) {
+    std::vector<float> out;
+    out.reserve(samples.form.size());
+    double sum = 0;
+    for (std::size_t s = 0; s < samples.form.size(); ++s) {
+        out.push_back(samples.form[s].of_channel(channel));
+        sum += static_cast<double>(samples.share[s]) * static_cast<double>(out.back());
+    }
+    const auto scale =
+        static_cast<float>(sum > 0 ? (1 - static_cast<double>(even_share)) / sum : 0);
+    for (float& weight : out) {
+        weight = even_share + scale * weight;
+    }
+    return out;
+}
+
+std::vector<double> fitted_channel(const FitSamples& samples, const std::vector<RgbD>& point,
+                                   const std::vector<bool>& fixed, int size, std::size_t channel) {
     NodeMatrix normal(size);
-    std::vector<RgbD> right_side(point.size());
+    std::vector<double> right_side(point.size());
+    const std::vector<float> weight = seen(samples, channel);
     for (std::size_t s = 0; s < samples.target.size(); ++s) {
         const auto begin = static_cast<std::size_t>(samples.first[s]);
         const auto end = static_cast<std::size_t>(samples.first[s + 1]);
         // What the point samples leave over is what the corrections of the nodes must explain.
-        const RgbD residual = samples.target[s] - samples.read(point, s);
+        const double residual = samples.target[s][channel] - samples.read(point, s)[channel];
         for (std::size_t i = begin; i < end; ++i) {
             const auto node = static_cast<std::size_t>(samples.node[i]);
-            const double w =
-                static_cast<double>(samples.share[s]) * static_cast<double>(samples.weight[i]);
-            right_side[node] = right_side[node] + w * residual;
+            const double w = static_cast<double>(samples.share[s] * weight[s]) *
+                             static_cast<double>(samples.weight[i]);
+            right_side[node] += w * residual;
             for (std::size_t k = i; k < end; ++k) {
                 normal.add(node, static_cast<std::size_t>(samples.node[k]),
                            w * static_cast<double>(samples.weight[k]));
@@ -148,15 +163,21 @@ std::vector<RgbD> least_squares(const FitSamples& samples, const std::vector<Rgb
     normal.complete();
     for (std::size_t k = 0; k < point.size(); ++k) {
         if (fixed[k]) {
-            right_side[k] = {};
+            right_side[k] = 0;
             normal.cut_off(k);
         }
     }
     normal.regularise();
-    const Matrix matrix = normal.sparse();
+    return solution(normal.sparse(), right_side);
+}
+
+} // namespace
+
+std::vector<RgbD> least_squares(const FitSamples& samples, const std::vector<RgbD>& point,
+                                const std::vector<bool>& fixed, int size) {
     std::vector<RgbD> out = point;
     tbb::parallel_for(std::size_t{0}, std::size_t{3}, [&](std::size_t c) {
-        const std::vector<double> correction = solution(matrix, right_side, c);
+        const std::vector<double> correction = fitted_channel(samples, point, fixed, size, c);
         for (std::size_t k = 0; k < out.size(); ++k) {
             out[k][c] += correction[k];
         }

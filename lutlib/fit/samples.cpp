@@ -54,7 +54,7 @@ std::vector<RgbD> mapped(const Transform& look, std::vector<RgbD> colours) {
     return colours;
 }
 
-FitSamples fit_samples(const Transform& look, const LatticeReader& reader) {
+FitSamples fit_samples(const Transform& look, const LatticeReader& reader, const Viewing& viewing) {
     const std::array<AxisSamples, 3> axis{axis_samples(reader, 0), axis_samples(reader, 1),
                                           axis_samples(reader, 2)};
     const std::size_t m = axis[0].input.size();
@@ -80,6 +80,7 @@ FitSamples fit_samples(const Transform& look, const LatticeReader& reader) {
         }
     }
     out.target = mapped(look, std::move(inputs));
+    out.form = eye_forms(out.target, viewing);
     return out;
 }
 

@@ -1,6 +1,7 @@
 // Dense samples of a look, each as the weighted sum of nodes that a lattice's reader makes of it.
 #pragma once
 
+#include "lutlib/fit/eye_form.h"
 #include "lutlib/interpolation/lattice_reader.h"
 #include "lutlib/transform.h"
 
@@ -14,6 +15,7 @@ struct FitSamples {
     std::vector<float> weight;
     std::vector<float> share; ///< of the domain
     std::vector<RgbD> target;
+    std::vector<EyeForm> form; ///< around each target
 
     RgbD read(const std::vector<RgbD>& nodes, std::size_t s) const {
         RgbD sum;
@@ -26,7 +28,7 @@ struct FitSamples {
 };
 
 /// Samples on a grid several times as fine as the lattice, with each node on it.
-FitSamples fit_samples(const Transform& look, const LatticeReader& reader);
+FitSamples fit_samples(const Transform& look, const LatticeReader& reader, const Viewing& viewing);
 
 /// The look of many colours, in parallel; NaN becomes 0.
 std::vector<RgbD> mapped(const Transform& look, std::vector<RgbD> colours);

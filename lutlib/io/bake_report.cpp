@@ -1,22 +1,17 @@
 #include "lutlib/io/bake_report.h"
 
-#include "lutlib/metrics/samples.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace lutlib::io {
 
-namespace {
-
-constexpr SampleCounts quick_samples{.neutral = 256, .random = 2048, .lattice = false};
-
-} // namespace
-
 std::string figures_text(const ErrorStats& stats) {
-    return fmt::format("max {:.4g}, p99 {:.4g}, p95 {:.4g}, mean {:.4g}", stats.max, stats.p99,
-                       stats.p95, stats.mean);
+    return fmt::format("p99 {:.4g}, mean {:.4g}, p95 {:.4g}; {} {:.4g}{}", stats.p99, stats.mean,
+                       stats.p95, stats.largest_seen ? "largest seen" : "max", stats.max,
+                       stats.at ? fmt::format(" at ({:.4g}, {:.4g}, {:.4g})", stats.at->r,
+                                              stats.at->g, stats.at->b)
+                                : "");
 }
 
 std::string domain_text(const Domain& domain) {
@@ -64,14 +59,47 @@ LookPlace place_in(const Engine& engine, const LookEncodings& look, bool convert
     return {look, codes, codes, convert};
 }
 
-LookupError measure_bake(const Bake& bake, const Transform& look) {
-    const std::vector<Rgb> inputs = sample_colors(bake.size, quick_samples);
-    return lookup_error(*bake.engine, decoded(bake.picture), bake.size, inputs,
-                        images_of(look, inputs));
+Breaks placed(const Breaks& look, const Placement& placement) {
+    if (!placement.before) {
+        return look;
+    }
+    const auto& [from, to] = *placement.before;
+    if (from.primaries() != to.primaries()) {
+        return no_breaks();
+    }
+    Breaks out = look;
+    out.all = false; // the curves bend between them
+    for (std::vector<double>& channel : out.at) {
+        for (double& x : channel) {
+            x = from.encode(to.decode(x));
+        }
+    }
+    return out;
+}
+
+Viewing viewing_of(const LookPlace& place, double reference_white) {
+    return {place.shown().output.value_or(srgb()), reference_white};
+}
+
+std::string text_of(const Viewing& viewing) {
+    return fmt::format("{}, reference white {:g} cd/m2{}", viewing.output.name(),
+                       viewing.reference_white,
+                       viewing.reference_white == reference_white_nits ? " (BT.2408)" : "");
+}
+
+std::string figures_text(const Difference& error, const Viewing& viewing,
+                         const std::string& indent) {
+    std::string out = fmt::format("{0}code values: {1}\n{0}dE2000: {2}\n", indent,
+                                  figures_text(error.absolute), figures_text(error.delta_e_2000));
+    if (is_hdr(viewing.output)) {
+        out += fmt::format("{}dE-ITP: {}\n", indent, figures_text(error.delta_e_itp));
+    }
+    return out + fmt::format("{}as colours of {}\n", indent, text_of(viewing));
 }
 
 std::string bake_report(const std::string& input, const std::string& output, const Bake& bake,
-                        const Domain& domain, const LookPlace& place, const LookupError& error) {
+                        const Domain& domain, const LookPlace& place, const Difference& error,
+                        const Viewing& viewing) {
     const Engine& engine = *bake.engine;
     std::string out = fmt::format(
         "{} -> {}\n  {}x{} pixels, {} nodes per axis, {} bits, layout {}, {} sRGB tag: {}\n", input,
@@ -105,9 +133,10 @@ std::string bake_report(const std::string& input, const std::string& output, con
             fmt::format("  lost: rounding to {} bits, max {:.4g}, mean {:.4g}\n",
                         bake.picture.depth.bits, bake.loss.max_rounding, bake.loss.mean_rounding);
     }
-    out += fmt::format("  error of {}'s lookup against the look, {} colours: {}\n", engine.name,
-                       error.absolute.count, figures_text(error.absolute));
-    out += fmt::format("  as dE2000: {}\n", figures_text(error.delta_e));
+    out +=
+        fmt::format("  error of {}'s lookup against the look; p99 and mean over {} colours spread "
+                    "evenly:\n{}",
+                    engine.name, error.absolute.count, figures_text(error, viewing, "    "));
     return out;
 }
 

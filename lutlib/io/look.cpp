@@ -26,17 +26,17 @@ namespace {
 LookTable baked(const Recipe& recipe) {
     // Tables hold floats.
     constexpr double float_rounding = 2e-6;
-    constexpr int finest_lattice = 33, spread_colours = 20000;
     const auto lut = std::make_shared<const Lut>(bake_recipe(recipe));
-    const int lattice = lut->cube ? std::min(lut->cube->size, finest_lattice) : finest_lattice;
-    const Difference d =
-        compare(Transform::of(recipe), Transform::of(lut),
-                samples_over(lut->domain(), lattice, spread_colours), recipe.output_encoding());
+    const Transform exact = Transform::of(recipe);
+    const Peak peak =
+        largest_difference(exact, Transform::of(lut),
+                           error_samples(lut->domain(), united(no_breaks(), breaks_of(*lut))),
+                           recipe.output_encoding(), Metric::code);
     LookTable out{lut, {}};
-    if (d.absolute.max > float_rounding * std::max(1.0, largest_magnitude(d.worst.a))) {
+    if (peak.error > float_rounding * std::max(1.0, largest_magnitude(exact(to_double(peak.at))))) {
         out.losses.push_back({"recipe sampled onto " + shape_of(*lut) + " over the input " +
                                   text_of(lut->domain()) + ", largest error",
-                              d.absolute.max, ""});
+                              peak.error, ""});
     }
     return out;
 }
@@ -219,6 +219,19 @@ Recipe Look::as_recipe() const {
 Interpolation Look::interpolation() const {
     return options_.interpolation.value_or(lut_ ? usual_interpolation(*lut_)
                                                 : Interpolation::tetrahedral);
+}
+
+Breaks Look::breaks() const {
+    if (recipe_) {
+        return united(no_breaks(), recipe_->base_lut ? breaks_of(*recipe_->base_lut) : Breaks{});
+    }
+    return is_table() ? breaks_of(*lut_, interpolation()) : no_breaks();
+}
+
+std::optional<int> Look::nodes() const {
+    const bool is_lattice =
+        !recipe_ && is_table() && lut_->cube && !lut_->shaper && lut_->domain().is_unit();
+    return is_lattice ? std::optional(lut_->cube->size) : std::nullopt;
 }
 
 Transform Look::exact() const {

@@ -99,6 +99,11 @@ class Look {
     /// By what: the options' word, else the look's own, else tetrahedral.
     Interpolation interpolation() const;
 
+    /// Where it may bend: at the nodes of its table, or of a recipe's base and anywhere else.
+    Breaks breaks() const;
+    /// Nodes a side of a table that is a lattice over 0..1 alone.
+    std::optional<int> nodes() const;
+
     /// A recipe or a table in double; what no table holds in OpenColorIO's evaluation.
     Transform exact() const;
 

@@ -39,10 +39,11 @@ TexelCheck check_texels(const CodeImage& picture, const Engine& engine, int size
 } // namespace
 
 Verification verify(const CodeImage& picture, const Engine& engine, int size, const Transform& look,
-                    const std::vector<Rgb>& inputs, const Alternatives& alternatives) {
+                    const Breaks& breaks, const Viewing& viewing, const SampleLimits& limits,
+                    const Alternatives& alternatives) {
     Verification out;
     out.texels = check_texels(picture, engine, size, look);
-    out.lookup = lookup_error(engine, decoded(picture), size, inputs, images_of(look, inputs));
+    out.lookup = measure_lookup(picture, engine, size, look, breaks, viewing, limits);
     if (out.texels.wrong > 0) {
         Findings found = diagnose(picture, engine, size, look, alternatives);
         out.diagnosis = std::move(found.diagnosis);

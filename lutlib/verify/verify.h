@@ -19,15 +19,16 @@ struct TexelCheck {
 
 struct Verification {
     TexelCheck texels;
-    LookupError lookup;
+    Difference lookup;                  ///< measure_lookup()
     std::optional<Diagnosis> diagnosis; ///< when texels are wrong and a mistake explains them
     Diagnosis nearest;                  ///< when they are wrong: what explains most of them
 };
 
 /// Compares every texel's code with the look's value at the input where the engine reads the node,
-/// rounded to nearest, then the engine's lookup with the look over `inputs`. The picture's
-/// dimensions must be those of the engine's layout for `size`.
+/// rounded to nearest, then the engine's lookup with the look, whose breaks those are. The
+/// picture's dimensions must be those of the engine's layout for `size`.
 Verification verify(const CodeImage& picture, const Engine& engine, int size, const Transform& look,
-                    const std::vector<Rgb>& inputs, const Alternatives& alternatives = {});
+                    const Breaks& breaks, const Viewing& viewing, const SampleLimits& limits = {},
+                    const Alternatives& alternatives = {});
 
 } // namespace lutlib

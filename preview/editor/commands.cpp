@@ -67,11 +67,16 @@ std::string export_strip(const State& state, const Side& side, const std::string
                                                    .interpolation = "tetrahedral",
                                                    .encodings = names_of(place.shown()),
                                                    .look = names_of(place.look)}));
+    const lutlib::Breaks breaks = io::placed(
+        united(lutlib::no_breaks(),
+               state.recipe.base_lut ? breaks_of(*state.recipe.base_lut) : lutlib::Breaks{}),
+        place.applied());
+    const lutlib::Viewing viewing = io::viewing_of(place);
     const lutlib::Domain usual =
         state.recipe.base_lut ? state.recipe.base_lut->domain() : lutlib::Domain{};
-    return io::bake_report(source_name(state), path, baked,
-                           state.recipe.bake.domain.value_or(usual), place,
-                           io::measure_bake(baked, look));
+    return io::bake_report(
+        source_name(state), path, baked, state.recipe.bake.domain.value_or(usual), place,
+        lutlib::measure_lookup(baked.picture, engine, baked.size, look, breaks, viewing), viewing);
 }
 
 std::string export_lut(const State& state, const std::string& path) {

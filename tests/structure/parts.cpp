@@ -45,7 +45,7 @@ const std::vector<Part>& parts() {
          no_big_library},
         {"lutlib/engine", {"lutlib", "lutlib/color", "lutlib/interpolation"}, no_big_library},
         {"lutlib/fit",
-         {"lutlib", "lutlib/interpolation", "lutlib/metrics", "lutlib/engine"},
+         {"lutlib", "lutlib/color", "lutlib/interpolation", "lutlib/metrics", "lutlib/engine"},
          no_big_library},
         {"lutlib/bake",
          {"lutlib", "lutlib/color", "lutlib/engine", "lutlib/fit", "lutlib/interpolation",

@@ -12,6 +12,9 @@
 namespace lutlib {
 namespace {
 
+// The lookup's error is not what these tests are about.
+constexpr SampleLimits hardly_any{.even = 8, .grid = 64, .between = 8};
+
 // Pictures with one mistake each, made here without diagnose.cpp's table.
 class Diagnosed : public testing::Test {
   protected:
@@ -21,7 +24,8 @@ class Diagnosed : public testing::Test {
     CodeImage right = bake(look, engine, n, 8).picture;
 
     std::string words(const CodeImage& picture) const {
-        const Verification result = verify(picture, engine, n, look, {{0, 0, 0}});
+        const Verification result =
+            verify(picture, engine, n, look, no_breaks(), srgb(), hardly_any);
         EXPECT_GT(result.texels.wrong, 0U);
         return result.diagnosis ? result.diagnosis->words : "";
     }
@@ -167,7 +171,7 @@ TEST_F(Diagnosed, no_compression_in_a_look_that_is_nearly_this_one) {
         return codes(
             saturate(RgbD{y + 1.05 * (v.r - y), y + 1.05 * (v.g - y), y + 1.05 * (v.b - y)}));
     });
-    const Verification result = verify(other, engine, n, look, {{0, 0, 0}});
+    const Verification result = verify(other, engine, n, look, no_breaks(), srgb(), hardly_any);
     EXPECT_FALSE(result.diagnosis) << result.diagnosis->words;
     EXPECT_GT(result.nearest.explained, 0);
     EXPECT_FALSE(result.nearest.words.empty());
@@ -191,7 +195,8 @@ TEST_F(Diagnosed, a_lone_wrong_code_of_a_look_that_truncation_would_leave_alone)
                                   }}) {
         CodeImage picture = bake(Transform::each(f), engine, n, 8).picture;
         --picture.at({33, 5}, 0);
-        const Verification result = verify(picture, engine, n, Transform::each(f), {{0, 0, 0}});
+        const Verification result =
+            verify(picture, engine, n, Transform::each(f), no_breaks(), srgb(), hardly_any);
         ASSERT_TRUE(result.diagnosis);
         EXPECT_NE(result.diagnosis->words.find("single texels differ"), std::string::npos)
             << result.diagnosis->words;
@@ -200,7 +205,7 @@ TEST_F(Diagnosed, a_lone_wrong_code_of_a_look_that_truncation_would_leave_alone)
 
 // Mistakes between any engine and any look.
 std::string words_of(const CodeImage& picture, const Engine& engine, int n, const Transform& look) {
-    const Verification result = verify(picture, engine, n, look, {{0, 0, 0}});
+    const Verification result = verify(picture, engine, n, look, no_breaks(), srgb(), hardly_any);
     EXPECT_GT(result.texels.wrong, 0U);
     return result.diagnosis ? result.diagnosis->words : "";
 }

@@ -14,8 +14,9 @@ using lutlib::SurveyRow;
 
 std::string figures(const SurveyRow& row) {
     const auto& e = row.error.delta_e_2000;
-    return fmt::format("dE2000 p99 {:.3g}, mean {:.3g}, max {:.3g}; {} bytes; {:.3g} ns a pixel",
-                       e.p99, e.mean, e.max, row.bytes, 1e9 * row.pixel.median);
+    return fmt::format("dE2000 p99 {:.3g}, mean {:.3g}, max {:.3g}; {} bytes; {:.3g} ns a pixel{}",
+                       e.p99, e.mean, e.max, row.bytes, 1e9 * row.pixel.median,
+                       lutlib::is_emulated(*row.what.lookup) ? ", emulated on the CPU" : "");
 }
 
 nlohmann::ordered_json row_json(const SurveyRow& row) {
@@ -52,9 +53,8 @@ std::string recommendation_text(const Survey& survey) {
         return fmt::format("No combination stays within dE2000 {:g}; {} comes nearest: {}.",
                            promise, to_text(best.what), figures(best));
     }
-    std::string out = fmt::format("Take {}, the smallest that stays within dE2000 {:g} (also on {} "
-                                  "other colours and uphill from the worst of them): {}",
-                                  to_text(best.what), promise, survey.checked, figures(best));
+    std::string out = fmt::format("Take {}, the smallest that stays within dE2000 {:g}: {}",
+                                  to_text(best.what), promise, figures(best));
     const SurveyRow& fastest = survey.rows[r.fastest];
     return out + (r.fastest == r.row ? "; nothing faster does so either."
                                      : fmt::format("; the fastest that does so is {} ({:.3g} ns a "
@@ -71,6 +71,7 @@ nlohmann::ordered_json survey_json(const Survey& survey, const std::string& look
         {"machine", lutlib::machine_text()},
         {"colours", survey.colours},
         {"timed_pixels", survey.settings.pixels},
+        {"largest_seen", survey.largest_seen},
         {"clamped", survey.clamped},
         {"outside_display", {{"share", survey.outside.share}, {"most", survey.outside.most}}},
         {"notes", survey.notes},
@@ -78,7 +79,6 @@ nlohmann::ordered_json survey_json(const Survey& survey, const std::string& look
          {{"words", recommendation_text(survey)},
           {"row", r.row},
           {"promise_delta_e_2000", survey.settings.promise},
-          {"checked_colours", survey.checked},
           {"kept", r.kept}}}};
     const std::vector<std::size_t> by = dominators_of(survey);
     for (std::size_t i = 0; i < survey.rows.size(); ++i) {

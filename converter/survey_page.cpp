@@ -98,8 +98,12 @@ std::vector<std::string> method(const Survey& survey) {
         fmt::format("Machine: {}.", lutlib::machine_text()),
         fmt::format("Errors: against the look evaluated exactly in double; p99 and mean over {} "
                     "colours spread evenly over the domain. abs is the largest channel difference "
-                    "in code values.",
-                    survey.colours),
+                    "in code values. Maxima: over the grid of all nodes of the look and of the "
+                    "lattice, the middles between them, and uphill from the worst{}.",
+                    survey.colours,
+                    survey.largest_seen ? "; since operators may bend anywhere and large grids are "
+                                          "thinned, they are the largest seen"
+                                        : ""),
         fmt::format(
             "Time: what lutconv apply does, on one of the cores and with its vectors, over {} "
             "pixels whose colours are spread evenly in no order, which is the hardest for caches; "

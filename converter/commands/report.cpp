@@ -15,6 +15,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -102,11 +103,16 @@ Report report_on_look(const Options& o) {
             survey_json(survey, name, gpu)};
 }
 
-Report report_on_suite() {
+Report report_on_suite(const Options& o) {
     ProgressBar bar;
+    lutlib::StiffSettings settings;
+    if (!o.sizes.empty()) {
+        settings.sizes = o.sizes;
+        std::sort(settings.sizes.begin(), settings.sizes.end());
+    }
     const lutlib::StiffSurvey survey = lutlib::survey_stiff_suite(
-        [&](double share, const std::string& doing) { bar.draw(share, doing); });
-    return {stiff_html(survey), stiff_csv(survey), fmt::format("{} errors\n", survey.rows.size()),
+        settings, [&](double share, const std::string& doing) { bar.draw(share, doing); });
+    return {stiff_html(survey), stiff_csv(survey), fmt::format("{} curves\n", survey.curves.size()),
             stiff_json(survey)};
 }
 
@@ -118,7 +124,7 @@ int run(const Options& o) {
         lutlib::refuse_name("suite", o.suite, suites);
     }
     const std::string shown = standard_output_of(std::array{o.output, o.json, o.csv});
-    const Report report = o.suite.empty() ? report_on_look(o) : report_on_suite();
+    const Report report = o.suite.empty() ? report_on_look(o) : report_on_suite(o);
     const std::string figures = json_text(report.json);
     std::vector<io::FileToWrite> files{{o.output, report.html}};
     if (!o.json.empty()) {
@@ -137,12 +143,15 @@ int run(const Options& o) {
 Run declare_report(CLI::App& app) {
     const auto o = std::make_shared<Options>();
     app.add_option("LOOK", o->input, "a LUT or recipe file, or - for standard input");
-    app.add_option("--suite", o->suite, "instead of a look: stiff, errors against stiffness");
+    app.add_option("--suite", o->suite,
+                   "instead of a look: stiff, functions that are hard for lattices");
     app.add_option("-o,--output", o->output, "the HTML page, or - for standard output")->required();
     app.add_option("--json", o->json, "every figure as JSON, into this file");
     app.add_option("--csv", o->csv, "every figure as CSV, into this file");
-    app.add_option("--sizes", o->sizes,
-                   "only these lattice sizes (default: 8 16 17 25 32 33 49 64 65)")
+    app.add_option(
+           "--sizes", o->sizes,
+           "only these lattice sizes (default: of a look 8 16 17 25 32 33 49 64 65 and the one "
+           "it is baked to, of the suite 8 12 16 24 33 48 65)")
         ->check(cube_sizes());
     app.add_option("--max-delta-e", o->promise, "largest dE2000 that the recommendation may have")
         ->check(above_zero())

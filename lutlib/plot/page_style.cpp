@@ -39,7 +39,7 @@ label.view, label.only { margin-right: 1.2em; white-space: nowrap; }
 #front-only:checked ~ .plots .mark:not(.top):not(.best),
 #front-only:checked ~ table tr.dominated { display: none; }
 .filters { display: inline; }
-.filters select { margin: 0 1em 0 .3em; font: inherit; font-size: 13px; }
+.filters select { max-width: 9em; margin: 0 1em 0 .3em; font: inherit; font-size: 13px; }
 .panels { display: flex; flex-wrap: wrap; gap: .8em 1.4em; align-items: flex-start; }
 .panels .heat { width: 290px; }
 .panels .share { width: 470px; }

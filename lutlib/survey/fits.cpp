@@ -27,8 +27,13 @@ std::map<const ShaperChoice*, double> errors_by_shaper(const SurveyReference& re
     const Lookup& lookup = lookup_of(Interpolation::tetrahedral);
     for (const PointLattice& lattice : lattices) {
         if (lattice.lut.cube->size == size) {
-            const StoredLut stored(lattice.lut, *lattice.nodes, storages().back());
-            out[lattice.shaper] = reference.error_of(stored, lookup).delta_e_2000.mean;
+            const auto stored =
+                std::make_shared<const StoredLut>(lattice.lut, *lattice.nodes, storages().back());
+            std::vector<double> errors(reference.inputs.size());
+            reference.delta_e(reference.expected,
+                              images_of(reference.reading(stored, lookup), reference.inputs),
+                              errors);
+            out[lattice.shaper] = error_stats(std::move(errors)).mean;
         }
     }
     return out;
@@ -77,7 +82,8 @@ FittedCandidates fitted_candidates(const SurveyReference& reference,
     const double plain = errors.count(none) ? errors.at(none) : 0;
     std::set<const ShaperChoice*> worth{none};
     for (const auto& [shaper, error] : errors) {
-        if (error < plain) {
+        // The look's own is wanted whatever the others do.
+        if (error < plain || shaper->recipe || shaper->name == "own") {
             worth.insert(shaper);
         } else if (shaper != none) {
             out.notes.push_back(std::string(shaper->label) +

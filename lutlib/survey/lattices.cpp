@@ -1,8 +1,7 @@
 #include "lutlib/survey/lattices.h"
 
-#include "lutlib/color/difference_all.h"
 #include "lutlib/error.h"
-#include "lutlib/metrics/samples.h"
+#include "lutlib/interpolation/lattice_reader.h"
 #include "lutlib/named.h"
 #include "lutlib/recipe/bake_recipe.h"
 
@@ -73,12 +72,23 @@ std::vector<const ShaperChoice*> shapers_for(const Recipe& recipe) {
     return out;
 }
 
+// Operators may bend anywhere.
+Breaks breaks_of(const Recipe& recipe) {
+    if (!recipe.base_lut) {
+        return no_breaks();
+    }
+    Breaks out = breaks_of(*recipe.base_lut);
+    out.all = out.all && recipe.operations.empty();
+    return out;
+}
+
 // The shares are of all shapers and sizes.
 class Sampler {
   public:
     Sampler(const SurveyReference& reference, const SurveySettings& settings, std::size_t shapers,
             const Progress& progress)
-        : reference_(reference), sizes_(settings.sizes), shapers_(shapers), progress_(progress) {}
+        : reference_(reference), sizes_(settings.sizes), samples_(settings.samples),
+          shapers_(shapers), progress_(progress) {}
 
     void add(const ShaperChoice& shaper) {
         Recipe recipe = reference_.recipe;
@@ -103,7 +113,14 @@ class Sampler {
             auto nodes = std::make_shared<std::vector<RgbD>>(lut.cube->nodes.size());
             std::transform(lut.cube->nodes.begin(), lut.cube->nodes.end(), nodes->begin(),
                            [](Rgb c) { return to_double(c); });
-            out.rows.push_back({&shaper, std::move(lut), std::move(nodes), seconds});
+            auto samples = std::make_shared<LatticeSamples>();
+            samples->at = error_samples(
+                reference_.domain,
+                united(reference_.breaks, breaks_of(reader_of(lut, Interpolation::tetrahedral))),
+                samples_);
+            samples->expected = images_of(reference_.shown, samples->at.hiding);
+            out.rows.push_back(
+                {&shaper, std::move(lut), std::move(nodes), seconds, std::move(samples)});
             progress_(static_cast<double>(out.rows.size()) /
                           static_cast<double>(shapers_ * sizes_.size()),
                       "sampling");
@@ -115,6 +132,7 @@ class Sampler {
   private:
     const SurveyReference& reference_;
     const std::vector<int>& sizes_;
+    const SampleLimits& samples_;
     const std::size_t shapers_;
     const Progress& progress_;
 };
@@ -128,9 +146,8 @@ const ShaperChoice& no_shaper() {
 SurveyReference::SurveyReference(const Recipe& look, const SurveySettings& settings)
     : recipe(look), exact(Transform::of(look)),
       domain(look.bake.domain.value_or(look.base_lut ? look.base_lut->domain() : Domain{})),
-      inputs(over_domain(
-          sample_colors(2, {.neutral = 1024, .random = settings.colours, .lattice = false}),
-          domain)),
+      viewing(look.output_encoding()), breaks(breaks_of(look)),
+      inputs(error_samples(domain, no_breaks(), settings.samples).even),
       expected(images_of(exact, inputs)) {
     const bool display = is_for_displays(recipe.output_encoding());
     outside = display ? outside_display(expected) : OutsideDisplay{};
@@ -144,19 +161,8 @@ SurveyReference::SurveyReference(const Recipe& look, const SurveySettings& setti
 
 void SurveyReference::delta_e(std::span<const RgbD> a, std::span<const RgbD> b,
                               std::span<double> out) const {
-    const Encoding output = recipe.output_encoding();
-    const Matrix3 to_rec709 = rgb_to_rgb(output.primaries(), rec709);
-    const auto lab_of = [&](std::span<const RgbD> codes) {
-        std::vector<RgbD> light(codes.begin(), codes.end());
-        output.decode_all(light);
-        for (RgbD& c : light) {
-            c = to_rec709 * c;
-        }
-        std::vector<Lab> lab(light.size());
-        lab_from_linear_all(light, lab);
-        return lab;
-    };
-    delta_e_2000_all(lab_of(a), lab_of(b), out);
+    const Eye eye(viewing);
+    eye(Metric::delta_e_2000, a, b, out);
 }
 
 Transform SurveyReference::reading(std::shared_ptr<const StoredLut> stored,
@@ -170,16 +176,6 @@ Transform SurveyReference::reading(std::shared_ptr<const StoredLut> stored,
                            [held](Rgb c) { return held ? saturate(to_double(c)) : to_double(c); });
         },
         Precision::float32);
-}
-
-Difference SurveyReference::error_of(const StoredLut& stored, const Lookup& lookup) const {
-    std::vector<Rgb> results(inputs.size());
-    stored.apply(inputs, results, lookup);
-    std::vector<RgbD> got(results.size());
-    for (std::size_t i = 0; i < got.size(); ++i) {
-        got[i] = seen(to_double(results[i]));
-    }
-    return difference_of(inputs, expected, got, recipe.output_encoding());
 }
 
 PointLattices point_lattices(const SurveyReference& reference, const SurveySettings& settings,

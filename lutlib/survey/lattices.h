@@ -17,7 +17,9 @@ struct SurveyReference {
     Transform exact; ///< the look
     Transform shown; ///< the look as it is judged
     Domain domain;
-    std::vector<Rgb> inputs;
+    Viewing viewing;
+    Breaks breaks;
+    std::vector<Rgb> inputs; ///< evenly spread
     std::vector<RgbD> expected;
     bool clamped = false;   ///< `expected`, and what lookups give, are held to 0..1
     OutsideDisplay outside; ///< of the look's results before that
@@ -30,8 +32,12 @@ struct SurveyReference {
     void delta_e(std::span<const RgbD> a, std::span<const RgbD> b, std::span<double> out) const;
     /// A lattice's answers as they are judged.
     Transform reading(std::shared_ptr<const StoredLut> stored, const Lookup& lookup) const;
-    /// Of reading `stored` at the inputs.
-    Difference error_of(const StoredLut& stored, const Lookup& lookup) const;
+};
+
+/// Where a lattice's errors may hide, and what the look makes of `at.hiding`.
+struct LatticeSamples {
+    ErrorSamples at;
+    std::vector<RgbD> expected;
 };
 
 /// A lattice before storage: its nodes by point sampling.
@@ -40,6 +46,7 @@ struct PointLattice {
     Lut lut;
     std::shared_ptr<const std::vector<RgbD>> nodes;
     double seconds = 0; ///< that it took
+    std::shared_ptr<const LatticeSamples> samples;
 };
 
 /// The first choice.
@@ -70,7 +77,8 @@ struct FittedCandidates {
     std::vector<std::string> notes; ///< what was not fitted, and why
 };
 
-/// Fits wherever they may help: where a shaper does not make point samples worse than none does.
+/// Fits wherever they may help: where a shaper does not make point samples worse than none does, or
+/// is the look's or the recipe's own.
 FittedCandidates fitted_candidates(const SurveyReference& reference,
                                    const std::vector<PointLattice>& lattices,
                                    const SurveySettings& settings, const Progress& progress);

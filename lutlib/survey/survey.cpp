@@ -1,11 +1,10 @@
 #include "lutlib/survey/survey.h"
 
-#include "lutlib/color/difference.h"
-#include "lutlib/metrics/peak.h"
 #include "lutlib/metrics/samples.h"
 #include "lutlib/resample/resample.h"
 #include "lutlib/survey/detailer.h"
 #include "lutlib/survey/lattices.h"
+#include "lutlib/survey/row_errors.h"
 
 #include <tbb/parallel_for.h>
 
@@ -89,10 +88,10 @@ void measure_rows(const SurveyReference& reference, const std::vector<Candidate>
         const auto stored =
             std::make_shared<const StoredLut>(c.lattice->lut, *c.nodes, *c.what.storage);
         const Transform read = reference.reading(stored, *c.what.lookup);
-        rows[i] = {c.what, reference.error_of(*stored, *c.what.lookup), stored->bytes(), c.seconds,
+        std::vector<double> errors;
+        rows[i] = {c.what, row_errors(reference, read, *c.lattice->samples, errors),
+                   stored->bytes(), c.seconds,
                    timings.at(timing_key(c.lattice->lut, *c.what.storage, *c.what.lookup))};
-        std::vector<double> errors(reference.inputs.size());
-        reference.delta_e(reference.expected, images_of(read, reference.inputs), errors);
         out.details[i] = detailer.of(read, c.lattice->lut, *c.what.lookup,
                                      rows[i].error.worst_to_eye.in, std::move(errors));
         ++done;
@@ -102,55 +101,6 @@ void measure_rows(const SurveyReference& reference, const std::vector<Candidate>
                      "measuring errors");
         }
     });
-}
-
-// The largest dE2000 of a candidate, uphill from the worst of the colours.
-double peak(const SurveyReference& reference, const Candidate& candidate,
-            const std::vector<Rgb>& colours) {
-    const Combination& what = candidate.what;
-    const StoredLut stored(candidate.lattice->lut, *candidate.nodes, *what.storage);
-    const Encoding output = reference.recipe.output_encoding();
-    const Matrix3 to_rec709 = rgb_to_rgb(output.primaries(), rec709);
-    const auto lab = [&](RgbD c) {
-        return lab_from_linear(to_rec709 *
-                               RgbD{output.decode(c.r), output.decode(c.g), output.decode(c.b)});
-    };
-    return peak_error(colours, reference.domain, 1.0F / static_cast<float>(what.size - 1),
-                      [&](Rgb in) {
-                          Rgb got;
-                          stored.apply({&in, 1}, {&got, 1}, *what.lookup);
-                          return delta_e_2000(lab(reference.seen(to_double(got))),
-                                              lab(reference.seen(reference.exact(to_double(in)))));
-                      });
-}
-
-struct Settled {
-    Recommendation recommendation;
-    std::size_t checked = 0;
-};
-
-// Recommends, looks closer at what is recommended, and again until that holds. Rows that were
-// looked at closer get the larger error.
-Settled settled(const SurveyReference& reference, const std::vector<Candidate>& candidates,
-                const SurveySettings& settings, std::vector<SurveyRow>& rows) {
-    const std::vector<Rgb> others = over_domain(
-        sample_colors(
-            2, {.neutral = 997, .random = 20000, .lattice = false, .skipped = settings.colours}),
-        reference.domain);
-    std::set<std::size_t> seen;
-    const auto holds = [&](std::size_t i) {
-        double& largest = rows[i].error.delta_e_2000.max;
-        if (seen.insert(i).second) {
-            largest = std::max(largest, peak(reference, candidates[i], others));
-        }
-        return largest <= settings.promise;
-    };
-    Settled out{{}, others.size()};
-    do {
-        out.recommendation = recommend(rows, settings.promise);
-    } while (out.recommendation.kept &&
-             !(holds(out.recommendation.row) && holds(out.recommendation.fastest)));
-    return out;
 }
 
 template <class T>
@@ -214,9 +164,10 @@ Survey survey(const Recipe& recipe, const SurveySettings& wanted, const Progress
     append(out.notes, lattices.notes);
     append(out.notes, std::move(fits.notes));
     measure_rows(reference, candidates, timings, from_to(after_fitting, 1), out);
-    const Settled result = settled(reference, candidates, settings, out.rows);
-    out.recommendation = result.recommendation;
-    out.checked = result.checked;
+    out.recommendation = recommend(out.rows, settings.promise);
+    out.largest_seen = std::any_of(out.rows.begin(), out.rows.end(), [](const SurveyRow& row) {
+        return row.error.delta_e_2000.largest_seen;
+    });
     progress(1, "done");
     return out;
 }

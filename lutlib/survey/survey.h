@@ -49,7 +49,10 @@ struct SurveySettings {
     bool own_size = true; ///< the size that the recipe is baked to is tried too
     /// Of an output that displays take: as light would be, not as they show it.
     bool unclamped = false;
-    int colours = 6000; ///< spread evenly, on which errors are measured; 1024 neutrals besides
+    /// On which errors are measured: enough that the largest, climbed, is within a few percent of
+    /// that over all of the union grid.
+    SampleLimits samples{
+        .even = 10'000, .grid = std::size_t{1} << 14, .between = std::size_t{1} << 12};
     int pixels = 16384; ///< of a timed run
     int rounds = 15;    ///< of timed runs, each combination once in each
     double promise = 1; ///< largest dE2000 of the recommendation
@@ -67,14 +70,14 @@ Recommendation recommend(const std::vector<SurveyRow>& rows, double max_delta_e)
 struct Survey {
     std::vector<SurveyRow> rows;
     std::vector<std::string> notes; ///< what was left out, and why
-    std::size_t colours = 0;
+    std::size_t colours = 0;        ///< of means and percentiles
+    bool largest_seen = false;      ///< the maxima may not be the largest of all
     SurveySettings settings;
     bool clamped = false;   ///< every result is held to 0..1, as a display holds it
     OutsideDisplay outside; ///< of the look's own results
     DetailColours detail_colours;
     std::vector<Details> details; ///< of each row
     Recommendation recommendation;
-    std::size_t checked = 0; ///< further colours on which the recommendation holds, and uphill
 };
 
 /// From 0 to 1, and what is being done.
@@ -86,9 +89,8 @@ inline bool is_emulated(const Lookup& lookup) {
 }
 
 /// The reference is the recipe, evaluated exactly. Where its output is for displays, both sides are
-/// held to 0..1 as those do, unless the settings say otherwise. What is recommended has been
-/// checked on colours other than the table's, and uphill from the worst of them; where that found
-/// more, the row's largest dE2000 says so.
+/// held to 0..1 as those do, unless the settings say otherwise. Every row's errors are
+/// row_errors()'.
 Survey survey(const Recipe& recipe, const SurveySettings& settings, const Progress& progress);
 
 } // namespace lutlib

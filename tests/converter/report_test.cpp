@@ -121,23 +121,31 @@ TEST(Report, merges_the_times_of_a_gpu_and_refuses_what_are_none) {
     EXPECT_NE(refused.err.find("preview_bench --json"), std::string::npos) << refused.err;
 }
 
-TEST(Report, plots_the_stiff_suite) {
+TEST(Report, plots_the_orders_of_the_stiff_suite) {
     const Folder folder;
     const std::string page = folder.path("stiff.html");
     std::vector<std::string> words{
-        "report", "--suite", "stiff", "-o", page, "--json", folder.path("s.json")};
+        "report", "--suite",           "stiff", "-o", page, "--json", folder.path("s.json"),
+        "--csv",  folder.path("s.csv")};
     if (!support::is_thorough()) {
-        words.insert(words.end(), {"--sizes", "17"});
+        words.insert(words.end(), {"--sizes", "18", "24"});
     }
     const Result result = lutconv(words);
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const json figures = json::parse(contents(folder.path("s.json")));
-    ASSERT_GT(figures["rows"].size(), 20u);
-    for (const json& row : figures["rows"]) {
-        EXPECT_TRUE(row["error"]["max"].is_number()) << row;
-        EXPECT_TRUE(row["stiffness"].is_number()) << row;
+    ASSERT_GT(figures["curves"].size(), 100u);
+    std::size_t points = 0;
+    for (const json& curve : figures["curves"]) {
+        points += curve.contains("points") ? curve["points"].size() : 0;
+        if (curve["function"] == "kink" && curve["method"] == "tetrahedral") {
+            EXPECT_NEAR(curve["order"]["value"].get<double>(), 1, 0.2) << curve["of"];
+            EXPECT_EQ(curve["theory"], 1);
+        }
     }
-    EXPECT_EQ(count(contents(page), "data-row=\""), 3 * figures["rows"].size());
+    const std::string source = contents(page);
+    EXPECT_EQ(count(source, "<tr id=\"row-"), points);
+    EXPECT_EQ(count(contents(folder.path("s.csv")), "\n"), points + 1);
+    EXPECT_EQ(source.find("nan"), std::string::npos);
 }
 
 TEST(Report, writes_all_of_its_files_or_none) {

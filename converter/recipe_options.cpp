@@ -42,7 +42,9 @@ std::string help_of(const Parameter& parameter) {
         out += fmt::format(", {:g} to {:g}", parameter.min, parameter.max);
     }
     if (parameter.kind != ParameterKind::curve) {
-        out += fmt::format(", default {}", lutlib::value_text(default_value(parameter)));
+        out += fmt::format(", default {}", parameter.automatic
+                                               ? std::string(parameter.automatic_words)
+                                               : lutlib::value_text(default_value(parameter)));
     } else if (!parameter.axis.diagonal) {
         out += fmt::format(", neutral {:g}", parameter.fallback);
     }
@@ -100,7 +102,8 @@ void SamplingOptions::declare(CLI::App& app, bool recipe) {
                    recipe ? "nodes per axis of the result, which is then a cube"
                           : "nodes per axis of the result; of curves, which stay curves, entries")
         ->check(recipe ? cube_sizes() : shaper_sizes());
-    app.add_option("--domain", domain_, "input range of the result: minimum and maximum")
+    app.add_option("--domain", domain_,
+                   "input range of the result: minimum and maximum, each a number or \"r,g,b\"")
         ->expected(2);
     app.add_option("--shaper", shaper_,
                    "1D table before the cube, or the encoding whose curve it is: " +

@@ -161,7 +161,7 @@ int run(const Options& o) {
         const lutlib::Transform exact = exact_of(o, recipe);
         const lutlib::Lut lut = baked(o, recipe, exact);
         nlohmann::ordered_json extra{{"operators", recipe.operations.size()}};
-        std::vector<std::string> notes;
+        std::vector<std::string> notes = notes_of(recipe);
         if (!o.config.given() && recipe.output_encoding().gamut != recipe.input.gamut) {
             const lutlib::GamutShare share = gamut_share(recipe, lut.domain());
             notes.push_back(gamut_text(share, recipe));

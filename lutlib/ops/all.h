@@ -27,5 +27,6 @@ extern const Op sat_vs_sat;
 extern const Op sat_vs_lum;
 extern const Op lum_vs_lum;
 extern const Op hue_range;
+extern const Op gamut_compression;
 
 } // namespace lutlib::op

@@ -17,13 +17,14 @@ constexpr Parameter parameters[] = {
      .unit = "code value",
      .min = 0,
      .max = 1,
-     .fallback = 0.435},
+     .automatic = &OpContext::middle_grey,
+     .automatic_words = "the encoding's code of 18 % grey"},
 };
 
 // x amount + pivot (1 - amount) rather than (x - pivot) amount + pivot: exact at amount 1.
-Transform compile(const Values& values, const OpContext&) {
+Transform compile(const Values& values, const OpContext& context) {
     const double amount = std::get<double>(values[0]);
-    const double shift = std::get<double>(values[1]) * (1 - amount);
+    const double shift = number_of(parameters[1], values[1], context) * (1 - amount);
     return Transform::each([amount, shift](RgbD c) {
         return c * amount + RgbD{shift, shift, shift};
     });
@@ -31,14 +32,16 @@ Transform compile(const Values& values, const OpContext&) {
 
 } // namespace
 
-const Op contrast{.name = "contrast",
-                  .label = "Contrast",
-                  .help = "Scales code values about the pivot, which stays",
-                  .reference = "(x - pivot) amount + pivot",
-                  .space = Space::codes,
-                  .parameters = parameters,
-                  .monotone_on_neutrals = true,
-                  .per_channel = always,
-                  .compile = compile};
+const Op contrast{
+    .name = "contrast",
+    .label = "Contrast",
+    .help =
+        "Scales code values about the pivot, which stays: middle grey, unless you choose another",
+    .reference = "(x - pivot) amount + pivot",
+    .space = Space::codes,
+    .parameters = parameters,
+    .monotone_on_neutrals = true,
+    .per_channel = always,
+    .compile = compile};
 
 } // namespace lutlib::op

@@ -37,6 +37,7 @@ constexpr auto table = std::to_array<const Op*>({
     &op::sat_vs_lum,
     &op::lum_vs_lum,
     &op::hue_range,
+    &op::gamut_compression,
 });
 
 std::string problem_with_number(double x, double min, double max) {
@@ -44,6 +45,22 @@ std::string problem_with_number(double x, double min, double max) {
         return {};
     }
     return "is " + shortest(x) + "; the range is " + shortest(min) + " to " + shortest(max);
+}
+
+// Two knots at one place, of which a periodic axis has one at both its ends.
+std::string problem_with_places(const CurveAxis& axis, const Knots& knots) {
+    const auto place = [&axis](double x) { return axis.periodic && x == axis.max ? axis.min : x; };
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            const Knot &a = knots[k], &b = knots[i];
+            if (place(a.x) == place(b.x) && a.y != b.y) {
+                return "has two values at one " + std::string(axis.label) + ": " + shortest(a.y) +
+                       " at " + shortest(a.x) + " and " + shortest(b.y) + " at " + shortest(b.x) +
+                       "; keep one of them";
+            }
+        }
+    }
+    return {};
 }
 
 bool is_neutral(const Parameter& parameter, const Value& value) {
@@ -141,6 +158,9 @@ std::string_view name_of(Space space) {
 }
 
 Value default_value(const Parameter& parameter) {
+    if (parameter.automatic) {
+        return Automatic{};
+    }
     switch (parameter.kind) {
     case ParameterKind::rgb:
         return parameter.fallback_rgb;
@@ -178,8 +198,18 @@ bool is_identity(const Operation& operation) {
     return true;
 }
 
+double number_of(const Parameter& parameter, const Value& value, const OpContext& context) {
+    return std::holds_alternative<Automatic>(value) ? context.*parameter.automatic
+                                                    : std::get<double>(value);
+}
+
 std::string problem_with(const Parameter& parameter, const Value& value) {
-    if (value.index() != default_value(parameter).index()) {
+    if (parameter.automatic && std::holds_alternative<Automatic>(value)) {
+        return {};
+    }
+    const bool fits = parameter.automatic ? std::holds_alternative<double>(value)
+                                          : value.index() == default_value(parameter).index();
+    if (!fits) {
         return "is of the wrong kind";
     }
     if (const double* x = std::get_if<double>(&value)) {
@@ -206,7 +236,7 @@ std::string problem_with(const Parameter& parameter, const Value& value) {
             return "has a knot whose value " + why;
         }
     }
-    return {};
+    return problem_with_places(parameter.axis, std::get<Knots>(value));
 }
 
 Curve curve_of(const Parameter& parameter, const Value& value) {
@@ -245,6 +275,9 @@ std::string value_text(const Value& value) {
     }
     if (const RgbD* c = std::get_if<RgbD>(&value)) {
         return shortest(c->r) + ", " + shortest(c->g) + ", " + shortest(c->b);
+    }
+    if (std::holds_alternative<Automatic>(value)) {
+        return "automatic";
     }
     std::string out;
     for (const Knot& k : std::get<Knots>(value)) {

@@ -29,8 +29,22 @@ std::string_view name_of(Space space);
 /// What a parameter holds. A toggle is a number that is 0 or 1.
 enum class ParameterKind { number, toggle, rgb, curve };
 
-/// One for each kind: number and toggle, rgb, curve. A curve without knots is neutral.
-using Value = std::variant<double, RgbD, Knots>;
+/// A number that nobody has chosen: it follows the recipe's encoding, see Parameter::automatic.
+struct Automatic {
+    friend bool operator==(const Automatic&, const Automatic&) = default;
+};
+
+/// One for each kind: number and toggle, rgb, curve; and a number's Automatic. A curve without
+/// knots is neutral.
+using Value = std::variant<double, RgbD, Knots, Automatic>;
+
+/// What a transform may have to know of the recipe around it.
+struct OpContext {
+    Primaries primaries = rec709;             ///< of Space::linear
+    Primaries output = rec709;                ///< of the recipe's result
+    const Adaptation* adaptation = &bradford; ///< between the two whites
+    double middle_grey = 0.46135612950044164; ///< code of 18 % light; here sRGB's
+};
 
 /// The x axis of a curve parameter.
 struct CurveAxis {
@@ -52,6 +66,10 @@ struct Parameter {
     double fallback = 0;     ///< default of a number, of every channel; neutral y of a curve
     RgbD fallback_rgb{};     ///< default of an rgb parameter
     CurveAxis axis{};        ///< of a curve
+    /// Of a number whose default is the recipe's, such as the code of 18 % light: where it is
+    /// found, and that in words. Its default_value() is Automatic.
+    double OpContext::*automatic = nullptr;
+    std::string_view automatic_words{};
 };
 
 Value default_value(const Parameter& parameter);
@@ -59,10 +77,8 @@ Value default_value(const Parameter& parameter);
 /// Values in the order of the operator's parameters, each of the parameter's kind.
 using Values = std::vector<Value>;
 
-/// What a transform may have to know of the recipe around it.
-struct OpContext {
-    Primaries primaries = rec709; ///< of Space::linear
-};
+/// A number parameter's number, an Automatic one as the context has it.
+double number_of(const Parameter& parameter, const Value& value, const OpContext& context);
 
 struct Op {
     std::string_view name;
@@ -78,6 +94,9 @@ struct Op {
     bool (*per_channel)(const Values& values) = nullptr;
     /// Values have been checked. May throw Error for a combination that cannot be.
     Transform (*compile)(const Values& values, const OpContext& context) = nullptr;
+    /// What whoever uses these values should know, a sentence without its full stop; empty:
+    /// nothing. Null: never anything.
+    std::string (*note)(const Values& values, const OpContext& context) = nullptr;
 };
 
 /// For Op::per_channel: with any values.

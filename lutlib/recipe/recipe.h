@@ -22,8 +22,8 @@
 //     ]
 //   }
 //
-// A parameter that is left out has its default. An rgb parameter is [r, g, b], a toggle true or
-// false, a curve a list of [x, y].
+// A parameter that is left out has its default. An rgb parameter is [r, g, b] or one number for all
+// three, a toggle true or false, a curve a list of [x, y].
 #pragma once
 
 #include "lutlib/color/encoding.h"
@@ -67,6 +67,13 @@ struct Recipe {
 /// What the whole look takes and gives: a base's encodings are what its file says, and a result
 /// that keeps the encoding of an unknown base is unknown.
 LookEncodings encodings_of(const Recipe& recipe);
+
+/// What the recipe's operators are compiled for.
+OpContext context_of(const Recipe& recipe);
+
+/// What whoever uses the recipe should know of its operators' values, a sentence each without its
+/// full stop.
+std::vector<std::string> notes_of(const Recipe& recipe);
 
 /// Throws Error with the file, the line for broken JSON, else the JSON path, for anything unknown,
 /// of a wrong kind or out of range. `base` is only named: the caller reads it into base_lut.

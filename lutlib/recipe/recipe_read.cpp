@@ -71,6 +71,15 @@ struct Node {
         }
         return value.get<bool>();
     }
+    double toggle() const {
+        if (value == true || value == 1 || value == "on") {
+            return 1;
+        }
+        if (value == false || value == 0 || value == "off") {
+            return 0;
+        }
+        refuse("must be true or false, 1 or 0, \"on\" or \"off\"");
+    }
     std::string text() const {
         if (!value.is_string()) {
             refuse("must be a text");
@@ -78,7 +87,13 @@ struct Node {
         return value.get<std::string>();
     }
     RgbD rgb() const {
-        array(3);
+        if (value.is_number()) {
+            const double x = number();
+            return {x, x, x};
+        }
+        if (!value.is_array() || value.size() != 3) {
+            refuse("must be a number or a list of 3");
+        }
         return {item(0).number(), item(1).number(), item(2).number()};
     }
     [[noreturn]] void refuse_name(std::string_view name,
@@ -114,7 +129,7 @@ const Adaptation* read_adaptation(const Node& node) {
 Value read_value(const Node& node, ParameterKind kind) {
     switch (kind) {
     case ParameterKind::toggle:
-        return node.boolean() ? 1.0 : 0.0;
+        return node.toggle();
     case ParameterKind::rgb:
         return node.rgb();
     case ParameterKind::curve: {
@@ -163,10 +178,6 @@ Operation read_operation(const Node& node) {
 }
 
 Rgb read_corner(const Node& node) {
-    if (node.value.is_number()) {
-        const auto x = static_cast<float>(node.number());
-        return {x, x, x};
-    }
     return to_float(node.rgb());
 }
 

@@ -55,7 +55,7 @@ void append_conversion(std::vector<Transform>& stages, const Encoding& input, Sp
 
 // The operators and the output's encoding.
 std::vector<Transform> stages_of(const Recipe& recipe) {
-    const OpContext context{recipe.input.primaries()};
+    const OpContext context = context_of(recipe);
     std::vector<Transform> stages;
     Space now = Space::codes;
     for (const Operation& operation : recipe.operations) {
@@ -91,6 +91,26 @@ LookEncodings encodings_of(const Recipe& recipe) {
                         encoding_named(recipe.base_lut->encodings.output) == recipe.input;
     if (stated) {
         out.output = recipe.output_encoding();
+    }
+    return out;
+}
+
+OpContext context_of(const Recipe& recipe) {
+    return {.primaries = recipe.input.primaries(),
+            .output = recipe.output_encoding().primaries(),
+            .adaptation = recipe.adaptation,
+            .middle_grey = recipe.input.encode(0.18)};
+}
+
+std::vector<std::string> notes_of(const Recipe& recipe) {
+    const OpContext context = context_of(recipe);
+    std::vector<std::string> out;
+    for (const Operation& operation : recipe.operations) {
+        if (operation.enabled && operation.op->note) {
+            if (std::string note = operation.op->note(operation.values, context); !note.empty()) {
+                out.push_back(std::move(note));
+            }
+        }
     }
     return out;
 }

@@ -37,6 +37,19 @@ std::size_t insert(Knots& knots, Knot knot) {
     return static_cast<std::size_t>(added - knots.begin());
 }
 
+// Both ends of a periodic axis are one place: a knot at the other end follows.
+void join_ends(const lutlib::CurveAxis& axis, Knots& knots, std::size_t index) {
+    const auto at_end = [&axis](const Knot& knot) {
+        return knot.x == axis.min || knot.x == axis.max;
+    };
+    if (!axis.periodic || !at_end(knots[index])) {
+        return;
+    }
+    for (Knot& knot : knots) {
+        knot.y = at_end(knot) ? knots[index].y : knot.y;
+    }
+}
+
 Knot held(const Parameter& parameter, Knot knot) {
     return {std::clamp(knot.x, parameter.axis.min, parameter.axis.max),
             std::clamp(knot.y, parameter.min, parameter.max)};
@@ -91,9 +104,11 @@ std::size_t add_knot(const Parameter& parameter, Knots& knots, Knot knot) {
     });
     if (same != knots.end()) {
         same->y = knot.y;
-        return static_cast<std::size_t>(same - knots.begin());
     }
-    return insert(knots, knot);
+    const std::size_t index =
+        same != knots.end() ? static_cast<std::size_t>(same - knots.begin()) : insert(knots, knot);
+    join_ends(parameter.axis, knots, index);
+    return index;
 }
 
 void move_knot(const Parameter& parameter, Knots& knots, std::size_t index, Knot to) {
@@ -103,6 +118,7 @@ void move_knot(const Parameter& parameter, Knots& knots, std::size_t index, Knot
     const double high = index + 1 < knots.size() ? knots[index + 1].x - gap : parameter.axis.max;
     to.x = low <= high ? std::clamp(to.x, low, high) : knots[index].x;
     knots[index] = to;
+    join_ends(parameter.axis, knots, index);
 }
 
 void remove_knot(const Parameter& parameter, Knots& knots, std::size_t index) {

@@ -53,7 +53,8 @@ Change operation_buttons(Ui& ui, Operation& operation, const std::string& place,
     return change;
 }
 
-Change operation_controls(Ui& ui, Operation& operation, std::size_t index, bool is_last) {
+Change operation_controls(Ui& ui, Operation& operation, std::size_t index, bool is_last,
+                          const lutlib::OpContext& context) {
     const lutlib::Op& op = *operation.op;
     const std::string place = "op" + std::to_string(index);
     const std::string heading =
@@ -71,7 +72,7 @@ Change operation_controls(Ui& ui, Operation& operation, std::size_t index, bool 
             ImGui::PushID(static_cast<int>(i));
             const Parameter& parameter = op.parameters[i];
             parameter_control(ui, parameter, operation.values[i],
-                              place + "." + text_of(parameter.name));
+                              place + "." + text_of(parameter.name), context);
             ImGui::PopID();
         }
     }
@@ -185,8 +186,8 @@ void look_panel(Ui& ui) {
     std::size_t changed_at = 0;
     Change change = Change::none;
     for (std::size_t i = 0; i < recipe.operations.size(); ++i) {
-        const Change asked =
-            operation_controls(ui, recipe.operations[i], i, i + 1 == recipe.operations.size());
+        const Change asked = operation_controls(
+            ui, recipe.operations[i], i, i + 1 == recipe.operations.size(), context_of(recipe));
         if (asked != Change::none) {
             change = asked;
             changed_at = i;

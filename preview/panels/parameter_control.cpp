@@ -5,7 +5,7 @@
 namespace preview::panels {
 
 bool parameter_control(Ui& ui, const lutlib::Parameter& parameter, lutlib::Value& value,
-                       const std::string& place) {
+                       const std::string& place, const lutlib::OpContext& context) {
     const std::string label =
         std::string(parameter.label) +
         (parameter.unit.empty() ? "" : " (" + std::string(parameter.unit) + ")");
@@ -13,10 +13,12 @@ bool parameter_control(Ui& ui, const lutlib::Parameter& parameter, lutlib::Value
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x * 0.55F);
     switch (parameter.kind) {
     case lutlib::ParameterKind::number: {
-        double number = std::get<double>(value);
+        double number = number_of(parameter, value, context);
         changed = ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, &number, &parameter.min,
                                       &parameter.max, "%.5g", ImGuiSliderFlags_AlwaysClamp);
-        value = number;
+        if (changed) {
+            value = number;
+        }
         break;
     }
     case lutlib::ParameterKind::toggle: {

@@ -9,6 +9,6 @@ namespace preview::panels {
 
 /// True when the value changed. `place` is the control's name for mark().
 bool parameter_control(Ui& ui, const lutlib::Parameter& parameter, lutlib::Value& value,
-                       const std::string& place);
+                       const std::string& place, const lutlib::OpContext& context = {});
 
 } // namespace preview::panels

@@ -105,7 +105,8 @@ TEST_P(RecogniseSize, tells_every_usual_look_in_every_layout) {
 }
 
 TEST(Recognise, tells_the_sample_looks_in_every_layout) {
-    for (const char* const name : {"bleach_bypass", "hdr_domain4", "log_to_display", "warm_teal"}) {
+    for (const char* const name :
+         {"bleach_bypass", "hdr_domain4", "log_to_display", "soft_print", "warm_teal"}) {
         std::ostringstream text;
         text << std::ifstream(SAMPLE_LOOKS "/" + std::string(name) + ".json").rdbuf();
         const Transform edit = Transform::of(parse_recipe(text.str(), name));

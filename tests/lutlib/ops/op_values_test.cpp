@@ -72,6 +72,50 @@ TEST(WhiteBalance, warms_with_kelvin_and_turns_magenta_with_tint) {
     EXPECT_GT(magenta.b, magenta.g);
 }
 
+TEST(WhiteBalance, keeps_the_luminance_of_grey) {
+    for (const char* const encoding : {"linear", "linear/rec2020"}) {
+        const auto luminance = rgb_to_xyz(encoding_named(encoding)->primaries()).m[1];
+        for (const double kelvin : {2000.0, 2800.0, 5000.0, 9000.0, 15000.0}) {
+            for (const double tint : {-30.0, 0.0, 50.0}) {
+                const RgbD grey =
+                    edit_with("white-balance", {{"temperature", kelvin}, {"tint", tint}},
+                              encoding)({.18, .18, .18});
+                EXPECT_NEAR(luminance[0] * grey.r + luminance[1] * grey.g + luminance[2] * grey.b,
+                            .18, 1e-12)
+                    << encoding << ' ' << kelvin << ' ' << tint;
+            }
+        }
+    }
+}
+
+TEST(WhiteBalance, says_where_it_takes_grey_out_of_the_gamut_and_what_keeps_it_inside) {
+    Recipe recipe;
+    const auto note = [&recipe](double kelvin, double tint) {
+        recipe.operations = {{op_named("white-balance"), {kelvin, tint}, true}};
+        const std::vector<std::string> notes = notes_of(recipe);
+        return notes.empty() ? std::string() : notes.front();
+    };
+    EXPECT_EQ(note(2600, 0), "");
+    EXPECT_EQ(note(15000, 0), "");
+    EXPECT_NE(note(2000, 0).find("red of white is -0."), std::string::npos) << note(2000, 0);
+    EXPECT_NE(note(2000, 0).find("from 2521 K"), std::string::npos) << note(2000, 0);
+    EXPECT_LT(edit_with("white-balance", {{"temperature", 2510.0}}, "linear")({1, 1, 1}).r, 0);
+    EXPECT_GT(edit_with("white-balance", {{"temperature", 2521.0}}, "linear")({1, 1, 1}).r, 0);
+    recipe.input = require_encoding("linear/rec2020");
+    EXPECT_EQ(note(2000, 0), "");
+}
+
+TEST(Contrast, turns_about_the_code_of_middle_grey_unless_a_pivot_is_given) {
+    for (const char* const name : {"srgb", "linear", "logc3", "pq"}) {
+        const double grey = require_encoding(name).encode(0.18);
+        const RgbD kept = edit_with("contrast", {{"amount", 1.5}}, name)({grey, grey, grey});
+        EXPECT_NEAR(kept.g, grey, 1e-12) << name;
+        const RgbD moved =
+            edit_with("contrast", {{"amount", 1.5}, {"pivot", 0.25}}, name)({.5, .25, 0});
+        expect_near(moved, {.625, .25, -.125}, 1e-12);
+    }
+}
+
 TEST(WhiteBalance, of_opposite_lights_nearly_cancels) {
     const Transform there = edit_with("white-balance", {{"temperature", 7500.0}}, "linear");
     const RgbD once = there({.4, .5, .6});

@@ -57,6 +57,25 @@ TEST(Recipe, leaves_defaults_out_and_puts_one_operator_on_a_line) {
 )");
 }
 
+TEST(Recipe, takes_one_number_for_three_channels_and_a_toggle_as_its_flag_does) {
+    const auto values = [](const std::string& fields) {
+        return parse_recipe(R"({"schema_version": 1, "operators": [{"op": )" + fields + "}]}", "")
+            .operations.front()
+            .values;
+    };
+    EXPECT_EQ(values(R"("lift-gamma-gain", "gamma": 1.2)"),
+              values(R"("lift-gamma-gain", "gamma": [1.2, 1.2, 1.2])"));
+    EXPECT_EQ(values(R"("cdl", "clamp": "on")"), values(R"("cdl", "clamp": true)"));
+    EXPECT_EQ(values(R"("cdl", "clamp": 0)"), values(R"("cdl", "clamp": false)"));
+}
+
+TEST(Recipe, keeps_the_knots_at_both_ends_of_a_circle_where_they_agree) {
+    const Recipe recipe = parse_recipe(R"({"schema_version": 1, "operators": [
+        {"op": "hue-vs-sat", "curve": [[0, 1.2], [180, 1], [360, 1.2]]}]})",
+                                       "");
+    EXPECT_EQ(std::get<Knots>(recipe.operations.front().values[0]).size(), 3U);
+}
+
 struct BadRecipe {
     const char* name;
     const char* text;
@@ -85,7 +104,7 @@ const BadRecipe bad_recipes[] = {
      R"({"schema_version": 1, "operators": [{"op": "offset", "amount": [0, 3, 0]}]})",
      "operators[0].amount is 3; the range is -1 to 1"},
     {"two_channels", R"({"schema_version": 1, "operators": [{"op": "offset", "amount": [0, 3]}]})",
-     "operators[0].amount must be a list of 3"},
+     "operators[0].amount must be a number or a list of 3"},
     {"text_for_number",
      R"({"schema_version": 1, "operators": [{"op": "saturation", "amount": "1"}]})",
      "operators[0].amount must be a number"},
@@ -95,8 +114,11 @@ const BadRecipe bad_recipes[] = {
     {"knot_out_of_range",
      R"({"schema_version": 1, "operators": [{"op": "hue-vs-sat", "curve": [[400, 1]]}]})",
      "operators[0].curve has a knot whose hue is 400; the range is 0 to 360"},
-    {"toggle_as_number", R"({"schema_version": 1, "operators": [{"op": "cdl", "clamp": 1}]})",
+    {"toggle_as_other_number", R"({"schema_version": 1, "operators": [{"op": "cdl", "clamp": 2}]})",
      "operators[0].clamp must be true or false"},
+    {"hue_of_two_values",
+     R"({"schema_version": 1, "operators": [{"op": "hue-vs-sat", "curve": [[0, 1], [360, 2]]}]})",
+     "operators[0].curve has two values at one hue: 1 at 0 and 2 at 360; keep one of them"},
     {"size_too_large", R"({"schema_version": 1, "bake": {"size": 1000}})",
      "bake.size must be a whole number from 2 to 256"},
     {"inverted_domain", R"({"schema_version": 1, "bake": {"domain": [1, 0]}})",

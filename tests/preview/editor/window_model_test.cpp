@@ -230,6 +230,21 @@ TEST(Knots, stay_valid_and_sorted_however_they_are_added_moved_and_removed) {
     }
 }
 
+TEST(Knots, at_both_ends_of_a_circle_are_one) {
+    for (const Parameter* parameter : curve_parameters()) {
+        if (!parameter->axis.periodic) {
+            continue;
+        }
+        const double low = parameter->min, high = parameter->max;
+        Knots knots{{0, low}, {180, high}, {360, low}};
+        move_knot(*parameter, knots, 0, {0, high});
+        EXPECT_EQ(knots.back().y, high) << parameter->flag;
+        knots = {{10, low}, {180, high}, {360, low}};
+        add_knot(*parameter, knots, {0, high});
+        EXPECT_EQ(lutlib::problem_with(*parameter, knots), "") << parameter->flag;
+    }
+}
+
 TEST(Knots, lie_inside_what_the_editor_shows) {
     for (const Parameter* parameter : curve_parameters()) {
         Knots knots;

@@ -44,7 +44,7 @@ class SamplingOptions {
 
   private:
     int size_ = 0, shaper_size_ = 0;
-    std::vector<float> domain_;
+    std::vector<std::string> domain_;
     std::string shaper_;
     bool recipe_ = false;
 };

@@ -31,6 +31,27 @@ std::ptrdiff_t standard_streams(std::span<const std::string> paths) {
     return std::count(paths.begin(), paths.end(), lutlib::io::standard_stream);
 }
 
+lutlib::Rgb end_of_domain(const std::string& text) {
+    std::vector<float> channels;
+    for (const std::string& part : CLI::detail::split(text, ',')) {
+        float value = 0;
+        if (!CLI::detail::lexical_cast(CLI::detail::trim_copy(part), value) ||
+            !std::isfinite(value)) {
+            throw UsageError(
+                fmt::format("--domain takes two numbers, or two of \"r,g,b\", not '{}'", text));
+        }
+        channels.push_back(value);
+    }
+    if (channels.size() == 1) {
+        return {channels[0], channels[0], channels[0]};
+    }
+    if (channels.size() != 3) {
+        throw UsageError(
+            fmt::format("--domain takes two numbers, or two of \"r,g,b\", not '{}'", text));
+    }
+    return {channels[0], channels[1], channels[2]};
+}
+
 } // namespace
 
 CLI::Validator cube_sizes() {
@@ -53,13 +74,16 @@ CLI::Validator zero_or_more() {
     return number_that([](double x) { return x >= 0; }, "a number of 0 or more");
 }
 
-lutlib::Domain domain_of(const std::vector<float>& ends) {
-    const float low = ends[0], high = ends[1];
-    if (!(low < high) || !std::isfinite(high - low)) {
-        throw UsageError(fmt::format(
-            "--domain takes a minimum and a maximum above it, not {} and {}", low, high));
+lutlib::Domain domain_of(const std::vector<std::string>& ends) {
+    const lutlib::Domain domain{end_of_domain(ends[0]), end_of_domain(ends[1])};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double low = domain.min[c], high = domain.max[c];
+        if (!(low < high) || !std::isfinite(high - low)) {
+            throw UsageError(fmt::format(
+                "--domain takes a minimum and a maximum above it, not {} and {}", low, high));
+        }
     }
-    return {{low, low, low}, {high, high, high}};
+    return domain;
 }
 
 void require_png_name(const std::string& path, const std::string& what) {

@@ -19,8 +19,8 @@ CLI::Validator picture_bits();
 CLI::Validator above_zero();
 CLI::Validator zero_or_more();
 
-/// --domain: minimum and maximum, for all channels.
-lutlib::Domain domain_of(const std::vector<float>& ends);
+/// --domain: minimum and maximum, each a number, or "r,g,b" for the channels. Throws UsageError.
+lutlib::Domain domain_of(const std::vector<std::string>& ends);
 
 /// Refuses a name whose extension says that the file is no PNG, where nothing else is written.
 /// `what` writes it.

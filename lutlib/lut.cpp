@@ -83,7 +83,11 @@ void check_shaper_size(long long size) {
 void check_domain(const Domain& domain) {
     for (std::size_t c = 0; c < 3; ++c) {
         const float width = domain.max[c] - domain.min[c];
-        if (!(width > 0) || !std::isfinite(width)) {
+        if (width > 0 && !std::isfinite(width)) {
+            throw Error(std::string("the domain of channel ") + "rgb"[c] +
+                        " is wider than a float can say; choose a narrower one");
+        }
+        if (!(width > 0)) {
             throw Error(std::string("the domain of channel ") + "rgb"[c] + " runs from " +
                         std::to_string(domain.min[c]) + " to " + std::to_string(domain.max[c]) +
                         "; its minimum must lie below its maximum");

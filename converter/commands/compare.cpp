@@ -26,7 +26,7 @@ struct Options {
     double reference_white = lutlib::reference_white_nits;
     InterpolationOption interpolation;
     int samples = 100000;
-    std::vector<float> domain;
+    std::vector<std::string> domain;
     bool json = false;
 };
 

@@ -10,12 +10,14 @@
 #include "lutlib/io/bake_report.h"
 #include "lutlib/limits.h"
 #include "lutlib/metrics/compare.h"
+#include "lutlib/named.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
 #include <memory>
+#include <optional>
 
 namespace converter {
 namespace {
@@ -24,17 +26,19 @@ constexpr std::array channel_names{"red", "green", "blue"};
 
 struct Options {
     std::string input, output;
-    int size = 0;
-    std::vector<float> domain;
+    int size = 0, shaper_size = 0;
+    std::vector<std::string> domain;
+    std::string outside = std::string(lutlib::outside_choices()[1].name), shaper, gives;
     bool json = false;
 };
 
-// How near inverse and look, one after the other, come to changing nothing: over the look's inputs.
-lutlib::Difference round_trip(const lutlib::Lut& look, const lutlib::Lut& inverse) {
+// How near inverse and look, one after the other, come to changing nothing.
+lutlib::Difference round_trip(const lutlib::Lut& look, const lutlib::Lut& inverse,
+                              const std::vector<lutlib::Rgb>& inputs) {
     const auto both =
         lutlib::in_sequence({lutlib::Transform::of(look, lutlib::Interpolation::tetrahedral),
                              lutlib::Transform::of(inverse, lutlib::Interpolation::tetrahedral)});
-    return compare({}, both, lutlib::samples_over(look.domain(), 33), lutlib::srgb());
+    return compare({}, both, inputs, lutlib::srgb());
 }
 
 nlohmann::ordered_json region_json(const lutlib::InverseRegion& region, std::size_t nodes) {
@@ -59,11 +63,24 @@ std::string region_text(const char* what, const char* extent, const lutlib::Inve
 }
 
 std::string cube_text(const lutlib::Inversion& inversion) {
-    return fmt::format("  {} nodes per axis, input {}\n", inversion.lut.cube->size,
-                       lutlib::io::domain_text(inversion.lut.domain())) +
+    const lutlib::InputShares& inputs = inversion.inputs;
+    return fmt::format("  {} nodes per axis, input {}\n"
+                       "  of the look's inputs {:.4g} % can be undone, {:.4g} % are flat (their "
+                       "neighbours give the same), {:.4g} % folded (others do)\n",
+                       inversion.lut.cube->size, lutlib::io::domain_text(inversion.lut.domain()),
+                       100 * inputs.undoable, 100 * inputs.flat, 100 * inputs.folded) +
            region_text("outside the look's gamut: no input gives these colours, so the nearest "
                        "that can be reached stands in",
                        "distance", inversion.out_of_gamut, inversion.nodes) +
+           (inversion.extrapolated > 0
+                ? fmt::format(
+                      "    {} of them go on beyond it, as their cells hold colours that the "
+                      "look gives\n",
+                      inversion.extrapolated)
+                : "") +
+           region_text("flat: a range of inputs gives these colours, so the one nearest to the "
+                       "colour itself stands in",
+                       "it lies away by", inversion.flat, inversion.nodes) +
            region_text(
                "folded: several inputs give these colours, so the nearest of them stands in",
                "the inputs differ by", inversion.folded, inversion.nodes);
@@ -120,9 +137,41 @@ nlohmann::ordered_json as_json(const Options& o, const lutlib::Inversion& invers
         out["size"] = inversion.lut.cube->size;
         out["nodes"] = inversion.nodes;
         out["out_of_gamut"] = region_json(inversion.out_of_gamut, inversion.nodes);
+        out["extrapolated"] = inversion.extrapolated;
+        out["flat"] = region_json(inversion.flat, inversion.nodes);
         out["folded"] = region_json(inversion.folded, inversion.nodes);
+        out["inputs"] = {{"undoable", inversion.inputs.undoable},
+                         {"flat", inversion.inputs.flat},
+                         {"folded", inversion.inputs.folded}};
     }
     return out;
+}
+
+lutlib::Outside outside_of(const std::string& name) {
+    return lutlib::require_named(lutlib::outside_choices(), "choice of --outside", name).kind;
+}
+
+void take_shaper(const Options& o, const lutlib::Lut& look, lutlib::InvertOptions& options) {
+    options.shaper = o.shaper;
+    const bool shapes = !o.shaper.empty() && o.shaper != "none";
+    if (shapes && !look.cube) {
+        throw lutlib::UsageError(
+            "--shaper stands before a cube, and the inverse of a 1D table is a "
+            "1D table; drop --shaper");
+    }
+    if (shapes && !lutlib::transfer_curve_named(o.shaper)) {
+        lutlib::refuse_name("shaper", o.shaper, lutlib::name_list(lutlib::transfer_curves()));
+    }
+    if (o.shaper_size) {
+        if (!shapes) {
+            throw lutlib::UsageError("--shaper-size needs a --shaper that makes a table");
+        }
+        options.shaper_size = o.shaper_size;
+    }
+    // The codes that the inverse gets are those that the look gives.
+    options.input = !o.input.empty()
+                        ? encoding_of(o.input, "--encoding")
+                        : lutlib::encoding_named(look.encodings.output).value_or(lutlib::srgb());
 }
 
 int run(const Options& o) {
@@ -133,18 +182,28 @@ int run(const Options& o) {
     if (!o.domain.empty()) {
         options.domain = domain_of(o.domain);
     }
+    options.outside = outside_of(o.outside);
     const auto look = read_table(o.input);
     if (look->cube && o.size > lutlib::limits::max_cube_size) {
         throw lutlib::UsageError(fmt::format(
             "--size {} is for curves; the inverse of a cube takes {} to {} nodes per axis", o.size,
             lutlib::limits::min_cube_size, lutlib::limits::max_cube_size));
     }
+    take_shaper(o, *look, options);
     const lutlib::Inversion inversion = invert(*look, options);
     write_look(inversion.lut, o.output);
-    const lutlib::Difference error = round_trip(*look, inversion.lut);
+    const lutlib::Difference all =
+        round_trip(*look, inversion.lut, lutlib::samples_over(look->domain(), 33));
+    std::optional<lutlib::Difference> undoable;
+    if (!inversion.undoable.empty() && inversion.inputs.undoable < 1) {
+        undoable = round_trip(*look, inversion.lut, inversion.undoable);
+    }
     if (o.json) {
         nlohmann::ordered_json json = as_json(o, inversion);
-        json["round_trip"] = to_json(error);
+        json["round_trip"] = to_json(all);
+        if (undoable) {
+            json["round_trip_undoable"] = to_json(*undoable);
+        }
         print(json, o.output);
         return ok;
     }
@@ -152,7 +211,11 @@ int run(const Options& o) {
         fmt::format("{} <- inverse of {}\n", output_text(o.output), input_text(o.input));
     text += inversion.curve ? curve_text(inversion.lut, *inversion.curve) : cube_text(inversion);
     text += fmt::format("  the look, then its inverse, against changing nothing, {} colours\n{}",
-                        error.absolute.count, to_text(error, "    "));
+                        all.absolute.count, to_text(all, "    "));
+    if (undoable) {
+        text += fmt::format("  the same over the inputs that can be undone, {} colours\n{}",
+                            undoable->absolute.count, to_text(*undoable, "    "));
+    }
     print(text, o.output);
     return ok;
 }
@@ -168,11 +231,25 @@ Run declare_invert(CLI::App& app) {
                    "which stays a "
                    "curve, entries (default: as many as it needs)")
         ->check(shaper_sizes());
-    app.add_option(
-           "--domain", o->domain,
-           "colours to invert: minimum and maximum (default: 0..1, widened to the look's; of "
-           "a curve its own)")
+    app.add_option("--domain", o->domain,
+                   "colours to invert: minimum and maximum, each a number or \"r,g,b\" (default: "
+                   "0..1, widened to the look's; of a curve its own)")
         ->expected(2);
+    std::string choices;
+    for (const lutlib::OutsideInfo& row : lutlib::outside_choices()) {
+        choices += fmt::format("{}{}, {}", choices.empty() ? "" : "; ", row.name, row.help);
+    }
+    app.add_option("--outside", o->outside, "where no input of the look gives a colour: " + choices)
+        ->capture_default_str();
+    app.add_option("--shaper", o->shaper,
+                   "1D table before the inverse's cube: none, or a curve of `lutconv encodings`, "
+                   "such as log for an inverse that is fed light");
+    app.add_option("--shaper-size", o->shaper_size, "entries of that table (default 4096)")
+        ->check(shaper_sizes());
+    app.add_option("--encoding", o->gives,
+                   std::string("what the look gives, for --shaper (default: as its file says, "
+                               "else srgb): ") +
+                       encoding_help);
     app.add_flag("--json", o->json, "print the results as JSON");
     return [o] { return run(*o); };
 }

@@ -5,7 +5,9 @@
 // of their tetrahedra one Newton step is exact: so every input that gives the colour is found, and
 // a fold shows as more than one. A colour that no input gives is out of the look's gamut: damped
 // Newton steps (Levenberg 1944, Marquardt 1963) from the nearest nodes then find the input whose
-// output lies nearest. What cannot be inverted is filled so and counted, never silently.
+// output lies nearest. Where many inputs give one colour, as where a look is clipped, the inverse
+// takes the one nearest to the colour itself, so that a clipped white stays neutral. What cannot be
+// inverted is filled so and counted, never silently.
 #pragma once
 
 #include "lutlib/lut.h"
@@ -16,6 +18,9 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace lutlib {
@@ -29,6 +34,13 @@ struct InverseRegion {
     double extent = 0; ///< of the worst: see below
 };
 
+/// Of the look's inputs, even over its domain: shares 0..1 that add up to 1.
+struct InputShares {
+    double undoable = 0; ///< the output tells the input
+    double flat = 0;     ///< inputs beside it give the same output, within six decimals
+    double folded = 0;   ///< an input elsewhere does
+};
+
 struct Inversion {
     Lut lut;
     /// Of a look of a 1D table alone, whose inverse is one too; the regions are then empty.
@@ -38,21 +50,48 @@ struct Inversion {
     InverseRegion out_of_gamut;
     /// More than one input does. Extent: the largest channel distance between those.
     InverseRegion folded;
+    /// A whole edge, face or volume of inputs does. Extent: the largest channel distance of the one
+    /// taken to the colour itself.
+    InverseRegion flat;
+    std::size_t extrapolated = 0; ///< nodes outside the gamut that were continued
+    InputShares inputs;
+    /// Of the inputs that were looked at for `inputs`, those that can be undone.
+    std::vector<Rgb> undoable;
 };
+
+/// What the inverse holds where no input gives the colour.
+enum class Outside {
+    nearest,     ///< the input whose output lies nearest
+    extrapolate, ///< the same, but where a cell also holds colours that have an input, what is
+                 ///< right for those: the inverse goes on beyond the look's inputs there
+    refuse,      ///< throws Error
+};
+struct OutsideInfo {
+    Outside kind;
+    std::string_view name;
+    std::string_view help;
+};
+std::span<const OutsideInfo> outside_choices();
 
 struct InvertOptions {
     /// Nodes a side of the inverse, or entries; default: the look's, or what a 1D table needs.
-    std::optional<int> size;
+    std::optional<int> size{};
     /// Of the inverse; default: 0..1, widened to the look's outputs, or a 1D table's outputs.
-    std::optional<Domain> domain;
+    std::optional<Domain> domain{};
+    Outside outside = Outside::extrapolate;
+    /// none, or an encoding: its curve over the light of the inverse's domain before the cube, so
+    /// that nodes lie where they matter; see encoding_shaper(). Of a look with a cube alone.
+    std::string shaper{};
+    int shaper_size = 4096;
+    Encoding input = srgb(); ///< what the inverse's input codes are, for the shaper
 };
 
 /// The look's outputs, per channel.
 Domain output_range(const Lut& lut);
 
 /// A 1D table alone becomes a 1D table (invert_curve.h). Throws Error for a cube larger than 129
-/// (resample it first), or a 1D table before a cube that neither rises nor falls along its whole
-/// length: an output of it has no single input.
+/// (resample it first), a 1D table before a cube that neither rises nor falls along its whole
+/// length (an output of it has no single input), or a shaper that cannot be.
 Inversion invert(const Lut& lut, const InvertOptions& options = {});
 
 } // namespace lutlib

@@ -3,6 +3,7 @@
 #include "lutlib/color/matrix.h"
 #include "lutlib/interpolation/interpolation.h"
 #include "lutlib/limits.h"
+#include "lutlib/resample/invert_tetrahedron.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,43 @@ Matrix3 slope(const std::array<RgbD, 4>& corner, const Walk& path) {
         }
     }
     return m;
+}
+
+// What two independent roundings make of the volume that the edges span.
+bool is_flat(const Matrix3& m, double rounding) {
+    RgbD length;
+    for (std::size_t i = 0; i < 3; ++i) {
+        length[i] = std::sqrt(square({m.m[0][i], m.m[1][i], m.m[2][i]}));
+    }
+    const double faces = length.r * length.g + length.g * length.b + length.b * length.r;
+    return !(std::abs(determinant(m)) > 1.6 * rounding * faces);
+}
+
+struct FlatCandidate {
+    Cell cell;
+    const Walk* path;
+    double away; ///< squared, of the cell from the input that it should be near
+};
+
+// From a place in shares of the domain to the nearest point of a cell.
+double away_from(RgbD goal, Cell cell, double cells) {
+    const std::array<int, 3> low{cell.r, cell.g, cell.b};
+    RgbD away;
+    for (std::size_t c = 0; c < 3; ++c) {
+        away[c] = goal[c] - std::clamp(goal[c], low[c] / cells, (low[c] + 1) / cells);
+    }
+    return square(away);
+}
+
+bool may_hold(const std::array<RgbD, 4>& corner, RgbD wanted, double tolerance) {
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto [low, high] =
+            std::minmax({corner[0][c], corner[1][c], corner[2][c], corner[3][c]});
+        if (wanted[c] < low - tolerance || wanted[c] > high + tolerance) {
+            return false;
+        }
+    }
+    return true;
 }
 
 } // namespace
@@ -109,6 +147,11 @@ OutputIndex::OutputIndex(const Lut3D& cube) : cube_(cube) {
             high[c] = std::max(high[c], static_cast<double>(node[c]));
         }
     }
+    for (std::size_t c = 0; c < 3; ++c) {
+        span_ = std::max(span_, high[c] - low_[c]);
+    }
+    // Half the last of six decimals, as files have them, or of a small look's own digits.
+    rounding_ = 5e-7 * std::min({1.0, std::max(largest_magnitude(low_), largest_magnitude(high))});
     // The wilder the look, the more buckets each cell touches. One bucket holds each cell once.
     divide(high, std::max(cube.size, 8));
     while (buckets_ > 1 && cell_entries() > limits::max_output_index_entries) {
@@ -155,15 +198,50 @@ RgbD OutputIndex::place(const std::array<double, 3>& lattice) const {
     return out;
 }
 
-void OutputIndex::preimages(RgbD wanted, std::vector<RgbD>& found) const {
+std::array<double, 3> OutputIndex::lattice_of(RgbD input) const {
+    Place out{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double min = cube_.domain.min[c], max = cube_.domain.max[c];
+        const double last = cube_.size - 1;
+        out[c] = std::clamp((input[c] - min) / (max - min) * last, 0.0, last);
+    }
+    return out;
+}
+
+RgbD OutputIndex::share_of(RgbD input) const {
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double min = cube_.domain.min[c], max = cube_.domain.max[c];
+        input[c] = (input[c] - min) / (max - min);
+    }
+    return input;
+}
+
+bool OutputIndex::is_flat(RgbD input) const {
+    const Place at = lattice_of(input);
+    std::array<int, 3> node{};
+    Place fraction{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        node[c] = std::min(static_cast<int>(at[c]), cube_.size - 2);
+        fraction[c] = at[c] - node[c];
+    }
+    const Walk& path = axes_by_fraction(fraction);
+    return lutlib::is_flat(slope(corners(cube_, {node[0], node[1], node[2]}, path), path),
+                           rounding_);
+}
+
+Preimages OutputIndex::preimages(RgbD wanted, RgbD near) const {
     // Points on a face that two tetrahedra share must be inside at least one of them.
     constexpr double slack = 1e-7;
+    Preimages out;
     for (std::size_t c = 0; c < 3; ++c) {
         const double x = (wanted[c] - low_[c]) * scale_[c];
         if (x < -slack || x > buckets_ + slack) {
-            return;
+            return out;
         }
     }
+    const double last = cube_.size - 1, tolerance = 1e-6 * std::max(span_, rounding_);
+    const RgbD goal = share_of(near);
+    std::vector<FlatCandidate> flat;
     const std::size_t k = bucket_index(bucket_of(wanted));
     const auto n = static_cast<std::uint32_t>(cube_.size);
     for (std::uint32_t i = cell_start_[k]; i < cell_start_[k + 1]; ++i) {
@@ -172,24 +250,47 @@ void OutputIndex::preimages(RgbD wanted, std::vector<RgbD>& found) const {
                         static_cast<int>(id / (n * n))};
         for (const Walk& path : tetrahedron_walks) {
             const auto corner = corners(cube_, cell, path);
+            if (!may_hold(corner, wanted, tolerance)) {
+                continue;
+            }
             const Matrix3 m = slope(corner, path);
-            // Relative to the outputs' own size: a flat tetrahedron has no volume.
-            const double volume = determinant(m);
-            const double extent =
-                std::max({square(corner[1] - corner[0]), square(corner[2] - corner[0]),
-                          square(corner[3] - corner[0])});
-            if (std::abs(volume) <= 1e-12 * extent * std::sqrt(extent)) {
+            if (lutlib::is_flat(m, rounding_)) {
+                flat.push_back({cell, &path, away_from(goal, cell, last)});
                 continue;
             }
             const RgbD f = inverse(m) * (wanted - corner[0]);
             if (f[path[0]] <= 1 + slack && f[path[0]] >= f[path[1]] - slack &&
                 f[path[1]] >= f[path[2]] - slack && f[path[2]] >= -slack) {
-                found.push_back(
+                out.points.push_back(
                     place({cell.r + std::clamp(f.r, 0.0, 1.0), cell.g + std::clamp(f.g, 0.0, 1.0),
                            cell.b + std::clamp(f.b, 0.0, 1.0)}));
             }
         }
     }
+    // The nearest first: soon no other can be nearer.
+    std::sort(flat.begin(), flat.end(),
+              [](const FlatCandidate& a, const FlatCandidate& b) { return a.away < b.away; });
+    double best = std::numeric_limits<double>::infinity(); // squared distance of out.flat
+    for (const FlatCandidate& candidate : flat) {
+        if (candidate.away >= best) {
+            break;
+        }
+        const Cell& cell = candidate.cell;
+        const auto corner = corners(cube_, cell, *candidate.path);
+        const RgbD first = RgbD{1.0 * cell.r, 1.0 * cell.g, 1.0 * cell.b} * (1 / last);
+        std::array<RgbD, 4> input{first, first, first, first};
+        for (std::size_t step = 0; step < 3; ++step) {
+            input[step + 1] = input[step];
+            input[step + 1][(*candidate.path)[step]] += 1 / last;
+        }
+        const TetrahedronPoint found = nearest_in_tetrahedron(input, corner, goal, wanted, span_);
+        const double distance = square(found.input - goal);
+        if (largest_magnitude(found.output - wanted) <= tolerance && distance < best) {
+            best = distance;
+            out.flat = place({found.input.r * last, found.input.g * last, found.input.b * last});
+        }
+    }
+    return out;
 }
 
 Nearest OutputIndex::descend(RgbD wanted, Place at) const {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace lutlib {
@@ -15,14 +16,30 @@ struct Nearest {
     double distance = 0; ///< of its output to the wanted colour, largest channel
 };
 
+/// The inputs whose tetrahedral interpolation is one colour.
+struct Preimages {
+    std::vector<RgbD> points; ///< one for each tetrahedron that holds one
+    /// Of whole edges, faces and volumes of inputs that all give it, as where a look is clipped,
+    /// the input nearest to the colour asked.
+    std::optional<RgbD> flat;
+};
+
 class OutputIndex {
   public:
     /// The cube must be valid and outlive the index.
     explicit OutputIndex(const Lut3D& cube);
 
-    /// Every input whose tetrahedral interpolation is `wanted`, one for each tetrahedron that holds
-    /// it. Flat tetrahedra (a clipped corner) are left out; nearest() finds a point in them.
-    void preimages(RgbD wanted, std::vector<RgbD>& found) const;
+    /// Of `wanted`; of flat tetrahedra (whose volume of outputs is rounding) the input nearest to
+    /// `near`, each channel in widths of the cube's domain.
+    Preimages preimages(RgbD wanted, RgbD near) const;
+
+    /// What a call of preimages() looks at, on average.
+    double cells_of_bucket() const {
+        return static_cast<double>(cells_.size()) / static_cast<double>(cell_start_.size() - 1);
+    }
+
+    /// Whether the tetrahedron that holds this input of the cube is flat.
+    bool is_flat(RgbD input) const;
 
     /// The input whose output lies nearest that damped Newton steps find from the nearest nodes.
     Nearest nearest(RgbD wanted) const;
@@ -36,11 +53,15 @@ class OutputIndex {
     void each_cell(F visit) const;
     std::uint64_t cell_entries() const;
     RgbD place(const std::array<double, 3>& lattice) const;
+    std::array<double, 3> lattice_of(RgbD input) const;
+    RgbD share_of(RgbD input) const;
     Nearest descend(RgbD wanted, std::array<double, 3> start) const;
 
     const Lut3D& cube_;
     RgbD low_, scale_; // output to bucket
-    int buckets_ = 1;  // a side
+    double span_ = 0;  // of the outputs, widest channel
+    double rounding_ = 0;
+    int buckets_ = 1; // a side
     // Cells (by their lower node's index) whose outputs touch a bucket, and nodes within one. The
     // starts count entries, which limits.h caps below 2^32.
     std::vector<std::uint32_t> cell_start_, cells_;

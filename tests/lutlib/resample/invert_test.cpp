@@ -99,7 +99,7 @@ TEST(Invert, says_where_a_colour_cannot_be_given) {
             return RgbD{.25 + .5 * c.r, .25 + .5 * c.g, .25 + .5 * c.b};
         },
         9));
-    const Inversion out = invert(look, {});
+    const Inversion out = invert(look, {.outside = Outside::nearest});
     std::size_t outside = 0;
     for (const Rgb& wanted : identity_cube(9).nodes) {
         outside += std::min({wanted.r, wanted.g, wanted.b}) < 0.25F ||
@@ -117,7 +117,7 @@ TEST(Invert, says_where_a_colour_cannot_be_given) {
 
 TEST(Invert, finds_the_nearest_colour_that_a_look_can_give) {
     const Lut look = cube_look(sampled(gentle, 17));
-    const Inversion out = invert(look, {});
+    const Inversion out = invert(look, {.outside = Outside::nearest});
     ASSERT_GT(out.out_of_gamut.count, 0U);
     // Against a search over a fine lattice of inputs, for a colour at a corner.
     const RgbD wanted{1, 0, 0};
@@ -158,8 +158,113 @@ TEST(Invert, undoes_a_clipped_look_where_it_is_not_clipped) {
         33));
     const Inversion out = invert(look, {});
     EXPECT_EQ(out.out_of_gamut.count, 0U);
+    // Of an eighth of its inputs no channel is clipped; no two of them give one colour.
+    EXPECT_NEAR(out.inputs.undoable, 0.125, 1e-9);
+    EXPECT_NEAR(out.inputs.flat, 0.875, 1e-9);
+    EXPECT_EQ(out.inputs.folded, 0);
+    EXPECT_EQ(out.folded.count, 0U);
+    EXPECT_EQ(out.flat.count, 33U * 33 * 33 - 31U * 31 * 31);
     EXPECT_LT(round_trip(look, out.lut, samples_over({{.3F, .3F, .3F}, {.7F, .7F, .7F}}, 5, 2000)),
               1e-5);
+}
+
+// Every input above 0.75 gives white, every one below 0.25 black: they come back as themselves.
+TEST(Invert, of_a_flat_set_takes_the_input_nearest_to_the_colour_itself) {
+    const Lut look = cube_look(sampled(
+        [](RgbD c) {
+            const double y = test_luma(c);
+            const auto bend = [y](double v) {
+                return std::clamp(2 * (y + 0.8 * (v - y)) - .5, 0., 1.);
+            };
+            return RgbD{bend(c.r), bend(c.g), bend(c.b)};
+        },
+        33));
+    const Lut3D inverse = *invert(look, {}).lut.cube;
+    const Rgb white = inverse.at(32, 32, 32), black = inverse.at(0, 0, 0);
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(white[c], 1, 1e-6);
+        EXPECT_NEAR(black[c], 0, 1e-6);
+    }
+    // Of pure red too, by brute force over inputs.
+    const RgbD found = to_double(inverse.at(32, 0, 0));
+    EXPECT_LT(largest_magnitude(evaluate_exact(look, found) - RgbD{1, 0, 0}), 1e-6);
+    double nearest = 9;
+    for (const Rgb& in : identity_cube(65).nodes) {
+        const RgbD d = to_double(in) - RgbD{1, 0, 0};
+        if (largest_magnitude(evaluate_exact(look, to_double(in)) - RgbD{1, 0, 0}) < 1e-9) {
+            nearest = std::min(nearest, std::sqrt(d.r * d.r + d.g * d.g + d.b * d.b));
+        }
+    }
+    const RgbD d = found - RgbD{1, 0, 0};
+    EXPECT_LE(std::sqrt(d.r * d.r + d.g * d.g + d.b * d.b), nearest + 1e-6);
+}
+
+// A look whose outputs end within the last cell of its inverse.
+TEST(Invert, continues_beyond_the_gamut_where_a_cell_holds_colours_inside) {
+    const auto smaller = [](RgbD c) {
+        const double y = test_luma(c);
+        return RgbD{.01 + .97 * (.2 * y + .8 * c.r), .01 + .97 * (.2 * y + .8 * c.g),
+                    .01 + .97 * (.2 * y + .8 * c.b)};
+    };
+    const Lut look = cube_look(sampled(smaller, 17));
+    const std::vector<Rgb> inputs = samples_over({}, 17, 20000);
+    const auto error = [&](Outside outside) {
+        return round_trip(look, invert(look, {.outside = outside}).lut, inputs);
+    };
+    // The look is affine, so that its inverse is, and cells hold all of it.
+    EXPECT_GT(error(Outside::nearest), 0.01);
+    EXPECT_LT(error(Outside::extrapolate), 2e-3);
+    EXPECT_THROW(invert(look, {.outside = Outside::refuse}), Error);
+    EXPECT_NO_THROW(invert(cube_look(identity_cube(5)), {.outside = Outside::refuse}));
+}
+
+TEST(Invert, puts_its_nodes_where_a_shaper_says) {
+    // Light of 0..16 to codes; the inverse of the inverse is fed light.
+    const auto steep = [](RgbD c) {
+        const auto code = [](double v) { return std::log2(1 + 100 * v) / std::log2(1 + 100.0); };
+        return RgbD{code(c.r), code(c.g), code(c.b)};
+    };
+    const auto linear = [](RgbD c) {
+        const auto light = [](double v) { return (std::exp2(v * std::log2(1 + 100.0)) - 1) / 100; };
+        return RgbD{light(c.r), light(c.g), light(c.b)};
+    };
+    const Lut look = cube_look(sampled(linear, 17));
+    const auto error = [&](const std::string& shaper) {
+        InvertOptions options;
+        options.shaper = shaper;
+        options.input = require_encoding("linear");
+        const Lut inverse = invert(look, options).lut;
+        double most = 0;
+        for (double v = 0.001; v < 1; v += 0.001) {
+            const double back = evaluate_exact(inverse, {v, v, v}).g;
+            most = std::max(most, std::abs(back - steep({v, v, v}).g));
+        }
+        return most;
+    };
+    EXPECT_LT(error("srgb"), error("none") / 4);
+    EXPECT_THROW(invert(look, {.shaper = "steep"}), Error);
+}
+
+TEST(Invert, takes_a_domain_for_each_channel) {
+    const Lut look = cube_look(identity_cube(17, {{0, -1, 0}, {1, 1, 4}}));
+    const Domain domain{{0, -1, 0}, {1, 1, 4}};
+    const Inversion out = invert(look, {.domain = domain});
+    EXPECT_EQ(out.lut.domain(), domain);
+    EXPECT_EQ(out.out_of_gamut.count, 0U);
+    EXPECT_NEAR(evaluate_exact(out.lut, {.3, -.7, 3.1}).b, 3.1, 1e-6);
+}
+
+TEST(Invert, of_values_as_wide_as_floats_says_that_the_domain_is_too_wide) {
+    Lut look = cube_look(identity_cube(2));
+    look.cube->nodes.front() = {-3.4e38F, -3.4e38F, -3.4e38F};
+    look.cube->nodes.back() = {3.4e38F, 3.4e38F, 3.4e38F};
+    try {
+        invert(look, {});
+        FAIL() << "was inverted";
+    } catch (const Error& error) {
+        EXPECT_NE(error.message().find("wider than a float can say"), std::string::npos)
+            << error.message();
+    }
 }
 
 TEST(Invert, reads_a_1d_table_backwards) {
@@ -198,7 +303,7 @@ TEST(Invert, measures_folds_and_nearness_in_inputs_where_there_is_a_1d_table) {
 TEST(Invert, counts_what_only_inputs_beyond_the_1d_table_would_give) {
     Lut look = cube_look(identity_cube(17));
     look.shaper = Lut1D{{}, {{0, 0, 0}, {.5F, 1, 1}}};
-    const Inversion out = invert(look, {});
+    const Inversion out = invert(look, {.outside = Outside::nearest});
     EXPECT_EQ(out.out_of_gamut.count, 8U * 17 * 17);
     EXPECT_NEAR(out.out_of_gamut.extent, 0.5, 1e-6);
     EXPECT_NEAR(out.lut.cube->at(16, 0, 0).r, 1, 1e-6);
@@ -240,6 +345,7 @@ TEST(Invert, of_noise_takes_no_more_memory_than_the_limit) {
     getrusage(RUSAGE_SELF, &before);
     InvertOptions options;
     options.size = 2;
+    options.outside = Outside::nearest;
     const Inversion out = invert(look, options);
     getrusage(RUSAGE_SELF, &after);
     constexpr std::size_t kibibyte = 1024, other = std::size_t{64} << 20;
@@ -267,7 +373,7 @@ TEST(Invert, of_a_look_of_one_dimension_is_finite) {
             const double y = scale * test_luma(to_double(c));
             c = to_float({y, y * y, std::sqrt(y)});
         }
-        const Inversion out = invert(look, {});
+        const Inversion out = invert(look, {.outside = Outside::nearest});
         for (const Rgb& c : out.lut.cube->nodes) {
             EXPECT_EQ(saturate(c), c);
         }

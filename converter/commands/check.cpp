@@ -31,18 +31,29 @@ struct Options {
     lutlib::RepairOptions repairs;
 };
 
+/// A look as a table, and what it is a table of.
+struct Checked {
+    lutlib::Lut lut;
+    lutlib::ExamineOptions options;
+};
+
 // As every verb reads a look, except that a file may hold values that are no numbers: they are
 // what is looked for.
-lutlib::Lut read_to_check(const std::string& path) {
+Checked read_to_check(const std::string& path) {
     const std::string bytes = io::read_file(path);
     const std::string name = io::input_name(path);
     if (!io::is_recipe(bytes)) {
         const lutlib::FileFormat& format = io::recognise_format(bytes, name);
         if (format.read_broken) {
-            return format.read_broken(bytes, name);
+            return {format.read_broken(bytes, name), {}};
         }
     }
-    return *table_of(open_look(bytes, path));
+    const io::Look look = open_look(bytes, path);
+    Checked out{*table_of(look), {.encodings = look.encodings()}};
+    if (!look.is_table()) {
+        out.options.exact = look.exact();
+    }
+    return out;
 }
 
 std::string place_text(const std::optional<lutlib::Rgb>& where) {
@@ -87,21 +98,37 @@ nlohmann::ordered_json findings_json(const lutlib::Health& health) {
         }
         checks.push_back(row);
     }
-    nlohmann::ordered_json expected = nlohmann::ordered_json::array();
-    for (const lutlib::ExpectedError& e : health.expected) {
-        expected.push_back({{"nodes", e.nodes}, {"error", e.error}, {"reliable", e.reliable}});
+    nlohmann::ordered_json lattices = nlohmann::ordered_json::array();
+    for (const lutlib::LatticeError& e : health.lattices) {
+        if (e.measured) {
+            lattices.push_back(
+                {{"nodes", e.nodes},
+                 {"absolute", to_json(e.code)},
+                 {health.results == lutlib::Results::hdr ? "delta_e_itp" : "delta_e_2000",
+                  to_json(e.to_eye)}});
+        }
     }
+    const auto spread = [](const lutlib::Spread& s, const lutlib::Extreme& most) {
+        return nlohmann::ordered_json{{"p50", s.p50}, {"p99", s.p99}, {"max", most.value}};
+    };
     return {{"verdict", verdict_text(health)},
             {"healthy", verdict(health) < Severity::fault},
-            {"expected_error", expected},
+            {"lattices", lattices},
+            {"gain", spread(health.gain_spread, health.gain)},
+            {"condition", spread(health.condition_spread, health.condition)},
             {"checks", checks}};
 }
 
 std::string repair_text(const lutlib::Repaired& repaired) {
     std::string out;
     for (const lutlib::RepairStep& step : repaired.steps) {
-        out += fmt::format("  repaired: {}: {} values, changed by {:.4g} at most\n", step.words,
-                           step.changed, step.largest);
+        out += fmt::format("  repaired: {}: {} values, changed by {:.4g} at most; to the eye by dE "
+                           "{:.3g} at most, mean {:.3g} of {} colours\n",
+                           step.words, step.changed, step.largest, step.to_eye.max,
+                           step.to_eye.mean, step.to_eye.count);
+    }
+    for (const std::string& left : repaired.left) {
+        out += "  left: " + left + "\n";
     }
     return out.empty() ? "  nothing to repair\n" : out;
 }
@@ -112,7 +139,8 @@ nlohmann::ordered_json repair_json(const lutlib::Repaired& repaired) {
         out.push_back({{"repair", step.name},
                        {"words", step.words},
                        {"changed_values", step.changed},
-                       {"largest_change", step.largest}});
+                       {"largest_change", step.largest},
+                       {"to_eye", to_json(step.to_eye)}});
     }
     return out;
 }
@@ -125,21 +153,23 @@ int run(const Options& o) {
         throw lutlib::UsageError(o.repair ? "--repair needs -o LUT, the file to write"
                                           : "-o names the repaired LUT; add --repair, or drop -o");
     }
-    const lutlib::Lut lut = read_to_check(o.input);
-    lutlib::Health health = examine(lut);
+    const Checked checked = read_to_check(o.input);
+    const lutlib::Lut& lut = checked.lut;
+    lutlib::Health health = examine(lut, checked.options);
     std::string text = fmt::format("{}: {}, input {}\n{}", input_text(o.input), io::shape_of(lut),
                                    io::domain_text(lut.domain()), findings_text(health));
     nlohmann::ordered_json json{{"input", o.input}};
     json.update(findings_json(health));
-    lutlib::Repaired repaired{lut, {}};
+    lutlib::Repaired repaired{lut, {}, {}};
     if (o.repair) {
         repaired = repair(lut, o.repairs);
         write_look(repaired.lut, o.output);
-        health = examine(repaired.lut);
+        health = examine(repaired.lut, {.encodings = checked.options.encodings});
         text += fmt::format("{}\n{}{}", output_text(o.output), repair_text(repaired),
                             findings_text(health));
         json["output"] = o.output;
         json["repairs"] = repair_json(repaired);
+        json["left"] = repaired.left;
         json["after"] = findings_json(health);
     }
     if (o.explain) {

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
+#include <vector>
 
 namespace lutlib::health {
 namespace {
@@ -67,6 +68,7 @@ struct Sums {
     std::array<double, 2> signed_volume{};
     std::array<Extreme, 2> deepest{};
     Extreme gain, condition, channel_gain;
+    std::vector<float> gains, conditions; ///< of the sampled tetrahedra
     std::array<Region, 3> low, high;
     Region plateau;
 
@@ -82,6 +84,8 @@ struct Sums {
         raise(gain, right.gain.value, right.gain.in);
         raise(condition, right.condition.value, right.condition.in);
         raise(channel_gain, right.channel_gain.value, right.channel_gain.in);
+        gains.insert(gains.end(), right.gains.begin(), right.gains.end());
+        conditions.insert(conditions.end(), right.conditions.begin(), right.conditions.end());
         for (std::size_t c = 0; c < 3; ++c) {
             low[c].add(right.low[c], false);
             high[c].add(right.high[c], true);
@@ -90,10 +94,27 @@ struct Sums {
     }
 };
 
+// The smallest that at least this share does not exceed.
+double percentile(std::vector<float>& values, double part) {
+    if (values.empty()) {
+        return 0;
+    }
+    const auto rank =
+        static_cast<std::size_t>(std::ceil(part * static_cast<double>(values.size())));
+    const auto at =
+        values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(rank, 1) - 1);
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
 class CellPass {
   public:
+    static constexpr std::size_t most_kept = 40000; // cells, some more than 33^3
+
     CellPass(const Lut& lut, const Lut3D& cube, double rounding)
-        : cube_(cube), rounding_(rounding), axes_(cells_of_axes(lut, cube.size, cube.domain)) {
+        : cube_(cube), rounding_(rounding),
+          stride_(cube.nodes.size() > most_kept ? (cube.nodes.size() / most_kept) | 1U : 1),
+          axes_(cells_of_axes(lut, cube.size, cube.domain)) {
         constexpr float inf = std::numeric_limits<float>::infinity();
         lowest_ = {inf, inf, inf};
         highest_ = {-inf, -inf, -inf};
@@ -140,6 +161,7 @@ class CellPass {
         ++out.cells;
         flatness(low, high, in, out);
         const double volume = at[0].width * at[1].width * at[2].width / 6;
+        const bool sampled = cube_.index(r, g, b) % stride_ == 0;
         for (const Walk& walk : tetrahedron_walks) {
             Jacobian edges;
             std::size_t k = 0;
@@ -148,7 +170,7 @@ class CellPass {
                 edges[c] = corner[next] - corner[k];
                 k = next;
             }
-            tetrahedron(edges, at, in, volume, out);
+            tetrahedron(edges, at, in, volume, sampled, out);
         }
     }
 
@@ -174,7 +196,7 @@ class CellPass {
     }
 
     void tetrahedron(const Jacobian& edges, const std::array<AxisCell, 3>& at, const Rgb& in,
-                     double volume, Sums& out) const {
+                     double volume, bool sampled, Sums& out) const {
         ++out.tetrahedra;
         Jacobian slopes;
         double channel = 0;
@@ -189,7 +211,7 @@ class CellPass {
         const double shake = 1.6 * tolerance(static_cast<float>(std::max(std::max(x, y), z)));
         const bool flat = !(std::abs(det) > shake * (x * y + y * z + z * x)) ||
                           !(at[0].slope * at[1].slope * at[2].slope > 0);
-        raise_singular(slopes, flat, in, out);
+        raise_singular(slopes, flat, in, sampled, out);
         if (flat) {
             ++out.flat;
             return;
@@ -203,7 +225,8 @@ class CellPass {
     // The singular values only where their bounds leave a new largest possible:
     // s1^2 <= the largest sum of a column times that of a row, which is sharp for channels that do
     // not mix, and s1 / s3 = s1 * (s1 s2) / |det| <= |J| * |cofactors| / |det|.
-    static void raise_singular(const Jacobian& j, bool flat, const Rgb& in, Sums& out) {
+    static void raise_singular(const Jacobian& j, bool flat, const Rgb& in, bool sampled,
+                               Sums& out) {
         const double square = dot(j[0], j[0]) + dot(j[1], j[1]) + dot(j[2], j[2]);
         const double det = std::abs(determinant(j));
         // |cofactors| <= |J|^2 / sqrt(3)
@@ -211,13 +234,19 @@ class CellPass {
         const RgbD a = magnitudes(j[0]), b = magnitudes(j[1]), c = magnitudes(j[2]);
         const RgbD rows = a + b + c;
         const double bound = std::max(std::max(sum(a), sum(b)), sum(c)) * largest_magnitude(rows);
-        if (!ill && bound <= out.gain.value * out.gain.value) {
+        if (!sampled && !ill && bound <= out.gain.value * out.gain.value) {
             return;
         }
         const SingularValues s = singular_values(j);
         raise(out.gain, s.largest, in);
         if (!flat) {
             raise(out.condition, s.largest / s.smallest, in);
+        }
+        if (sampled) {
+            out.gains.push_back(static_cast<float>(s.largest));
+            if (!flat) {
+                out.conditions.push_back(static_cast<float>(s.largest / s.smallest));
+            }
         }
     }
 
@@ -228,6 +257,7 @@ class CellPass {
 
     const Lut3D& cube_;
     double rounding_;
+    std::size_t stride_; ///< between the cells whose singular values are kept
     std::array<AxisCells, 3> axes_;
     Rgb lowest_, highest_;
 };
@@ -271,7 +301,7 @@ Extreme largest_second_difference(const Lut& lut, const Lut3D& cube) {
 
 CellsExamined examine_cells(const Lut& lut, const Lut3D& cube, double rounding) {
     const CellPass pass(lut, cube, rounding);
-    const Sums sums = tbb::parallel_deterministic_reduce(
+    Sums sums = tbb::parallel_deterministic_reduce(
         tbb::blocked_range<int>(0, cube.size - 1, 1), Sums{},
         [&](const tbb::blocked_range<int>& range, Sums partial) {
             for (int b = range.begin(); b < range.end(); ++b) {
@@ -294,6 +324,8 @@ CellsExamined examine_cells(const Lut& lut, const Lut3D& cube, double rounding) 
     cells.invertible = sums.signed_volume[main];
     cells.gain = sums.gain;
     cells.condition = sums.condition;
+    cells.gain_spread = {percentile(sums.gains, 0.5), percentile(sums.gains, 0.99)};
+    cells.condition_spread = {percentile(sums.conditions, 0.5), percentile(sums.conditions, 0.99)};
     cells.banding_channel = sums.channel_gain;
     const auto region = [&](const Region& r) { return Extreme{share(r.cells, sums.cells), r.in}; };
     for (std::size_t c = 0; c < 3; ++c) {

@@ -13,13 +13,18 @@ namespace {
 // Limits of the verdict.
 constexpr double fold_note = 0, fold_fault = 0.02;  // shares of the tetrahedra
 constexpr double gain_warning = 8, gain_fault = 32; // an 8-bit code becomes as many
-constexpr double condition_warning = 1e3;
-constexpr double banding_warning = 4, banding_fault = 16; // codes
+constexpr double condition_warning = 1e3;           // of all but one in a hundred
+// Of a ramp's steps: dE2000 and dE-ITP of 1 are just noticeable (ITU-R BT.2124 for the latter).
+constexpr double step_warning = 1, step_fault = 5;
 constexpr double noise_warning = 4;
-constexpr double error_warning = 1.0 / 64;                       // 4 codes of 8 bits
+constexpr double error_warning = 2;                              // to the eye
 constexpr double clipped_warning = 0.25, plateau_warning = 0.01; // shares of the cells
-constexpr double invertible_note = 0.99, invertible_warning = 0.75;
-constexpr double fall_warning = 0.5 / 255, fall_fault = 2.0 / 255;
+constexpr double invertible_note = 0.99;
+using health::fall_fault, health::fall_warning;
+const char* largest_name(const ErrorStats& stats) {
+    return stats.largest_seen ? "largest seen" : "max";
+}
+
 constexpr std::array<const char*, 3> channels{"red", "green", "blue"};
 
 template <class... Values>
@@ -99,18 +104,29 @@ Finding table_falls(const Health& h) {
             most.in};
 }
 
+// Steepness in codes that nobody looks at is how such looks are, from log to light say.
+Severity for_shown(const Health& h, Severity severity) {
+    return h.results == Results::scene ? std::min(severity, Severity::note) : severity;
+}
+
 Finding gain(const Health& h) {
-    return {graded(h.gain.value, gain_warning, gain_fault), h.gain.value,
-            text("the steepest direction gains %.4g", h.gain.value), place(h.gain)};
+    const Spread& spread = h.gain_spread;
+    const Severity usual = graded(spread.p99, gain_warning, gain_fault);
+    return {for_shown(h, std::max(usual, graded(h.gain.value, gain_fault))), spread.p99,
+            text("the steepest direction gains %.4g at the median, %.4g at 99 %%, %.4g at most",
+                 spread.p50, spread.p99, h.gain.value),
+            place(h.gain)};
 }
 
 Finding condition(const Health& h) {
     if (h.flat == h.tetrahedra) {
         return {Severity::note, 0, "flat everywhere: there is no direction to compare", {}};
     }
-    return {graded(h.condition.value, condition_warning), h.condition.value,
-            text("the steepest direction gains up to %.3g times the flattest beside it",
-                 h.condition.value),
+    const Spread& spread = h.condition_spread;
+    return {for_shown(h, graded(spread.p99, condition_warning)), spread.p99,
+            text("the steepest direction gains %.3g times the flattest beside it at the median, "
+                 "%.3g at 99 %%, %.3g at most",
+                 spread.p50, spread.p99, h.condition.value),
             place(h.condition)};
 }
 
@@ -121,43 +137,48 @@ Finding second_difference(const Health& h) {
 }
 
 Finding banding(const Health& h) {
-    const double most = h.banding_neutral.value;
-    return {graded(most, banding_warning, banding_fault), most,
-            text("8 bits: a neutral ramp jumps by up to %.3g codes, a ramp of one channel by up to "
-                 "%.3g",
-                 most, h.banding_channel.value),
-            place(h.banding_neutral)};
+    const std::string codes = text("%d bits: a neutral ramp steps by up to %.3g codes", h.ramp_bits,
+                                   h.banding_neutral.value);
+    if (h.results == Results::scene) {
+        return {Severity::good, 0,
+                codes + "; not judged, as results of light or log are not looked at",
+                place(h.banding_neutral)};
+    }
+    const double most = h.banding_to_eye.value;
+    return {graded(most, step_warning, step_fault), most,
+            codes + text(", %s %.3g; %.3g is just noticeable",
+                         h.results == Results::hdr ? "dE-ITP" : "dE2000", most, step_warning),
+            place(h.banding_to_eye)};
 }
 
 Finding noise(const Health& h) {
-    return {graded(h.noise_gain.value, noise_warning), h.noise_gain.value,
+    return {for_shown(h, graded(h.noise_gain.value, noise_warning)), h.noise_gain.value,
             text("noise near black is multiplied by up to %.3g", h.noise_gain.value),
             place(h.noise_gain)};
 }
 
-Finding expected(const ExpectedError& e) {
-    const double codes = 255 * e.error;
-    if (!e.reliable) {
-        return {Severity::note, e.error,
-                text("cannot tell: the look bends too sharply between its nodes, or in steps of "
-                     "coarse codes; at worst about %.3g (%.3g codes of 8 bits)",
-                     e.error, codes),
-                place({e.error, e.in})};
+Finding lattice_error(const Health& h, const LatticeError& e) {
+    if (!e.measured) {
+        return {
+            Severity::note, 0, "not measured: some values are no numbers; repair them first", {}};
     }
-    if (!(e.error > 0)) {
+    if (!(e.code.max > 0)) {
         return {Severity::good, 0, "none: the lattice keeps what is there", {}};
     }
-    return {graded(e.error, error_warning), e.error,
-            text("about %.3g at most (%.3g codes of 8 bits), read tetrahedrally", e.error, codes),
+    return {for_shown(h, graded(e.to_eye.p99, error_warning)), e.to_eye.p99,
+            text("%s p99 %.3g, mean %.3g, %s %.3g; codes p99 %.3g, %s %.3g",
+                 h.results == Results::hdr ? "dE-ITP" : "dE2000", e.to_eye.p99, e.to_eye.mean,
+                 largest_name(e.to_eye), e.to_eye.max, e.code.p99, largest_name(e.code),
+                 e.code.max),
             e.in};
 }
 
-Finding expected_16(const Health& h) {
-    return expected(h.expected[0]);
+Finding error_at_16(const Health& h) {
+    return lattice_error(h, h.lattices[0]);
 }
 
-Finding expected_33(const Health& h) {
-    return expected(h.expected[1]);
+Finding error_at_33(const Health& h) {
+    return lattice_error(h, h.lattices[1]);
 }
 
 Finding clipping(const Health& h) {
@@ -213,11 +234,7 @@ Finding neutral_axis(const Health& h) {
 
 Finding invertible(const Health& h) {
     const double part = h.invertible;
-    const Severity severity = !(part > 0)                 ? Severity::fault
-                              : part < invertible_warning ? Severity::warning
-                              : part < invertible_note    ? Severity::note
-                                                          : Severity::good;
-    return {severity,
+    return {part < invertible_note ? Severity::note : Severity::good,
             part,
             part > 0
                 ? text("%.4g %% of the input's volume can be inverted: neither flat nor folded",
@@ -245,12 +262,12 @@ constexpr std::array<HealthCheck, 16> table{{
     {"fold-over", "share", "sign of the Jacobian in every tetrahedron", folds},
     {"neutral-axis", "fall", "neutrals that rise stay in order", neutral_axis},
     {"gain", "out per in", "largest singular value of the Jacobian", gain},
-    {"condition", "ratio", "largest ratio of singular values", condition},
+    {"condition", "ratio", "ratio of singular values", condition},
     {"second-difference", "output", "largest bend between neighbouring nodes", second_difference},
-    {"banding", "codes of 8 bits", "largest step of an 8-bit ramp", banding},
+    {"banding", "dE", "largest step of a neutral ramp, to the eye", banding},
     {"noise-near-black", "times", "what small noise becomes in the dark", noise},
-    {"error-at-16", "output", "expected of a lattice of 16 nodes per axis", expected_16},
-    {"error-at-33", "output", "expected of a lattice of 33 nodes per axis", expected_33},
+    {"error-at-16", "dE at 99 %", "measured of a lattice of 16 nodes per axis", error_at_16},
+    {"error-at-33", "dE at 99 %", "measured of a lattice of 33 nodes per axis", error_at_33},
     {"clipping", "share of cells", "channels at their lowest or highest", clipping},
     {"plateaus", "share of cells", "channels that are flat in between", plateau},
     {"invertible", "share of volume", "what can be inverted", invertible},

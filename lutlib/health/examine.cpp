@@ -1,5 +1,6 @@
 #include "lutlib/health/axis.h"
 #include "lutlib/health/parts.h"
+#include "lutlib/metrics/viewing.h"
 
 #include <algorithm>
 #include <array>
@@ -121,6 +122,27 @@ StoredValues examine_values(const Lut& lut) {
 
 namespace {
 
+Results results_of(const Encoding& output) {
+    constexpr double above_white = 1.5;
+    return is_hdr(output)                                                     ? Results::hdr
+           : output.curve->name == "linear" || output.decode(1) > above_white ? Results::scene
+                                                                              : Results::display;
+}
+
+} // namespace
+
+Codes codes_of(const Lut& lut, const LookEncodings& stated) {
+    const LookEncodings said = encodings_of(lut.encodings);
+    Codes out;
+    out.input = stated.input ? *stated.input : said.input.value_or(srgb());
+    out.output = stated.output ? *stated.output : said.output.value_or(srgb());
+    out.results = results_of(out.output);
+    out.display_input = results_of(out.input) == Results::display;
+    return out;
+}
+
+namespace {
+
 // A curve alone is a shaper before a cube that changes nothing: the coarsest that spans its values.
 Lut3D cube_after(const Lut1D& curve) {
     Domain range;
@@ -151,13 +173,15 @@ TableHealth joined(TableHealth cube, const TableHealth& curve) {
 } // namespace
 } // namespace health
 
-Health examine(const Lut& lut) {
+Health examine(const Lut& lut, const ExamineOptions& options) {
     Health out;
     if (!lut.shaper && !lut.cube) {
-        Lut identity;
+        Lut identity = lut;
         identity.cube = identity_cube(2);
-        return examine(identity);
+        return examine(identity, options);
     }
+    const health::Codes codes = health::codes_of(lut, options.encodings);
+    out.results = codes.results;
     const double rounding = health::rounding_of(lut);
     const Lut3D after = lut.cube ? Lut3D{} : health::cube_after(*lut.shaper);
     const Lut3D& cube = lut.cube ? *lut.cube : after;
@@ -175,9 +199,12 @@ Health examine(const Lut& lut) {
         static_cast<TableHealth&>(out) =
             lut.cube ? health::joined(cells.table, curve.table) : curve.table;
     }
-    static_cast<NeutralHealth&>(out) = health::examine_neutrals(lut, rounding);
+    static_cast<NeutralHealth&>(out) = health::examine_neutrals(lut, codes, rounding);
     out.noise_gain = health::examine_black(lut);
-    out.expected = health::predict_errors(lut, rounding);
+    if (options.lattices) {
+        out.lattices =
+            health::measure_lattices(lut, options.exact.value_or(Transform::of(lut)), codes);
+    }
     return out;
 }
 

@@ -7,7 +7,10 @@
 // counted, and left out of every other figure.
 #pragma once
 
+#include "lutlib/color/encoding.h"
 #include "lutlib/lut.h"
+#include "lutlib/metrics/stats.h"
+#include "lutlib/transform.h"
 
 #include <array>
 #include <cstddef>
@@ -25,16 +28,25 @@ struct Extreme {
     Rgb in;
 };
 
+/// Of many figures: the median, and what one in a hundred exceeds.
+struct Spread {
+    double p50 = 0, p99 = 0;
+};
+
 /// What a lattice of `nodes` a side over the look's domain, without a shaper, holding the look's
-/// values at its nodes and read tetrahedrally, is expected to miss of this look: the largest
-/// difference of a channel. 0 where the lattice keeps all nodes of the look.
-struct ExpectedError {
+/// values at its nodes and read tetrahedrally, misses of the look, as measure() finds it.
+struct LatticeError {
     int nodes = 0;
-    double error = 0;
-    /// False where the curvature changes too much between neighbouring nodes to be known: at kinks,
-    /// steps, spikes and in coarse codes. `error` is then what the worst alignment would give.
-    bool reliable = false;
-    Rgb in;
+    bool measured = false;   ///< false: the look holds values that are no numbers
+    ErrorStats code, to_eye; ///< the largest channel difference; dE2000, of HDR dE-ITP
+    Rgb in;                  ///< of the largest
+};
+
+/// What a look's results are for, as their encoding says.
+enum class Results {
+    display, ///< codes of a display of 0..1, or not known
+    hdr,     ///< codes of PQ or HLG
+    scene,   ///< light, or a camera's log: nobody looks at these codes
 };
 
 /// The stored numbers, three for each node and entry.
@@ -56,8 +68,10 @@ struct CellHealth {
     Extreme deepest_fold;  ///< determinant of the worst folded tetrahedron, against the sign
     double invertible = 0; ///< share of the input's volume that is neither flat nor folded
 
-    Extreme gain;            ///< largest singular value of the Jacobian
-    Extreme condition;       ///< largest ratio of singular values where not flat
+    Extreme gain;      ///< largest singular value of the Jacobian
+    Extreme condition; ///< largest ratio of singular values where not flat
+    /// The same of all tetrahedra, or of every k-th of a large look.
+    Spread gain_spread, condition_spread;
     Extreme banding_channel; ///< output codes between neighbouring input codes of one channel
 };
 
@@ -80,17 +94,28 @@ struct NeutralHealth {
     Extreme neutral_fall;                ///< largest fall of Rec.709 luma from its highest so far
     std::array<Extreme, 3> channel_fall; ///< the same of each channel
     double neutral_rise = 0;             ///< luma at the end less luma at the start
+    int ramp_bits = 8; ///< of the ramp below: 8 where the look takes a display's codes, else 10
     Extreme banding_neutral; ///< output codes between neighbouring input codes of a neutral ramp
+    Extreme banding_to_eye;  ///< the same in dE2000, of HDR in dE-ITP; of scenes nothing
 };
 
 /// All that is found out about a look, each part by its own examiner.
 struct Health : StoredValues, CellHealth, TableHealth, ShaperHealth, NeutralHealth {
     Extreme noise_gain; ///< of white noise, in the darkest sixteenth of the neutral axis
-    std::array<ExpectedError, 2> expected;
+    Results results = Results::display;
+    std::array<LatticeError, 2> lattices; ///< of 16 and 33 nodes
+};
+
+struct ExamineOptions {
+    /// What the look is a table of, such as a recipe: its lattices are measured against it.
+    std::optional<Transform> exact{};
+    /// In place of what the look says of its codes; sRGB where neither does.
+    LookEncodings encodings{};
+    bool lattices = true; ///< whether Health::lattices is measured, which takes longest
 };
 
 /// Everything above. The look may hold values that are not finite; else it must be valid.
-Health examine(const Lut& lut);
+Health examine(const Lut& lut, const ExamineOptions& options = {});
 
 enum class Severity { good, note, warning, fault };
 std::string_view name_of(Severity severity);

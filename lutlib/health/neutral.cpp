@@ -2,17 +2,19 @@
 #include "lutlib/color/luma.h"
 #include "lutlib/health/parts.h"
 #include "lutlib/interpolation/interpolation.h"
+#include "lutlib/metrics/viewing.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 namespace lutlib::health {
 namespace {
 
 constexpr int even_points = 1025;
-constexpr int codes = 255;
+constexpr int eight_bits = 255, ten_bits = 1023;
 // The darkest sixteenth of the axis, in input codes.
 constexpr int dark_codes = 16;
 
@@ -40,7 +42,54 @@ std::vector<double> breakpoints(const Lut& lut) {
 
 } // namespace
 
-NeutralHealth examine_neutrals(const Lut& lut, double rounding) {
+namespace {
+
+// How a neutral ramp of all codes steps, at alignments of which none lets a step hide between two
+// codes.
+void examine_ramp(const Lut& lut, const Codes& codes, NeutralHealth& out) {
+    constexpr int phases = 4;
+    const int last_code =
+        codes.display_input && codes.results == Results::display ? eight_bits : ten_bits;
+    out.ramp_bits = last_code == eight_bits ? 8 : 10;
+    const Eye eye{Viewing(codes.output)};
+    const Metric metric =
+        codes.results == Results::hdr ? Metric::delta_e_itp : Metric::delta_e_2000;
+    for (int phase = 0; phase < phases; ++phase) {
+        std::vector<RgbD> inputs, outputs;
+        for (int code = 0; code <= last_code; ++code) {
+            const double t =
+                std::min((code + phase / static_cast<double>(phases)) / last_code, 1.0);
+            inputs.push_back(neutral(lut.domain(), t));
+            outputs.push_back(evaluate_exact(lut, inputs.back()));
+        }
+        for (std::size_t i = 1; i < inputs.size(); ++i) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double jump = std::abs(outputs[i][c] - outputs[i - 1][c]) * last_code;
+                if (jump > out.banding_neutral.value) {
+                    out.banding_neutral = {jump, to_float(inputs[i])};
+                }
+            }
+        }
+        if (codes.results == Results::scene) {
+            continue;
+        }
+        // A display shows no more than its codes.
+        for (RgbD& c : outputs) {
+            c = saturate(c);
+        }
+        std::vector<double> steps(outputs.size() - 1);
+        eye(metric, std::span(outputs).subspan(1), std::span(outputs).first(steps.size()), steps);
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            if (std::isfinite(steps[i]) && steps[i] > out.banding_to_eye.value) {
+                out.banding_to_eye = {steps[i], to_float(inputs[i + 1])};
+            }
+        }
+    }
+}
+
+} // namespace
+
+NeutralHealth examine_neutrals(const Lut& lut, const Codes& codes, double rounding) {
     NeutralHealth out;
     RgbD highest{-INFINITY, -INFINITY, -INFINITY};
     double highest_luma = -INFINITY, first_luma = 0;
@@ -66,30 +115,16 @@ NeutralHealth examine_neutrals(const Lut& lut, double rounding) {
             fall(value[c], highest[c], out.channel_fall[c]);
         }
     }
-    // Four alignments of the codes, so that a step cannot hide between two of them.
-    for (int phase = 0; phase < 4; ++phase) {
-        RgbD last;
-        for (int code = 0; code <= codes; ++code) {
-            const double t = std::min((code + phase / 4.0) / codes, 1.0);
-            const RgbD value = evaluate_exact(lut, neutral(lut.domain(), t));
-            for (std::size_t c = 0; c < 3 && code > 0; ++c) {
-                const double jump = std::abs(value[c] - last[c]) * codes;
-                if (jump > out.banding_neutral.value) {
-                    out.banding_neutral = {jump, to_float(neutral(lut.domain(), t))};
-                }
-            }
-            last = value;
-        }
-    }
+    examine_ramp(lut, codes, out);
     return out;
 }
 
 Extreme examine_black(const Lut& lut) {
     Extreme out;
     const Domain& d = lut.domain();
-    constexpr double half_code = 0.5 / codes;
+    constexpr double half_code = 0.5 / eight_bits;
     for (int k = 1; k <= dark_codes; ++k) {
-        const RgbD in = neutral(d, k / static_cast<double>(codes));
+        const RgbD in = neutral(d, k / static_cast<double>(eight_bits));
         RgbD square;
         for (std::size_t a = 0; a < 3; ++a) {
             const double shift =

@@ -1,7 +1,10 @@
-// What of a broken look can be repaired, with the smallest change that does it.
+// What of a broken look can be repaired, with the smallest change that does it. A repair gives no
+// values beyond those that the look gave, and one that would make the look fold, fall,
+// clip or stand still where it did not is left out.
 #pragma once
 
 #include "lutlib/lut.h"
+#include "lutlib/metrics/stats.h"
 
 #include <cstddef>
 #include <span>
@@ -17,16 +20,20 @@ struct RepairOptions {
 
 /// One repair that changed something, over all rounds.
 struct RepairStep {
-    std::string_view name;
-    std::string words;
+    std::string_view name{};
+    std::string words{};
     std::size_t changed = 0; ///< values; one that is changed in two rounds counts twice
     /// Largest change of a value that was finite before.
     double largest = 0;
+    /// The same to the eye, of the changed colours (of the round that changed most): dE2000, of HDR
+    /// dE-ITP.
+    ErrorStats to_eye{};
 };
 
 struct Repaired {
     Lut lut;
     std::vector<RepairStep> steps; ///< empty: nothing had to be changed
+    std::vector<std::string> left; ///< what is not repaired, and why
 };
 
 /// One row of the table of repairs, in the order in which they are made.

@@ -26,6 +26,12 @@ struct Loss {
     std::string unit;
 };
 
+/// A difference of values no larger than what float arithmetic or the last of six decimals makes:
+/// --strict passes it.
+inline bool is_float_rounding(const Loss& loss) {
+    return loss.unit.empty() && loss.figure <= 1e-6;
+}
+
 /// What a file of a format can say. A Lut is fitted to it before it is written.
 struct Holds {
     bool curve = false;              ///< a 1D table alone
@@ -38,6 +44,7 @@ struct Holds {
     bool keywords = false;      ///< Lut::keywords
     bool encodings = false;     ///< Lut::encodings
     bool interpolation = false; ///< Lut::interpolation, trilinear or tetrahedral
+    bool tiny = true;           ///< numbers nearer to 0 than the least normal float, 1.2e-38
     int min_cube_size = limits::min_cube_size;
     int max_cube_size = limits::max_cube_size;
     int integer_bits = 0; ///< codes of so many bits over 0..1, values outside clamped; 0: float

@@ -20,6 +20,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -191,11 +192,13 @@ int run(const Options& o) {
                           100 * reach.reached, "%"});
     }
     file.losses.insert(file.losses.begin(), losses.begin(), losses.end());
-    if (o.strict && !file.losses.empty()) {
+    const auto counts = [](const lutlib::Loss& loss) { return !is_float_rounding(loss); };
+    const auto first = std::find_if(file.losses.begin(), file.losses.end(), counts);
+    if (o.strict && first != file.losses.end()) {
+        const auto more = std::count_if(first, file.losses.end(), counts) - 1;
         throw lutlib::Error(
-            "--strict: not written, because this would be lost: " + loss_text(file.losses.front()) +
-                (file.losses.size() > 1 ? fmt::format(" (and {} more)", file.losses.size() - 1)
-                                        : ""),
+            "--strict: not written, because this would be lost: " + loss_text(*first) +
+                (more > 0 ? fmt::format(" (and {} more)", more) : ""),
             {io::output_name(o.output), 0, {}});
     }
     io::write_file(o.output, file.bytes);
@@ -238,7 +241,8 @@ Run declare_convert(CLI::App& app) {
     o->placing.declare(app);
     app.add_option("--title", o->save.title, "title to write instead of the input's");
     app.add_flag("--strict", o->strict,
-                 "write nothing, and exit with status 2, if anything would be lost");
+                 "write nothing, and exit with status 2, if anything would be lost but the "
+                 "rounding of floats (1e-6)");
     app.add_flag("--explain", o->explain,
                  "drop what the look does not need, and list it with the error bound");
     app.add_flag("--strip-tags", o->strip_tags,

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lutlib::io {
 namespace {
@@ -157,6 +158,38 @@ void report_precision(const Lut& lut, const Holds& holds, std::vector<Loss>& los
         const std::string unit = holds.integer_bits ? std::to_string(holds.integer_bits) + " bits"
                                                     : std::to_string(holds.decimals) + " decimals";
         losses.push_back({"rounded to " + unit + ", largest error", most_rounded, ""});
+    }
+}
+
+void drop_tiny_values(const Holds& holds, FitToFormat& fit) {
+    constexpr float least = std::numeric_limits<float>::min();
+    if (holds.tiny) {
+        return;
+    }
+    std::size_t dropped = 0;
+    float largest = 0;
+    const auto drop = [&](std::vector<Rgb>& values) {
+        for (Rgb& value : values) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                if (value[c] != 0 && std::abs(value[c]) < least) {
+                    ++dropped;
+                    largest = std::max(largest, std::abs(value[c]));
+                    value[c] = 0;
+                }
+            }
+        }
+    };
+    if (fit.lut.cube) {
+        drop(fit.lut.cube->nodes);
+    }
+    if (fit.lut.shaper) {
+        drop(fit.lut.shaper->entries);
+    }
+    if (dropped > 0) {
+        fit.losses.push_back({std::to_string(dropped) +
+                                  " values so small that OpenColorIO reads no number written as 0, "
+                                  "the largest",
+                              largest, ""});
     }
 }
 
@@ -323,6 +356,7 @@ FitToFormat fit_to(const Lut& lut, const Holds& holds, int cube_size) {
     }
     resample(lut, plan, holds, cube_size, fit);
     report_interpolation(holds, fit);
+    drop_tiny_values(holds, fit);
     report_precision(fit.lut, holds, fit.losses);
     report_keywords(fit.lut, holds, fit.losses);
     report_encodings(fit.lut, holds, fit.losses);

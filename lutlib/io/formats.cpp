@@ -7,6 +7,7 @@
 #include "lutlib/io/fit_format.h"
 #include "lutlib/io/formats/all.h"
 #include "lutlib/io/formats/picture.h"
+#include "lutlib/io/read_back.h"
 #include "lutlib/named.h"
 #include "lutlib/text.h"
 
@@ -161,6 +162,11 @@ Encoded encode_lut(const Lut& lut, const FileFormat& format, const WriteOptions&
     FitToFormat fit = fit_to(lut, holds, size);
     Encoded out{
         format.write(format, fit.lut, options), std::move(fit.lut), std::move(fit.losses), {}};
+    if (format.opencolorio && format.read) {
+        if (std::optional<Loss> lost = lost_in_reading(format, out.bytes, out.lut)) {
+            out.losses.push_back(std::move(*lost));
+        }
+    }
     if (format.readers) {
         out.readers = format.readers(out.lut);
     }

@@ -21,10 +21,11 @@ constexpr FileFormat written_by_opencolorio(FileFormat row) {
     return row;
 }
 
-/// The row as one that OpenColorIO reads, and writes as above.
+/// The row as one that OpenColorIO reads, which takes no tiny number for one, and writes as above.
 constexpr FileFormat read_by_opencolorio(FileFormat row) {
     row.read = read_with_opencolorio;
     row.opencolorio = true;
+    row.holds.tiny = false;
     return written_by_opencolorio(row);
 }
 

@@ -1,8 +1,10 @@
 #include "lutlib/io/formats.h"
 
 #include "lutlib/error.h"
+#include "lutlib/interpolation/interpolation.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/fit_format.h"
+#include "lutlib/io/look.h"
 #include "lutlib/io/ocio.h"
 #include "lutlib/metrics/scale.h"
 #include "lutlib/named.h"
@@ -278,6 +280,58 @@ TEST(FitTo, leaves_a_look_alone_that_the_format_can_hold) {
                 EXPECT_EQ(fit.lut.cube, lut.cube) << format->name << ' ' << name;
             }
         }
+    }
+}
+
+// Readers lay a smooth curve through a .csp's prelut, which a steep table bends.
+TEST(WriteLut, measures_what_a_reader_makes_of_a_steep_table_before_a_cube) {
+    Lut look;
+    look.shaper = Lut1D{{{0, 0, 0}, {100, 100, 100}}, {}};
+    for (int i = 0; i < 4096; ++i) {
+        const auto v = static_cast<float>(std::log1p(1e5 * i / 4095.0) / std::log(1e5 + 1));
+        look.shaper->entries.push_back({v, v, v});
+    }
+    look.cube = identity_cube(17);
+    for (Rgb& node : look.cube->nodes) {
+        node = {std::sqrt(node.r), std::sqrt(node.g), std::sqrt(node.b)};
+    }
+    const Encoded file = encode_lut(look, require_file_format("csp"));
+    ASSERT_EQ(file.losses.size(), 1U);
+    const Transform read = Look::of_bytes(file.bytes, "a.csp").exact();
+    double most = 0;
+    for (double v = 1e-5; v < 100; v *= 1.0005) {
+        most = std::max(most, largest_magnitude(read({v, v, v}) - evaluate_exact(look, {v, v, v})));
+    }
+    EXPECT_GT(most, 1e-3);
+    EXPECT_NEAR(file.losses[0].figure, most, 0.15 * most);
+}
+
+TEST(WriteLut, says_what_a_reader_loses_of_a_narrow_domain) {
+    Lut look;
+    look.shaper = Lut1D{{{.5F, .5F, .5F}, {.500001F, .500001F, .500001F}}, {}};
+    for (int i = 0; i < 64; ++i) {
+        const auto v = static_cast<float>(i / 63.0);
+        look.shaper->entries.push_back({v, v, v});
+    }
+    for (const char* const format : {"clf", "ctf"}) {
+        const Encoded file = encode_lut(look, require_file_format(format));
+        ASSERT_EQ(file.losses.size(), 1U) << format;
+        EXPECT_GT(file.losses[0].figure, 1e-3) << format;
+    }
+}
+
+TEST(WriteLut, writes_numbers_too_small_for_its_reader_as_0_and_says_so) {
+    Lut look;
+    look.cube = identity_cube(5);
+    for (Rgb& node : look.cube->nodes) {
+        node = {1e-40F * node.r, node.g, node.b};
+    }
+    for (const char* const format : {"csp", "spi3d"}) {
+        const Encoded file = encode_lut(look, require_file_format(format));
+        ASSERT_FALSE(file.losses.empty()) << format;
+        EXPECT_NE(file.losses[0].what.find("100 values so small"), std::string::npos)
+            << file.losses[0].what;
+        EXPECT_EQ(decode_lut(file.bytes, std::string("a.") + format).lut.cube->nodes[4].r, 0);
     }
 }
 

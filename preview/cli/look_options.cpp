@@ -22,8 +22,7 @@ LookUse use_of(const Options& options, const std::string& engine, const std::str
                const std::string& output) {
     return {.lookup = lookup_of(engine),
             .encodings = {if_named(input, "--look-input"), if_named(output, "--look-output")},
-            .picture = encoding_of(options.picture_encoding, "--picture-encoding"),
-            .convert = !options.no_convert};
+            .picture = picture_codes(options)};
 }
 
 bool is_look(const std::string& path) {
@@ -45,6 +44,10 @@ const GpuLookup* lookup_of(const std::string& name) {
             "look itself (without --engine)");
     }
     return lookup;
+}
+
+PictureCodes picture_codes(const Options& options) {
+    return {encoding_of(options.picture_encoding, "--picture-encoding"), !options.no_convert};
 }
 
 LookUse use_a(const Options& options) {

@@ -1,4 +1,3 @@
-#include "lutlib/error.h"
 #include "lutlib/io/look.h"
 #include "preview/cli/look_options.h"
 #include "preview/cli/modes.h"
@@ -49,7 +48,7 @@ editor::State opening_state(const Options& options, const FrameSettings& given,
             state.sides[i].engine = lookup;
         }
     }
-    state.convert = !options.no_convert;
+    state.picture = picture_codes(options);
     open_looks(state, options);
     return state;
 }
@@ -57,10 +56,6 @@ editor::State opening_state(const Options& options, const FrameSettings& given,
 } // namespace
 
 void open_window(const Options& options) {
-    if (use_b(options).picture != lutlib::srgb()) {
-        throw lutlib::UsageError("the window shows looks on sRGB codes: give --headless beside "
-                                 "--picture-encoding");
-    }
     const auto shown = std::make_shared<const Shown>(load_shown(options.input, options.seconds));
     WindowSetup setup;
     const FrameSettings given = settings_of(options, shown->picture_size());

@@ -57,7 +57,8 @@ void save_recipe(State& state, const std::string& path) {
 
 std::string export_strip(const State& state, const Side& side, const std::string& path) {
     const lutlib::Engine& engine = *side.engine->engine;
-    const lutlib::LookPlace place = io::place_in(engine, encodings_of(state.recipe), state.convert);
+    const lutlib::LookPlace place =
+        io::place_in(engine, encodings_of(state.recipe), state.picture.convert);
     const lutlib::Transform look = place.applied().around(lutlib::Transform::of(state.recipe));
     const lutlib::Bake baked =
         lutlib::bake(look, engine, side.size > 0 ? side.size : engine.default_size,

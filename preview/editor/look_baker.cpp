@@ -1,7 +1,6 @@
 #include "preview/editor/look_baker.h"
 
 #include "lutlib/bake/bake.h"
-#include "lutlib/io/bake_report.h"
 #include "preview/look/look_file.h"
 #include "preview/look/recipe_table.h"
 
@@ -29,12 +28,12 @@ const GpuLookup& float_table() {
     return row;
 }
 
-lutlib::Placement placement_of(const lutlib::LookEncodings& look, bool convert) {
-    return place_of(look, {.convert = convert}).applied();
+lutlib::Placement placement_of(const lutlib::LookEncodings& look, const PictureCodes& picture) {
+    return place_of(look, picture).applied();
 }
 
-LoadedLook table_look(const std::shared_ptr<const lutlib::Lut>& lut, bool convert) {
-    const lutlib::Placement placement = placement_of(lutlib::encodings_of(lut->encodings), convert);
+LoadedLook table_look(const std::shared_ptr<const lutlib::Lut>& lut, const PictureCodes& picture) {
+    const lutlib::Placement placement = placement_of(lutlib::encodings_of(lut->encodings), picture);
     return placement.converts()
                ? look_for(quick_table(placement.around(lutlib::Transform::of(lut))), float_table())
                : look_for(lut, table_lookup(*lut));
@@ -44,25 +43,25 @@ LoadedLook table_look(const std::shared_ptr<const lutlib::Lut>& lut, bool conver
 
 bool same(const LookRequest& a, const LookRequest& b) {
     return values_of(a.recipe) == values_of(b.recipe) && a.sides == b.sides &&
-           a.convert == b.convert;
+           a.picture == b.picture;
 }
 
-LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side, bool convert) {
+LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side, const PictureCodes& picture) {
     switch (side.source) {
     case SideSource::none:
         break;
     case SideSource::source:
         if (recipe.base_lut) {
-            return table_look(recipe.base_lut, convert);
+            return table_look(recipe.base_lut, picture);
         }
         break;
     case SideSource::file:
         if (side.lut) {
-            return table_look(side.lut, convert);
+            return table_look(side.lut, picture);
         }
         break;
     case SideSource::recipe: {
-        const lutlib::Placement placement = placement_of(encodings_of(recipe), convert);
+        const lutlib::Placement placement = placement_of(encodings_of(recipe), picture);
         return look_for(placement.converts()
                             ? quick_table(placement.around(lutlib::Transform::of(recipe)))
                             : quick_table(recipe),
@@ -70,8 +69,7 @@ LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side, bool convert)
     }
     case SideSource::baked: {
         const lutlib::Engine& engine = *side.engine->engine;
-        const lutlib::Placement placement =
-            lutlib::io::place_in(engine, encodings_of(recipe), convert).applied();
+        const lutlib::Placement placement = placement_of(encodings_of(recipe), picture);
         const lutlib::Bake baked =
             lutlib::bake(placement.around(lutlib::Transform::of(recipe)), engine,
                          side.size > 0 ? side.size : engine.default_size,
@@ -130,7 +128,7 @@ void LookBaker::publish(BakedLooks baked, bool is_last) {
 
 void LookBaker::refine(const LookRequest& request, BakedLooks baked) {
     const auto stop = [this] { return is_outdated(); };
-    const lutlib::Placement placement = placement_of(encodings_of(request.recipe), request.convert);
+    const lutlib::Placement placement = placement_of(encodings_of(request.recipe), request.picture);
     const std::optional<RecipeTable> table =
         placement.converts()
             ? measured_table(placement.around(lutlib::Transform::of(request.recipe)), stop)
@@ -161,7 +159,7 @@ void LookBaker::run() {
         const auto start = std::chrono::steady_clock::now();
         try {
             for (std::size_t i = 0; i < 2; ++i) {
-                baked.sides[i] = look_of(request.recipe, request.sides[i], request.convert);
+                baked.sides[i] = look_of(request.recipe, request.sides[i], request.picture);
             }
         } catch (const std::exception& error) {
             baked.error = error.what();

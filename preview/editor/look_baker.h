@@ -16,7 +16,7 @@ namespace preview::editor {
 struct LookRequest {
     lutlib::Recipe recipe;
     std::array<Side, 2> sides;
-    bool convert = true;
+    PictureCodes picture{};
 };
 bool same(const LookRequest& a, const LookRequest& b);
 
@@ -26,10 +26,10 @@ struct BakedLooks {
     double milliseconds = 0;
 };
 
-/// The look of one side; a recipe's is a quick table. `convert`: with conversions around a look
-/// that is made for other codes than the picture's. Throws lutlib::Error for what its lookup cannot
-/// hold.
-LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side, bool convert = true);
+/// The look of one side, on these codes; a recipe's is a quick table. Throws lutlib::Error for what
+/// its lookup cannot hold.
+LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side,
+                   const PictureCodes& picture = {});
 
 /// Bakes a request's looks at once. When no other follows for a moment, tables that stand for the
 /// recipe are measured against it, and finer ones are made where the difference could be seen.

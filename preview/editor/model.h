@@ -5,7 +5,7 @@
 #include "preview/finish/picture_settings.h"
 #include "preview/finish/scopes.h"
 #include "preview/look/cube_view.h"
-#include "preview/look/gpu_lookups.h"
+#include "preview/look/look_file.h"
 #include "preview/scene/scene.h"
 
 #include <array>
@@ -72,7 +72,7 @@ struct State : PictureSettings {
     std::string base_path;         ///< where the recipe's base lies
     std::vector<std::string> told; ///< what the reading of the look lost, guessed or left undone
     std::array<Side, 2> sides;
-    bool convert = true; ///< codes for looks that are made for others than the picture's
+    PictureCodes picture;
     std::shared_ptr<const Shown> shown; ///< the scene or picture
     Orbit orbit;
     std::vector<PointLight> lights; ///< in place of the scene's

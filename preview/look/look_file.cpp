@@ -57,15 +57,15 @@ LoadedLook own_look(const lutlib::io::Look& look, const GpuLookup* wanted) {
 
 } // namespace
 
-lutlib::LookPlace place_of(const lutlib::LookEncodings& look, const LookUse& use) {
-    return {look, use.picture, lutlib::srgb(), use.convert};
+lutlib::LookPlace place_of(const lutlib::LookEncodings& look, const PictureCodes& picture) {
+    return {look, picture.encoding, lutlib::srgb(), picture.convert};
 }
 
 LoadedLook look_for(const lutlib::io::Look& look, const LookUse& use) {
     // An engine reads a picture's texels as they are, right or wrong.
-    LookUse used = use;
-    used.convert = use.convert && look.kind().layout == nullptr;
-    const lutlib::LookPlace place = place_of(look.encodings(), used);
+    PictureCodes picture = use.picture;
+    picture.convert = picture.convert && look.kind().layout == nullptr;
+    const lutlib::LookPlace place = place_of(look.encodings(), picture);
     const lutlib::Placement placement = place.applied();
     LoadedLook out = placement.converts() ? placed_look(placement.around(look.exact()), use.lookup)
                                           : own_look(look, use.lookup);

@@ -9,17 +9,22 @@
 
 namespace preview {
 
+/// The codes that looks get; what they give is shown as sRGB.
+struct PictureCodes {
+    lutlib::Encoding encoding = lutlib::srgb();
+    bool convert = true; ///< for looks that are made for other codes
+    friend bool operator==(const PictureCodes&, const PictureCodes&) = default;
+};
+
 /// How a look is used.
 struct LookUse {
     const GpuLookup* lookup = nullptr;
     lutlib::LookEncodings encodings{}; ///< in place of what the look says
-    lutlib::Encoding picture =
-        lutlib::srgb();  ///< the codes it gets; what it gives is shown as sRGB
-    bool convert = true; ///< where it is made for other codes than the picture's
+    PictureCodes picture{};
 };
 
 /// What follows for a look of these encodings.
-lutlib::LookPlace place_of(const lutlib::LookEncodings& look, const LookUse& use = {});
+lutlib::LookPlace place_of(const lutlib::LookEncodings& look, const PictureCodes& picture = {});
 
 /// Without a lookup: the float table as the look asks to be read, a strip through its own texels. A
 /// lookup that reads a picture gets a picture file's codes as they are, and of any other look what

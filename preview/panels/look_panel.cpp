@@ -18,10 +18,6 @@ using lutlib::Parameter;
 using lutlib::ParameterKind;
 using lutlib::RgbD;
 
-std::string text_of(std::string_view view) {
-    return std::string(view);
-}
-
 enum class Change { none, up, down, remove };
 
 /// The buttons on the right of an operator's heading.
@@ -58,7 +54,7 @@ Change operation_controls(Ui& ui, Operation& operation, std::size_t index, bool 
     const lutlib::Op& op = *operation.op;
     const std::string place = "op" + std::to_string(index);
     const std::string heading =
-        text_of(op.label) + (operation.enabled ? "" : " (off)") + "###" + place;
+        std::string(op.label) + (operation.enabled ? "" : " (off)") + "###" + place;
     ImGui::PushID(static_cast<int>(index));
     Change change = Change::none;
     const bool open = ImGui::CollapsingHeader(heading.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
@@ -72,7 +68,7 @@ Change operation_controls(Ui& ui, Operation& operation, std::size_t index, bool 
             ImGui::PushID(static_cast<int>(i));
             const Parameter& parameter = op.parameters[i];
             parameter_control(ui, parameter, operation.values[i],
-                              place + "." + text_of(parameter.name), context);
+                              place + "." + std::string(parameter.name), context);
             ImGui::PopID();
         }
     }
@@ -89,10 +85,10 @@ void add_menu(Ui& ui, lutlib::Recipe& recipe) {
         return;
     }
     for (const lutlib::Op* op : lutlib::ops()) {
-        if (ImGui::MenuItem(text_of(op->label).c_str())) {
+        if (ImGui::MenuItem(std::string(op->label).c_str())) {
             add_operation(recipe, *op);
         }
-        mark(ui, "add." + text_of(op->name));
+        mark(ui, "add." + std::string(op->name));
         if (ImGui::IsItemHovered()) {
             ImGui::SetTooltip("%.*s", static_cast<int>(op->help.size()), op->help.data());
         }
@@ -118,7 +114,7 @@ bool searched_choice(Ui& ui, const char* label, const std::string& place,
     mark(ui, place + ".search");
     bool changed = false;
     for (const Row* const row : rows) {
-        const std::string text = text_of(row->label) + " (" + text_of(row->name) + ")";
+        const std::string text = std::string(row->label) + " (" + std::string(row->name) + ")";
         if (!is_found(text, ui.search)) {
             continue;
         }
@@ -126,7 +122,7 @@ bool searched_choice(Ui& ui, const char* label, const std::string& place,
             chosen = row;
             changed = true;
         }
-        mark(ui, place + "." + text_of(row->name));
+        mark(ui, place + "." + std::string(row->name));
     }
     ImGui::EndCombo();
     return changed;
@@ -136,12 +132,12 @@ bool searched_choice(Ui& ui, const char* label, const std::string& place,
 void encoding_choice(Ui& ui, const std::string& label, const std::string& place,
                      lutlib::Encoding& chosen) {
     const lutlib::TransferCurve* curve = chosen.curve;
-    if (searched_choice(ui, (label + " curve").c_str(), place + ".curve", text_of(curve->label),
+    if (searched_choice(ui, (label + " curve").c_str(), place + ".curve", std::string(curve->label),
                         lutlib::transfer_curves(), curve)) {
         chosen = {curve, curve->gamut};
     }
     const lutlib::Gamut* gamut = chosen.gamut;
-    if (searched_choice(ui, (label + " gamut").c_str(), place + ".gamut", text_of(gamut->label),
+    if (searched_choice(ui, (label + " gamut").c_str(), place + ".gamut", std::string(gamut->label),
                         lutlib::gamuts(), gamut)) {
         chosen.gamut = gamut;
     }
@@ -149,15 +145,17 @@ void encoding_choice(Ui& ui, const std::string& label, const std::string& place,
 
 void encodings_of_look(Ui& ui, State& state) {
     lutlib::Recipe& recipe = state.recipe;
+    encoding_choice(ui, "Picture", "look.picture", state.picture.encoding);
     encoding_choice(ui, "Input", "look.input", recipe.input);
     lutlib::Encoding output = recipe.output_encoding();
     encoding_choice(ui, "Output", "look.output", output);
     if (output != recipe.output_encoding()) {
         recipe.output = output;
     }
-    ImGui::Checkbox("Convert between the picture's encoding and the look's", &state.convert);
+    ImGui::Checkbox("Convert between the picture's encoding and the look's",
+                    &state.picture.convert);
     mark(ui, "look.convert");
-    const lutlib::LookPlace place = place_of(encodings_of(recipe), {.convert = state.convert});
+    const lutlib::LookPlace place = place_of(encodings_of(recipe), state.picture);
     if (place.needed().converts()) {
         ImGui::TextWrapped("%s", sentence_of(place, "the picture").c_str());
     }

@@ -198,7 +198,7 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
 
 void App::request_looks() {
     const editor::State& state = ui_.history.draft();
-    editor::LookRequest request{state.recipe, state.sides, state.convert};
+    editor::LookRequest request{state.recipe, state.sides, state.picture};
     if (baking_ && editor::same(request, requested_)) {
         return;
     }

@@ -257,7 +257,7 @@ TEST(EncodingOptions, are_refused_by_name) {
     const Options one = parsed("--look-input slog3 --look-input-a logc3");
     EXPECT_EQ(use_b(one).encodings.input, lutlib::encoding_named("slog3"));
     EXPECT_EQ(use_a(one).encodings.input, lutlib::encoding_named("logc3"));
-    EXPECT_FALSE(use_b(parsed("--no-convert")).convert);
+    EXPECT_FALSE(use_b(parsed("--no-convert")).picture.convert);
     EXPECT_THROW(use_b(parsed("--look-output slog9")), lutlib::UsageError);
     EXPECT_THROW(use_b(parsed("--picture-encoding p9")), lutlib::UsageError);
 }

@@ -140,6 +140,18 @@ TEST(History, brings_back_which_scopes_are_seen_and_how_the_cube_is_turned) {
     EXPECT_TRUE(history.draft() == last);
 }
 
+TEST(History, brings_back_what_the_picture_is_encoded_with) {
+    History history(initial_state());
+    history.draft().picture.encoding = *lutlib::encoding_named("logc3");
+    EXPECT_TRUE(history.settle());
+    history.draft().picture.convert = false;
+    EXPECT_TRUE(history.settle());
+    EXPECT_TRUE(history.undo());
+    EXPECT_EQ(history.draft().picture, PictureCodes{*lutlib::encoding_named("logc3")});
+    EXPECT_TRUE(history.undo());
+    EXPECT_EQ(history.draft().picture, PictureCodes{});
+}
+
 TEST(History, makes_one_step_of_a_whole_gesture) {
     History history(initial_state());
     for (int i = 1; i <= 100; ++i) {

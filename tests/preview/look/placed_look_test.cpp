@@ -47,15 +47,15 @@ TEST(PlacedLook, gets_its_own_codes_and_gives_the_pictures) {
 }
 
 TEST(PlacedLook, is_left_alone_where_that_is_asked_and_says_so) {
-    const LoadedLook half = look_for(look(log_half), {.convert = false});
+    const LoadedLook half = look_for(look(log_half), {.picture = {.convert = false}});
     EXPECT_NEAR(lutlib::evaluate_exact(*half.table, {0.6, 0.6, 0.6}).g, 0.3, 1e-6);
     ASSERT_EQ(half.told.size(), 1U);
     EXPECT_NE(half.told[0].find("left as it is"), std::string::npos);
 }
 
 TEST(PlacedLook, is_read_as_it_is_where_the_picture_is_what_it_wants) {
-    const LoadedLook half =
-        look_for(look(log_half), {.picture = *lutlib::encoding_named("logc3/rec709")});
+    const LoadedLook half = look_for(
+        look(log_half), {.picture = {.encoding = *lutlib::encoding_named("logc3/rec709")}});
     EXPECT_NEAR(lutlib::evaluate_exact(*half.table, {0.6, 0.6, 0.6}).g, 0.3, 1e-6);
     EXPECT_TRUE(half.told.empty());
 }
@@ -91,10 +91,41 @@ TEST(PlacedLook, of_a_recipe_is_what_the_window_shows_too) {
     editor::Side side;
     side.source = editor::SideSource::recipe;
     const LoadedLook shown = editor::look_of(recipe, side);
-    const LoadedLook left = editor::look_of(recipe, side, false);
+    const LoadedLook left = editor::look_of(recipe, side, {.convert = false});
     // To LogC3 and from it: nothing. Left alone, log codes are decoded that are none.
     EXPECT_NEAR(lutlib::evaluate_exact(*shown.table, {0.5, 0.5, 0.5}).g, 0.5, 1e-5);
     EXPECT_GT(std::abs(lutlib::evaluate_exact(*left.table, {0.5, 0.5, 0.5}).g - 0.5), 0.1);
+}
+
+TEST(PlacedLook, gets_the_pictures_codes_on_every_side_of_the_window) {
+    const auto logc3 = *lutlib::encoding_named("logc3/rec709");
+    const lutlib::io::Look half = look(log_half);
+    lutlib::Recipe recipe = half.as_recipe();
+    editor::Side side;
+    side.lut = half.table().lut;
+    side.engine = gpu_lookup_named("unreal");
+    for (const editor::SideSource source :
+         {editor::SideSource::source, editor::SideSource::recipe, editor::SideSource::baked,
+          editor::SideSource::file}) {
+        side.source = source;
+        const double v = 8.0 / 15; // a node of the engine's strip
+        const auto shown = [&](const PictureCodes& picture) {
+            return lutlib::evaluate_exact(*editor::look_of(recipe, side, picture).table, {v, v, v})
+                .g;
+        };
+        // Between nodes of a quick table as near as above; the strip has 8 bits.
+        EXPECT_NEAR(shown({.encoding = logc3}), v / 2, 2e-3) << static_cast<int>(source);
+        EXPECT_NEAR(shown({.encoding = lutlib::srgb()}), log_code_of_srgb(v) / 2, 2e-3);
+        EXPECT_NEAR(shown({.encoding = lutlib::srgb(), .convert = false}), v / 2, 2e-3);
+    }
+}
+
+TEST(LookRequest, is_another_one_where_the_picture_is_encoded_otherwise) {
+    const editor::LookRequest one{.recipe = {}, .sides = {}};
+    editor::LookRequest other = one;
+    EXPECT_TRUE(editor::same(one, other));
+    other.picture.encoding = *lutlib::encoding_named("logc3");
+    EXPECT_FALSE(editor::same(one, other));
 }
 
 TEST(Search, finds_every_word_in_any_case) {

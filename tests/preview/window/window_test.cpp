@@ -249,6 +249,33 @@ TEST_F(Window, switches_effects_and_lights_and_brings_them_back) {
     screen_where(is(before), "the light");
 }
 
+TEST_F(Window, shows_a_look_on_a_picture_of_another_encoding_that_is_found_by_typing) {
+    // Half of LogC3's code, shown as it is.
+    std::ofstream(file("log.cube")) << "# Input encoding: logc3/rec709\n# Output encoding: srgb\n"
+                                       "LUT_1D_SIZE 2\n0 0 0\n0.5 0.5 0.5\n";
+    start({"picture.ppm", "--b", "log.cube", "--picture-encoding", "logc3/rec709"});
+    const Screen log = first_screen();
+    const auto blue = [&](const Screen& screen, double across) {
+        const Point at = picture().at(across, 0.5);
+        return static_cast<int>(
+            screen.pixels[static_cast<std::size_t>(at.y * screen.width + at.x)] & 0xff);
+    };
+    EXPECT_NEAR(blue(log, 0.25), 128, 1);
+    EXPECT_NEAR(blue(log, 0.75), 64, 1);
+
+    click("tab.Look");
+    click("look.picture.curve");
+    type("srgb");
+    click("look.picture.curve.srgb");
+    const Screen srgb = screen_where(
+        [&](const Screen& now) { return now.changed(log, between(0.5, 1)) > 0.5; }, "sRGB codes");
+    EXPECT_EQ(srgb.changed(log, between(0, 0.5)), 0) << "side A has no look";
+    // LogC3 of the light of sRGB's 128/255 is 0.4096 (ARRI's formula, EI 800).
+    EXPECT_NEAR(blue(srgb, 0.75), 0.5 * 0.4096 * 255, 1);
+    key("ctrl+z");
+    screen_where(is(log), "LogC3 codes again");
+}
+
 TEST_F(Window, opens_a_model_with_its_lights_and_undoes_that) {
     preview::GltfWriter gltf;
     gltf.add("materials", {{"emissiveFactor", {1, 0, 1}}, {"doubleSided", true}});

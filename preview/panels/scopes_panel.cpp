@@ -10,10 +10,6 @@ namespace preview::panels {
 
 namespace {
 
-std::string text_of(std::string_view view) {
-    return std::string(view);
-}
-
 struct ScaleRow {
     const char* name;
     const char* label;
@@ -52,19 +48,19 @@ std::array<float, scopes.size()> widths_in(const ScopeChoice& choice, const Rect
 void scopes_panel(Ui& ui) {
     ScopeChoice& choice = ui.history.draft().scopes_seen;
     for (std::size_t i = 0; i < scopes.size(); ++i) {
-        ImGui::Checkbox(text_of(scopes[i].label).c_str(), &choice.seen[i]);
-        mark(ui, "scope." + text_of(scopes[i].name));
+        ImGui::Checkbox(std::string(scopes[i].label).c_str(), &choice.seen[i]);
+        mark(ui, "scope." + std::string(scopes[i].name));
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", text_of(scopes[i].help).c_str());
+            ImGui::SetTooltip("%s", std::string(scopes[i].help).c_str());
         }
     }
     ImGui::Separator();
     ImGui::TextUnformatted("They look at");
     for (const ScopeSide& side : scope_sides) {
-        if (ImGui::RadioButton(text_of(side.label).c_str(), choice.side == &side)) {
+        if (ImGui::RadioButton(std::string(side.label).c_str(), choice.side == &side)) {
             choice.side = &side;
         }
-        mark(ui, "scope.side." + text_of(side.name));
+        mark(ui, "scope.side." + std::string(side.name));
     }
     ImGui::TextUnformatted("Their brightness and height");
     for (const ScaleRow& row : scales) {
@@ -100,11 +96,11 @@ void scope_strip(Ui& ui, const Rect& area) {
         }
         ui.scope_places[i] = {x, area.y, widths[i], area.height};
         ImGui::SetCursorScreenPos({x, area.y});
-        ImGui::InvisibleButton(text_of(scopes[i].name).c_str(), {widths[i], area.height});
-        mark(ui, "scope.seen." + text_of(scopes[i].name));
+        ImGui::InvisibleButton(std::string(scopes[i].name).c_str(), {widths[i], area.height});
+        mark(ui, "scope.seen." + std::string(scopes[i].name));
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s: %s", text_of(scopes[i].label).c_str(),
-                              text_of(scopes[i].help).c_str());
+            ImGui::SetTooltip("%s: %s", std::string(scopes[i].label).c_str(),
+                              std::string(scopes[i].help).c_str());
         }
         x += widths[i];
     }

@@ -11,23 +11,19 @@ namespace preview::panels {
 
 namespace {
 
-std::string text_of(std::string_view view) {
-    return std::string(view);
-}
-
 void choice(Ui& ui, std::string_view flag) {
     const ChoiceRow<PictureSettings>& row = picture_choice(flag);
     PictureSettings& settings = ui.history.draft();
     const std::vector<Option> options = row.options();
     const std::size_t chosen = row.chosen(settings);
-    const bool open =
-        ImGui::BeginCombo(text_of(row.label).c_str(), text_of(options[chosen].text).c_str());
-    mark(ui, text_of(row.label));
+    const bool open = ImGui::BeginCombo(std::string(row.label).c_str(),
+                                        std::string(options[chosen].text).c_str());
+    mark(ui, std::string(row.label));
     if (!open) {
         return;
     }
     for (std::size_t i = 0; i < options.size(); ++i) {
-        if (ImGui::Selectable(text_of(options[i].text).c_str(), i == chosen)) {
+        if (ImGui::Selectable(std::string(options[i].text).c_str(), i == chosen)) {
             row.choose(settings, i);
         }
     }
@@ -38,7 +34,7 @@ template <class S>
 void number(Ui& ui, const NumberRow<S>& row, S& settings) {
     const bool has_own_range = row.slider_min < row.slider_max;
     const std::string label =
-        text_of(row.label) + (row.unit.empty() ? "" : " (" + text_of(row.unit) + ")");
+        std::string(row.label) + (row.unit.empty() ? "" : " (" + std::string(row.unit) + ")");
     float value = row.value(settings);
     if (ImGui::SliderFloat(
             label.c_str(), &value, static_cast<float>(has_own_range ? row.slider_min : row.min),
@@ -47,9 +43,9 @@ void number(Ui& ui, const NumberRow<S>& row, S& settings) {
                 (row.is_logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None))) {
         row.of(settings) = value;
     }
-    mark(ui, "setting." + text_of(row.flag));
+    mark(ui, "setting." + std::string(row.flag));
     if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("%s", text_of(row.help).c_str());
+        ImGui::SetTooltip("%s", std::string(row.help).c_str());
     }
 }
 
@@ -75,12 +71,12 @@ void effect_controls(Ui& ui) {
         const std::string name(effect->name);
         const EffectUse* const use = use_of(uses, *effect);
         bool is_on = use != nullptr;
-        if (ImGui::Checkbox(text_of(effect->label).c_str(), &is_on)) {
+        if (ImGui::Checkbox(std::string(effect->label).c_str(), &is_on)) {
             is_on ? put_use(uses, usual_use(*effect)) : take_out(uses, *effect);
         }
         mark(ui, "effect." + name);
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", text_of(effect->help).c_str());
+            ImGui::SetTooltip("%s", std::string(effect->help).c_str());
         }
         if (!is_on || use == nullptr) {
             continue;
@@ -91,7 +87,7 @@ void effect_controls(Ui& ui) {
         for (std::size_t i = 0; i < changed.values.size(); ++i) {
             const lutlib::Parameter& parameter = effect->parameters[i];
             is_changed |= parameter_control(ui, parameter, changed.values[i],
-                                            "effect." + name + "." + text_of(parameter.name));
+                                            "effect." + name + "." + std::string(parameter.name));
         }
         ImGui::PopID();
         if (is_changed) {
@@ -107,11 +103,11 @@ void side_controls(Ui& ui, Side& side, const std::string& name, const std::strin
     for (const SideSourceInfo& info : side_sources) {
         ImGui::SameLine();
         ImGui::BeginDisabled(info.source == SideSource::file && !side.lut);
-        if (ImGui::RadioButton(text_of(info.name).c_str(), side.source == info.source)) {
+        if (ImGui::RadioButton(std::string(info.name).c_str(), side.source == info.source)) {
             side.source = info.source;
         }
         ImGui::EndDisabled();
-        mark(ui, "side" + name + "." + text_of(info.name));
+        mark(ui, "side" + name + "." + std::string(info.name));
         if (ImGui::IsItemHovered()) {
             ImGui::SetTooltip("%.*s", static_cast<int>(info.help.size()), info.help.data());
         }
@@ -127,9 +123,9 @@ void side_controls(Ui& ui, Side& side, const std::string& name, const std::strin
         lines(side.told);
     }
     if (side.source == SideSource::baked) {
-        if (ImGui::BeginCombo("Engine", text_of(side.engine->label).c_str())) {
+        if (ImGui::BeginCombo("Engine", std::string(side.engine->label).c_str())) {
             for (const GpuLookup* row : engine_lookups()) {
-                if (ImGui::Selectable(text_of(row->label).c_str(), row == side.engine)) {
+                if (ImGui::Selectable(std::string(row->label).c_str(), row == side.engine)) {
                     side.engine = row;
                     side.size = side.bits = 0;
                 }

@@ -1,20 +1,22 @@
-// Which share of its light a colour gives to bloom: none below threshold - knee, the excess over the
-// threshold above threshold + knee, a parabola between. preview/blooms.cpp has the same.
+// Which share of its light a colour gives to bloom: none below threshold - knee, the excess over
+// the threshold above threshold + knee, a parabola between. preview/finish/blooms.cpp has the same.
 float bloom_share(float brightness, float threshold, float knee) {
     float over = brightness - threshold;
-    if (!(over > -knee))
+    if (!(over > -knee)) {
         return 0.0;
+    }
     float soft = min(over + knee, 2.0 * knee);
     float light = over < knee ? soft * soft / (4.0 * knee) : over;
     return light / brightness;
 }
 
-/// Light of which `share` has gone into a glow.
-vec3 with_bloom(vec3 light, float share, vec3 glow, float strength) {
-    return light + strength * (glow - light * share);
+/// Light of which `own` has gone into a glow.
+vec3 with_bloom(vec3 light, vec3 own, vec3 glow, float strength) {
+    return light + strength * (glow - own);
 }
 
-/// A layer of the bloom at a place in its own texels.
-vec3 layer_at(sampler2D layer, vec2 at) {
-    return textureLod(layer, at / vec2(textureSize(layer, 0)), 0.0).rgb;
+/// A layer of the bloom about a place in the picture's texels. `how` is its scale and weight,
+/// loaded at once.
+vec3 layer_at(sampler2D layer, vec2 at, vec4 how) {
+    return textureLod(layer, at * how.x / vec2(textureSize(layer, 0)), 0.0).rgb * how.y;
 }

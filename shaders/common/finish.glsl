@@ -1,6 +1,6 @@
-// All that a pass which finishes texels is given: preview/passes/finish.h, bind_finish(), binds it, and
-// the passes' own bindings follow from 15 on. Only the functions here, those of common/graded.glsl and
-// the shaders themselves read it; every other function takes what it uses.
+// All that a pass which finishes texels is given: preview/passes/finish.h, bind_finish(), binds it,
+// and the passes' own bindings follow from 15 on. Only the functions here, those of
+// common/graded.glsl and the shaders themselves read it; every other function takes what it uses.
 #ifndef FINISH_GLSL
 #define FINISH_GLSL
 #include "common/bloom.glsl"
@@ -51,35 +51,43 @@ vec3 glow_at(ivec2 at) {
     vec2 centre = vec2(at) + 0.5;
     vec3 glow = vec3(0.0);
     if (bloom_layers == 1) {
+        vec2 texel = 1.0 / vec2(textureSize(layer_0, 0));
         vec2 from = centre * final_filter.layers[0].x;
         for (int i = 0; i < bloom_taps; ++i) {
             vec4 tap = final_filter.taps[i];
-            glow += layer_at(layer_0, from + tap.xy) * tap.z;
+            glow += textureLod(layer_0, (from + tap.xy) * texel, 0.0).rgb * tap.z;
         }
         return glow;
     }
-    glow = layer_at(layer_0, centre * final_filter.layers[0].x) * final_filter.layers[0].y;
-    if (bloom_layers > 1)
-        glow += layer_at(layer_1, centre * final_filter.layers[1].x) * final_filter.layers[1].y;
-    if (bloom_layers > 2)
-        glow += layer_at(layer_2, centre * final_filter.layers[2].x) * final_filter.layers[2].y;
-    if (bloom_layers > 3)
-        glow += layer_at(layer_3, centre * final_filter.layers[3].x) * final_filter.layers[3].y;
+    glow = layer_at(layer_0, centre, final_filter.layers[0]);
+    if (bloom_layers > 1) {
+        glow += layer_at(layer_1, centre, final_filter.layers[1]);
+    }
+    if (bloom_layers > 2) {
+        glow += layer_at(layer_2, centre, final_filter.layers[2]);
+    }
+    if (bloom_layers > 3) {
+        glow += layer_at(layer_3, centre, final_filter.layers[3]);
+    }
     return glow;
 }
 
 /// The light of a texel, which is `light` in the picture, with its bloom.
 vec3 bloomed(ivec2 at, vec3 light) {
-    if (bloom_layers == 0)
+    if (bloom_layers == 0) {
         return light;
-    float brightest = max(light.r, max(light.g, light.b));
-    float share = bloom_threshold ? bloom_share(brightest, push.threshold, push.knee) : 1.0;
-    return with_bloom(light, share, glow_at(at), push.strength);
+    }
+    vec3 own = light;
+    if (bloom_threshold) {
+        own *= bloom_share(max(light.r, max(light.g, light.b)), push.threshold, push.knee);
+    }
+    return with_bloom(light, own, glow_at(at), push.strength);
 }
 
 /// The same after exposure and tone map.
 vec3 display_encoded(ivec2 at, vec3 texel) {
-    return tonemap_row < 0 ? texel : tonemap(tonemap_row, sanitise(bloomed(at, texel) * push.exposure));
+    return tonemap_row < 0 ? texel
+                           : tonemap(tonemap_row, sanitise(bloomed(at, texel) * push.exposure));
 }
 
 #endif

@@ -46,9 +46,10 @@ vec3 oklab_of(vec3 codes) {
 
 /// `share` of the axis; the last bin takes what rounding puts above 1.
 void add(uint axis, float share, uint count) {
-    if (count > 0u && share >= 0.0 && share <= 1.0001)
+    if (count > 0u && share >= 0.0 && share <= 1.0001) {
         atomicAdd(bins[axis * bins_each + min(uint(share * float(bins_each)), bins_each - 1u)],
                   count);
+    }
 }
 
 void count(vec3 color) {
@@ -58,17 +59,20 @@ void count(vec3 color) {
     float weight = chroma * chroma / (chroma * chroma + half_chroma * half_chroma);
     add(0u, lab.x, 1u);
     add(1u, chroma / srgb_chroma, 1u);
-    if (chroma > 1e-5)
+    if (chroma > 1e-5) {
         add(2u, hue_of_angle(atan(lab.z, lab.y)), uint(weight * hue_unit + 0.5));
+    }
     add(3u, dot(codes, vec3(0.2126, 0.7152, 0.0722)), 1u);
-    for (int channel = 0; channel < 3; ++channel)
+    for (int channel = 0; channel < 3; ++channel) {
         add(4u + uint(channel), codes[channel], 1u);
+    }
 }
 
 void main() {
     const uint threads = gl_WorkGroupSize.x;
-    for (uint i = gl_LocalInvocationIndex; i < axes * bins_each; i += threads)
+    for (uint i = gl_LocalInvocationIndex; i < axes * bins_each; i += threads) {
         bins[i] = 0u;
+    }
     barrier();
     uvec2 size = uvec2(textureSize(picture, 0));
     for (uint i = gl_GlobalInvocationID.x; i < size.x * size.y; i += threads * gl_NumWorkGroups.x) {
@@ -76,7 +80,9 @@ void main() {
         count(display_encoded(at, picture_at(at)));
     }
     barrier();
-    for (uint i = gl_LocalInvocationIndex; i < axes * bins_each; i += threads)
-        if (bins[i] > 0u)
+    for (uint i = gl_LocalInvocationIndex; i < axes * bins_each; i += threads) {
+        if (bins[i] > 0u) {
             atomicAdd(counts[i], bins[i]);
+        }
+    }
 }

@@ -7,6 +7,7 @@ layout(binding = 15) writeonly uniform image2D composite;
 
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    if (all(lessThan(at, imageSize(composite))))
+    if (all(lessThan(at, imageSize(composite)))) {
         imageStore(composite, at, vec4(bloomed(at, picture_at(at)), 1.0));
+    }
 }

@@ -30,8 +30,9 @@ vec3 fetch(vec2 at, vec2 texel) {
 
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(at, imageSize(target))))
+    if (any(greaterThanEqual(at, imageSize(target)))) {
         return;
+    }
     vec2 texel = 1.0 / vec2(textureSize(source, 0));
     vec2 centre = (vec2(at) + 0.5) * push.scale;
     vec3 sum = vec3(0.0);
@@ -50,10 +51,12 @@ void main() {
         }
         sum /= total;
     } else {
-        for (int i = 0; i < tap_count; ++i)
+        for (int i = 0; i < tap_count; ++i) {
             sum += fetch(centre + taps[i].xy, texel) * taps[i].z;
+        }
     }
-    if (has_own)
+    if (has_own) {
         sum += texelFetch(own, at, 0).rgb * push.keep;
+    }
     imageStore(target, at, vec4(round_to_half(min(sum, half_max)), 1.0));
 }

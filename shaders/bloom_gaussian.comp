@@ -13,8 +13,9 @@ layout(binding = 2) writeonly uniform image2D target;
 
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(at, imageSize(target))))
+    if (any(greaterThanEqual(at, imageSize(target)))) {
         return;
+    }
     vec2 texel = 1.0 / vec2(textureSize(source, 0));
     vec2 centre = (vec2(at) + 0.5) * texel;
     // By component: Mesa 22.3 folds a choice between two constant vectors by a specialisation

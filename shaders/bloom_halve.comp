@@ -1,6 +1,7 @@
-// A halving by weights for single texels, the four by four about the target's (preview/finish/blooms.h):
-// each texel is fetched and prefiltered once for the group instead of once for each of the four
-// targets that it belongs to. Fetches at a stride of two texels are slow for texture units.
+// A halving by weights for single texels, the four by four about the target's
+// (preview/finish/blooms.h): each texel is fetched and prefiltered once for the group instead of
+// once for each of the four targets that it belongs to. Fetches at a stride of two texels are slow
+// for texture units.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "common/sanitise.glsl"
@@ -24,25 +25,29 @@ void main() {
     vec3 light[texels_each];
     for (int k = 0; k < texels_each; ++k) {
         int i = thread + k * threads;
-        light[k] = texelFetch(source, clamp(corner + ivec2(i % side, i / side), ivec2(0), last), 0).rgb;
+        ivec2 place = clamp(corner + ivec2(i % side, i / side), ivec2(0), last);
+        light[k] = texelFetch(source, place, 0).rgb;
     }
     for (int k = 0; k < texels_each; ++k) {
         vec3 c = light[k];
-        if (prefilter)
+        if (prefilter) {
             c = round_to_half(c * bloom_share(max(c.r, max(c.g, c.b)), push.threshold, push.knee));
+        }
         tile[thread + k * threads] = uvec2(packHalf2x16(c.rg), packHalf2x16(vec2(c.b, 0.0)));
     }
     barrier();
 
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(at, imageSize(target))))
+    if (any(greaterThanEqual(at, imageSize(target)))) {
         return;
+    }
     vec3 sum = vec3(0.0);
     int first = int(gl_LocalInvocationID.y * side + gl_LocalInvocationID.x) * 2;
-    for (int y = 0; y < 4; ++y)
+    for (int y = 0; y < 4; ++y) {
         for (int x = 0; x < 4; ++x) {
             uvec2 texel = tile[first + y * side + x];
             sum += vec3(unpackHalf2x16(texel.x), unpackHalf2x16(texel.y).x) * rows[y][x];
         }
+    }
     imageStore(target, at, vec4(round_to_half(min(sum, half_max)), 1.0));
 }

@@ -8,9 +8,12 @@ layout(binding = 1) writeonly uniform image2D target;
 void main() {
     ivec2 size = imageSize(target);
     vec4 texels[texels_each];
-    for (int i = 0; i < texels_each; ++i)
+    for (int i = 0; i < texels_each; ++i) {
         texels[i] = texelFetch(source, min(tile_texel(i), size - 1), 0);
-    for (int i = 0; i < texels_each; ++i)
-        if (all(lessThan(tile_texel(i), size)))
+    }
+    for (int i = 0; i < texels_each; ++i) {
+        if (all(lessThan(tile_texel(i), size))) {
             imageStore(target, tile_texel(i), texels[i]);
+        }
+    }
 }

@@ -9,11 +9,13 @@
 void main() {
     ivec2 size = textureSize(picture, 0);
     vec3 texels[texels_each];
-    for (int i = 0; i < texels_each; ++i)
+    for (int i = 0; i < texels_each; ++i) {
         texels[i] = picture_at(min(tile_texel(i), size - 1));
+    }
     for (int i = 0; i < texels_each; ++i) {
         ivec2 at = tile_texel(i);
-        if (all(lessThan(at, size)))
+        if (all(lessThan(at, size))) {
             store_texel(at, size, display_encoded(at, texels[i]));
+        }
     }
 }

@@ -33,8 +33,9 @@ void walk(ivec2 at, ivec2 across, ivec2 along, float mean, float gradient, out i
         reach += steps[i];
         ivec2 there = at + reach * along;
         departure = 0.5 * (luma_at(there) + luma_at(there + across)) - mean;
-        if (abs(departure) >= 0.25 * gradient)
+        if (abs(departure) >= 0.25 * gradient) {
             return;
+        }
     }
 }
 
@@ -46,8 +47,9 @@ vec3 antialiased(ivec2 at) {
     float brightest = max(m, max(max(n, s), max(w, e)));
     float darkest = min(m, min(min(n, s), min(w, e)));
     float contrast = brightest - darkest;
-    if (!(contrast >= max(least_contrast, relative_contrast * brightest)))
+    if (!(contrast >= max(least_contrast, relative_contrast * brightest))) {
         return own;
+    }
     float nw = luma_at(at + ivec2(-1, -1)), ne = luma_at(at + ivec2(1, -1));
     float sw = luma_at(at + ivec2(-1, 1)), se = luma_at(at + ivec2(1, 1));
 
@@ -83,7 +85,8 @@ void main() {
     size = textureSize(source, 0);
     for (int i = 0; i < texels_each; ++i) {
         ivec2 at = tile_texel(i);
-        if (all(lessThan(at, size)))
+        if (all(lessThan(at, size))) {
             imageStore(target, at, vec4(antialiased(at), 1.0));
+        }
     }
 }

@@ -1,5 +1,5 @@
-// Writes what the lighting needs to know of the nearest surface, and no more: GPUs without a display
-// run fragment shaders on a small part of the chip.
+// Writes what the lighting needs to know of the nearest surface, and no more: GPUs without a
+// display run fragment shaders on a small part of the chip.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "common/scene.glsl"

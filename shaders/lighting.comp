@@ -19,14 +19,16 @@ layout(binding = 8) writeonly uniform image2D target;
 layout(push_constant) uniform Push { uint light_count; };
 
 /// 1 where the light reaches the point, 0 where not; 1 outside its frustum. Four bilinear
-/// comparisons over 3.5 texels. The point is moved out along its normal by what a texel can be wrong at its slant.
+/// comparisons over 3.5 texels. The point is moved out along its normal by what a texel can be
+/// wrong at its slant.
 float lit(Light light, vec3 position, vec3 normal, float n_dot_l, float distance_to_light) {
     float slant = sqrt(max(1.0 - n_dot_l * n_dot_l, 0.0));
     float texel = light.intensity_texel.w * distance_to_light;
     vec4 clip = light.clip * vec4(position + normal * (texel * (0.5 + 2.0 * slant)), 1.0);
     if (!(clip.w > 0.0) || any(greaterThan(abs(clip.xy), vec2(clip.w))) || clip.z > clip.w ||
-        clip.z < 0.0)
+        clip.z < 0.0) {
         return 1.0;
+    }
     vec3 at = clip.xyz / clip.w;
     vec2 uv = at.xy * 0.5 + 0.5;
     vec2 reach = 0.75 / vec2(textureSize(shadow_maps, 0).xy);
@@ -42,8 +44,9 @@ float lit(Light light, vec3 position, vec3 normal, float n_dot_l, float distance
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     ivec2 size = imageSize(target);
-    if (any(greaterThanEqual(at, size)))
+    if (any(greaterThanEqual(at, size))) {
         return;
+    }
     vec2 screen = (vec2(at) + 0.5) / vec2(size) * 2.0 - 1.0;
     vec3 ray = view.forward.xyz + screen.x * view.right.xyz + screen.y * view.up.xyz;
     float depth = texelFetch(depths, at, 0).r;
@@ -70,11 +73,13 @@ void main() {
         float distance_to_light = sqrt(squared);
         vec3 direction = towards / distance_to_light;
         float n_dot_l = dot(normal, direction);
-        if (!(n_dot_l > 0.0))
+        if (!(n_dot_l > 0.0)) {
             continue;
+        }
         vec3 shaded = shade(normal, to_eye, direction, albedo, roughness, metalness);
-        if (has_shadows && light.position_layer.w >= 0.0)
+        if (has_shadows && light.position_layer.w >= 0.0) {
             shaded *= lit(light, position, normal, n_dot_l, distance_to_light);
+        }
         radiance += shaded * light.intensity_texel.rgb / squared;
     }
     if (has_environment) {

@@ -21,8 +21,9 @@ vec3 light_at(ivec2 at) {
 
 /// The mean over the pixel's area in the source, which is at least one texel wide.
 vec3 filtered(ivec2 at) {
-    if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, extent)))
+    if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, extent))) {
         return vec3(0.0);
+    }
     ivec2 source_size = textureSize(source, 0);
     vec2 scale = vec2(source_size) / vec2(extent);
     vec2 centre = (vec2(at) + 0.5) * scale;
@@ -31,7 +32,7 @@ vec3 filtered(ivec2 at) {
     ivec2 last = ivec2(ceil(centre + reach)) - 1;
     vec3 sum = vec3(0.0);
     float weights = 0.0;
-    for (int y = first.y; y <= last.y; ++y)
+    for (int y = first.y; y <= last.y; ++y) {
         for (int x = first.x; x <= last.x; ++x) {
             vec2 low = max(vec2(x, y), centre - reach);
             vec2 high = min(vec2(x, y) + 1.0, centre + reach);
@@ -39,12 +40,14 @@ vec3 filtered(ivec2 at) {
             sum += weight * light_at(clamp(ivec2(x, y), ivec2(0), source_size - 1));
             weights += weight;
         }
+    }
     return sum / max(weights, 1e-20);
 }
 
 void main() {
-    if (gl_LocalInvocationIndex == 0)
+    if (gl_LocalInvocationIndex == 0) {
         group_maximum = 0u;
+    }
     barrier();
     ivec2 size = imageSize(target);
     vec3 light[texels_each];
@@ -54,12 +57,15 @@ void main() {
         light[i] = round_to_half(resized ? filtered(at - corner) : light_at(at));
         brightest = max(brightest, max(light[i].r, max(light[i].g, light[i].b)));
     }
-    for (int i = 0; i < texels_each; ++i)
-        if (all(lessThan(tile_texel(i), size)))
+    for (int i = 0; i < texels_each; ++i) {
+        if (all(lessThan(tile_texel(i), size))) {
             imageStore(target, tile_texel(i), vec4(light[i], 1.0));
+        }
+    }
     // Non-negative floats order like their bits.
     atomicMax(group_maximum, floatBitsToUint(brightest));
     barrier();
-    if (gl_LocalInvocationIndex == 0)
+    if (gl_LocalInvocationIndex == 0) {
         atomicMax(maximum, group_maximum);
+    }
 }

@@ -12,8 +12,9 @@ layout(binding = 1) writeonly uniform image2D target;
 shared uint most;
 
 float share(float count) {
-    if (push.logarithmic != 0u)
+    if (push.logarithmic != 0u) {
         return log2(1.0 + count) / log2(1.0 + float(most));
+    }
     return count / float(most);
 }
 
@@ -24,9 +25,10 @@ float height_at(uint plane, float x) {
     float low = clamp(x * per_texel - reach, 0.0, float(levels));
     float high = clamp(x * per_texel + reach, 0.0, float(levels));
     float sum = 0.0;
-    for (uint level = uint(low); level < min(uint(ceil(high)), levels); ++level)
+    for (uint level = uint(low); level < min(uint(ceil(high)), levels); ++level) {
         sum += float(counts[plane * levels + level]) *
                (min(high, float(level + 1u)) - max(low, float(level)));
+    }
     return share(sum / max(high - low, 1e-6)) * float(push.plot.w);
 }
 
@@ -54,19 +56,23 @@ vec3 plot_color(ivec2 at) {
 
 void main() {
     const uint threads = gl_WorkGroupSize.x * gl_WorkGroupSize.y;
-    if (gl_LocalInvocationIndex == 0u)
+    if (gl_LocalInvocationIndex == 0u) {
         most = 1u;
+    }
     barrier();
     uint own = 0u;
-    for (uint i = gl_LocalInvocationIndex; i < 4u * levels; i += threads)
-        if (i % levels != 0u && i % levels != levels - 1u)
+    for (uint i = gl_LocalInvocationIndex; i < 4u * levels; i += threads) {
+        if (i % levels != 0u && i % levels != levels - 1u) {
             own = max(own, counts[i]);
+        }
+    }
     atomicMax(most, own);
     barrier();
 
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(at, imageSize(target))))
+    if (any(greaterThanEqual(at, imageSize(target)))) {
         return;
+    }
     ivec2 inside = at - push.plot.xy;
     bool in_plot = all(greaterThanEqual(inside, ivec2(0))) && all(lessThan(inside, push.plot.zw));
     vec3 color = in_plot ? plot_color(inside) : surround;

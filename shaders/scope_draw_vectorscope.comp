@@ -44,12 +44,13 @@ float count_at(vec2 d) {
     float reach = max(255.0 / scale_of_plot(), 1.0);
     ivec2 from = max(ivec2(ceil(bin - reach)), 0), to = min(ivec2(floor(bin + reach)), 255);
     float sum = 0.0, weights = 0.0;
-    for (int y = from.y; y <= to.y; ++y)
+    for (int y = from.y; y <= to.y; ++y) {
         for (int x = from.x; x <= to.x; ++x) {
             vec2 near = 1.0 - abs(vec2(x, y) - bin) / reach;
             sum += float(counts[y * int(levels) + x]) * near.x * near.y;
             weights += near.x * near.y;
         }
+    }
     return sum / max(weights, 1e-6);
 }
 
@@ -93,16 +94,18 @@ bool labelled(vec2 d, float scale) {
         ivec2 at = ivec2(floor(vec2(d.x * scale - corner.x, corner.y - d.y * scale)));
         if (in_glyph(at, bar_names[i].x, push.dot_size) ||
             (two && in_glyph(at - ivec2(glyph_step * push.dot_size, 0), bar_names[i].y,
-                             push.dot_size)))
+                             push.dot_size))) {
             return true;
+        }
     }
     return false;
 }
 
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(at, imageSize(target))))
+    if (any(greaterThanEqual(at, imageSize(target)))) {
         return;
+    }
     ivec2 inside = at - push.plot.xy;
     vec3 color = surround;
     if (all(greaterThanEqual(inside, ivec2(0))) && all(lessThan(inside, push.plot.zw))) {

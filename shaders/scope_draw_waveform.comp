@@ -17,15 +17,17 @@ float count_at(uint plane, uint column, int row) {
     float low = max(centre - reach, 0.0), high = min(centre + reach, float(levels));
     uint from = (plane * push.columns + column) * levels;
     float sum = 0.0;
-    for (uint level = uint(low); level < min(uint(ceil(high)), levels); ++level)
+    for (uint level = uint(low); level < min(uint(ceil(high)), levels); ++level) {
         sum += float(counts[from + level]) *
                (min(high, float(level + 1u)) - max(low, float(level)));
+    }
     return sum / max(high - low, 1e-6);
 }
 
 vec3 plane_color(uint plane) {
-    if (planes == 1u)
+    if (planes == 1u) {
         return vec3(0.80, 0.97, 0.84);
+    }
     return plane == 0u ? vec3(1.0, 0.30, 0.26) : plane == 1u ? vec3(0.30, 0.92, 0.36)
                                                              : vec3(0.36, 0.54, 1.0);
 }
@@ -52,21 +54,24 @@ bool labelled(ivec2 at) {
         int middle = push.plot.y + push.plot.w - push.plot.w * quarter / 4;
         int top = clamp(middle - height / 2, push.plot.y, push.plot.y + push.plot.w - height);
         if (in_label(at - ivec2(push.plot.x - 2 * push.dot_size, top), uint(quarter) * 25u,
-                     push.dot_size))
+                     push.dot_size)) {
             return true;
+        }
     }
     return false;
 }
 
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(at, imageSize(target))))
+    if (any(greaterThanEqual(at, imageSize(target)))) {
         return;
+    }
     vec3 color = labelled(at) ? label_color : surround;
     for (uint plane = 0u; plane < planes; ++plane) {
         ivec2 inside = at - push.plot.xy - ivec2(int(plane) * push.stride, 0);
-        if (all(greaterThanEqual(inside, ivec2(0))) && all(lessThan(inside, push.plot.zw)))
+        if (all(greaterThanEqual(inside, ivec2(0))) && all(lessThan(inside, push.plot.zw))) {
             color = plot_color(inside, plane);
+        }
     }
     imageStore(target, at, vec4(min(color, 1.0), 1.0));
 }

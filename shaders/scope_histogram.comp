@@ -14,8 +14,9 @@ shared uint bins[planes * levels];
 
 void main() {
     const uint threads = gl_WorkGroupSize.x;
-    for (uint i = gl_LocalInvocationIndex; i < planes * levels; i += threads)
+    for (uint i = gl_LocalInvocationIndex; i < planes * levels; i += threads) {
         bins[i] = 0u;
+    }
     barrier();
 
     uint texels = push.width * uint(textureSize(picture, 0).y);
@@ -26,19 +27,24 @@ void main() {
         uvec4 all_codes = uvec4(codes, luma_of(codes));
         for (uint plane = 0u; plane < planes; ++plane) {
             if (all_codes[plane] != held[plane]) {
-                if (run[plane] > 0u)
+                if (run[plane] > 0u) {
                     atomicAdd(bins[plane * levels + held[plane]], run[plane]);
+                }
                 held[plane] = all_codes[plane];
                 run[plane] = 0u;
             }
             ++run[plane];
         }
     }
-    for (uint plane = 0u; plane < planes; ++plane)
-        if (run[plane] > 0u)
+    for (uint plane = 0u; plane < planes; ++plane) {
+        if (run[plane] > 0u) {
             atomicAdd(bins[plane * levels + held[plane]], run[plane]);
+        }
+    }
     barrier();
-    for (uint i = gl_LocalInvocationIndex; i < planes * levels; i += threads)
-        if (bins[i] > 0u)
+    for (uint i = gl_LocalInvocationIndex; i < planes * levels; i += threads) {
+        if (bins[i] > 0u) {
             atomicAdd(counts[i], bins[i]);
+        }
+    }
 }

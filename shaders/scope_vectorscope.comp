@@ -16,16 +16,18 @@ shared uint middle[side * side];
 
 void add(uvec2 chroma, uint count) {
     uvec2 place = chroma - corner; // wraps to beyond the side
-    if (all(lessThan(place, uvec2(side))))
+    if (all(lessThan(place, uvec2(side)))) {
         atomicAdd(middle[place.y * side + place.x], count);
-    else
+    } else {
         atomicAdd(counts[chroma.y * levels + chroma.x], count);
+    }
 }
 
 void main() {
     const uint threads = gl_WorkGroupSize.x;
-    for (uint i = gl_LocalInvocationIndex; i < side * side; i += threads)
+    for (uint i = gl_LocalInvocationIndex; i < side * side; i += threads) {
         middle[i] = 0u;
+    }
     barrier();
 
     uint texels = push.width * uint(textureSize(picture, 0).y);
@@ -35,17 +37,21 @@ void main() {
         ivec2 at = ivec2(push.first + i % push.width, i / push.width);
         uvec2 chroma = chroma_of(codes_of(texelFetch(picture, at, 0).rgb));
         if (chroma != held) {
-            if (run > 0u)
+            if (run > 0u) {
                 add(held, run);
+            }
             held = chroma;
             run = 0u;
         }
         ++run;
     }
-    if (run > 0u)
+    if (run > 0u) {
         add(held, run);
+    }
     barrier();
-    for (uint i = gl_LocalInvocationIndex; i < side * side; i += threads)
-        if (middle[i] > 0u)
+    for (uint i = gl_LocalInvocationIndex; i < side * side; i += threads) {
+        if (middle[i] > 0u) {
             atomicAdd(counts[(corner + i / side) * levels + corner + i % side], middle[i]);
+        }
+    }
 }

@@ -15,8 +15,9 @@ shared uint bins[planes * levels];
 
 void main() {
     uint column = gl_WorkGroupID.x, thread = gl_LocalInvocationIndex;
-    for (uint plane = 0u; plane < planes; ++plane)
+    for (uint plane = 0u; plane < planes; ++plane) {
         bins[plane * levels + thread] = 0u;
+    }
     barrier();
 
     uint from = (column * push.width + push.columns - 1u) / push.columns;
@@ -26,22 +27,27 @@ void main() {
     for (uint i = thread; i < texels; i += levels) {
         ivec2 at = ivec2(push.first + from + i % wide, i / wide);
         uvec3 codes = codes_of(texelFetch(picture, at, 0).rgb);
-        if (planes == 1u)
+        if (planes == 1u) {
             codes.r = luma_of(codes);
+        }
         for (uint plane = 0u; plane < planes; ++plane) {
             if (codes[plane] != held[plane]) {
-                if (run[plane] > 0u)
+                if (run[plane] > 0u) {
                     atomicAdd(bins[plane * levels + held[plane]], run[plane]);
+                }
                 held[plane] = codes[plane];
                 run[plane] = 0u;
             }
             ++run[plane];
         }
     }
-    for (uint plane = 0u; plane < planes; ++plane)
-        if (run[plane] > 0u)
+    for (uint plane = 0u; plane < planes; ++plane) {
+        if (run[plane] > 0u) {
             atomicAdd(bins[plane * levels + held[plane]], run[plane]);
+        }
+    }
     barrier();
-    for (uint plane = 0u; plane < planes; ++plane)
+    for (uint plane = 0u; plane < planes; ++plane) {
         counts[(plane * push.columns + column) * levels + thread] = bins[plane * levels + thread];
+    }
 }

@@ -7,6 +7,7 @@ layout(std430, binding = 1) readonly buffer Casters { Caster casters[]; };
 layout(push_constant) uniform Push { mat4 clip; };
 
 void main() {
-    vec3 position = transform_point(casters[gl_InstanceIndex].model, vertices[gl_VertexIndex].position);
+    vec3 position =
+        transform_point(casters[gl_InstanceIndex].model, vertices[gl_VertexIndex].position);
     gl_Position = clip * vec4(position, 1.0);
 }

@@ -13,8 +13,9 @@ void main() {
     ivec2 size = textureSize(source, 0);
     for (int i = 0; i < texels_each; ++i) {
         ivec2 at = tile_texel(i);
-        if (all(lessThan(at, size)))
+        if (all(lessThan(at, size))) {
             imageStore(target, at, on_line(at.x, size, push.split) ? vec4(1.0)
                                                                    : texelFetch(source, at, 0));
+        }
     }
 }

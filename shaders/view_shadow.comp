@@ -7,8 +7,9 @@ layout(binding = 1) writeonly uniform image2D target;
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     ivec2 size = imageSize(target);
-    if (any(greaterThanEqual(at, size)))
+    if (any(greaterThanEqual(at, size))) {
         return;
+    }
     ivec3 maps = textureSize(source, 0);
     int edge = max(min(size.x / maps.z, size.y), 1);
     ivec2 cell = ivec2(at.x / edge, at.y / edge);

@@ -25,7 +25,8 @@ void main() {
     ivec2 size = textureSize(source, 0);
     for (int i = 0; i < texels_each; ++i) {
         ivec2 at = tile_texel(i);
-        if (all(lessThan(at, size)))
+        if (all(lessThan(at, size))) {
             imageStore(target, at, vec4(texelFetch(source, at, 0).rgb * falloff(at, size), 1.0));
+        }
     }
 }

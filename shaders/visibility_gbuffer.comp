@@ -19,8 +19,9 @@ float cross_2d(vec2 a, vec2 b) {
 }
 
 /// Perspective-correct weights of the corners at a point of the screen: the areas of its triangles
-/// with two corners each, all in clip space relative to the point, where they keep their digits also
-/// for triangles smaller than a pixel. Centres just outside by the rounding of vertices are moved in.
+/// with two corners each, all in clip space relative to the point, where they keep their digits
+/// also for triangles smaller than a pixel. Centres just outside by the rounding of vertices are
+/// moved in.
 vec3 weights_at(vec2 screen, vec4 a, vec4 b, vec4 c) {
     vec2 to_a = a.xy - screen * a.w, to_b = b.xy - screen * b.w, to_c = c.xy - screen * c.w;
     vec3 areas = vec3(cross_2d(to_b, to_c), cross_2d(to_c, to_a), cross_2d(to_a, to_b));
@@ -32,8 +33,9 @@ vec3 weights_at(vec2 screen, vec4 a, vec4 b, vec4 c) {
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     ivec2 size = imageSize(depths);
-    if (any(greaterThanEqual(at, size)))
+    if (any(greaterThanEqual(at, size))) {
         return;
+    }
     uvec2 key = keys[key_index(at, size)];
     if (key.y == ~0u) {
         imageStore(normals, at, uvec4(0u));

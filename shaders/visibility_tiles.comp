@@ -20,33 +20,39 @@ uint owner_of(uint64_t tile, uint count) {
     uint low = 0u, high = count;
     while (high - low > 1u) {
         uint middle = (low + high) / 2u;
-        if (large_triangles[middle].first_tile <= tile)
+        if (large_triangles[middle].first_tile <= tile) {
             low = middle;
-        else
+        } else {
             high = middle;
+        }
     }
     return low;
 }
 
 void draw_tile(Triangle t, ivec2 origin) {
     Walk walk = walk_at(t, origin);
-    if (!may_cover(walk, ivec2(0), tile_side))
+    if (!may_cover(walk, ivec2(0), tile_side)) {
         return;
-    for (int y = 0; y < tile_side; y += 8)
+    }
+    for (int y = 0; y < tile_side; y += 8) {
         for (int x = 0; x < tile_side; x += 8) {
-            if (!may_cover(walk, ivec2(x, y), 8))
+            if (!may_cover(walk, ivec2(x, y), 8)) {
                 continue;
+            }
             ivec2 offset = ivec2(x, y) + ivec2(gl_LocalInvocationID.xy);
             ivec2 pixel = origin + offset;
-            if (covers(walk, offset) && all(lessThan(pixel, size)))
+            if (covers(walk, offset) && all(lessThan(pixel, size))) {
                 atomicMin(keys[key_index(pixel, size)], key_at(walk, offset, t.number));
+            }
         }
+    }
 }
 
 void main() {
     uint count = min(uint(counts[0] >> tile_bits), capacity);
-    if (count == 0u)
+    if (count == 0u) {
         return;
+    }
     LargeTriangle last = large_triangles[count - 1u];
     ivec2 last_tiles = tiles_of(box_of(last.triangle, size));
     uint64_t total = last.first_tile + uint64_t(last_tiles.x * last_tiles.y);

@@ -37,23 +37,28 @@ ivec2 on_grid(vec4 clip) {
 
 void draw_pixels(Triangle t, ivec2 low, ivec2 high) {
     Walk walk = walk_at(t, low);
-    for (int y = low.y; y <= high.y; ++y)
+    for (int y = low.y; y <= high.y; ++y) {
         for (int x = low.x; x <= high.x; ++x) {
             ivec2 offset = ivec2(x, y) - low;
-            if (covers(walk, offset))
+            if (covers(walk, offset)) {
                 atomicMin(keys[key_index(ivec2(x, y), size)], key_at(walk, offset, t.number));
+            }
         }
+    }
 }
 
 /// Lists the triangle; false when the list is full.
 bool list_large(Triangle t, PixelBox box) {
-    if (uint(counts[0] >> tile_bits) >= capacity)
+    if (uint(counts[0] >> tile_bits) >= capacity) {
         return false;
+    }
     ivec2 tiles = tiles_of(box);
-    uint64_t before = atomicAdd(counts[0], (uint64_t(1) << tile_bits) + uint64_t(tiles.x * tiles.y));
+    uint64_t before =
+        atomicAdd(counts[0], (uint64_t(1) << tile_bits) + uint64_t(tiles.x * tiles.y));
     uint index = uint(before >> tile_bits);
-    if (index >= capacity)
+    if (index >= capacity) {
         return false;
+    }
     large_triangles[index].triangle = t;
     large_triangles[index].first_tile = before & ((uint64_t(1) << tile_bits) - 1);
     return true;
@@ -61,25 +66,31 @@ bool list_large(Triangle t, PixelBox box) {
 
 /// Front faces wind counter-clockwise in the picture, which has y down: a negative cross product.
 void draw(vec4 p, vec4 q, vec4 r, uint number) {
-    if (!(min(p.w, min(q.w, r.w)) > 0.0))
+    if (!(min(p.w, min(q.w, r.w)) > 0.0)) {
         return;
+    }
     Triangle t = Triangle(on_grid(p), on_grid(r), on_grid(q), p.z / p.w, r.z / r.w, q.z / q.w,
                           number);
-    if (cross_64(t.b - t.a, t.c - t.a) <= 0)
+    if (cross_64(t.b - t.a, t.c - t.a) <= 0) {
         return;
+    }
     PixelBox box = box_of(t, size);
     ivec2 sides = box.high - box.low + 1;
-    if (any(lessThanEqual(sides, ivec2(0))))
+    if (any(lessThanEqual(sides, ivec2(0)))) {
         return;
+    }
     if (all(lessThanEqual(sides, ivec2(small_side)))) {
         draw_pixels(t, box.low, box.high);
         return;
     }
-    if (list_large(t, box))
+    if (list_large(t, box)) {
         return;
-    for (int y = box.low.y; y <= box.high.y; y += tile_side)
-        for (int x = box.low.x; x <= box.high.x; x += tile_side)
+    }
+    for (int y = box.low.y; y <= box.high.y; y += tile_side) {
+        for (int x = box.low.x; x <= box.high.x; x += tile_side) {
             draw_pixels(t, ivec2(x, y), min(ivec2(x, y) + tile_side - 1, box.high));
+        }
+    }
 }
 
 const int plane_count = 5;
@@ -105,8 +116,9 @@ float beyond(int plane, vec4 p, vec2 guard) {
 vec4 meeting(vec4 inside, vec4 outside, float d_inside, float d_outside, int plane) {
     precise float share = d_inside / (d_inside - d_outside);
     precise vec4 p = inside + (outside - inside) * share;
-    if (plane == 0)
+    if (plane == 0) {
         p.z = 0.0;
+    }
     return p;
 }
 
@@ -124,19 +136,23 @@ void draw_clipped(vec4 p, vec4 q, vec4 r, uint number) {
         for (int i = 0; i < count; ++i) {
             vec4 from = polygon[i], to = polygon[i + 1 < count ? i + 1 : 0];
             float d_from = beyond(plane, from, guard), d_to = beyond(plane, to, guard);
-            if (d_from >= 0.0)
+            if (d_from >= 0.0) {
                 clipped[kept++] = from;
-            if (d_from >= 0.0 && d_to < 0.0)
+            }
+            if (d_from >= 0.0 && d_to < 0.0) {
                 clipped[kept++] = meeting(from, to, d_from, d_to, plane);
-            else if (d_from < 0.0 && d_to >= 0.0)
+            } else if (d_from < 0.0 && d_to >= 0.0) {
                 clipped[kept++] = meeting(to, from, d_to, d_from, plane);
+            }
         }
         count = kept;
-        for (int i = 0; i < count; ++i)
+        for (int i = 0; i < count; ++i) {
             polygon[i] = clipped[i];
+        }
     }
-    for (int i = 2; i < count; ++i)
+    for (int i = 2; i < count; ++i) {
         draw(polygon[0], polygon[i - 1], polygon[i], number);
+    }
 }
 
 /// Bits for the planes that the point lies outside of: the frustum's sides and near plane in the
@@ -153,12 +169,14 @@ vec4 place(Object object, uint vertex) {
 
 void main() {
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-    if (group >= cluster_count)
+    if (group >= cluster_count) {
         return;
+    }
     Cluster cluster = clusters[group];
     uint local = gl_LocalInvocationID.x;
-    if (local >= cluster.triangle_count)
+    if (local >= cluster.triangle_count) {
         return;
+    }
     uint first = cluster.first_index + local * 3u;
     Object object = objects[cluster.object];
     vec4 corners[3];
@@ -166,15 +184,18 @@ void main() {
     vec2 guard = guard_band();
     for (int i = 0; i < 3; ++i) {
         corners[i] = place(object, uint(int(indices[first + i]) + cluster.vertex_offset));
-        if (any(isnan(corners[i])) || any(isinf(corners[i])))
+        if (any(isnan(corners[i])) || any(isinf(corners[i]))) {
             return;
+        }
         outside[i] = outside_of(corners[i], guard);
     }
-    if ((outside[0] & outside[1] & outside[2] & 31u) != 0u)
+    if ((outside[0] & outside[1] & outside[2] & 31u) != 0u) {
         return;
+    }
     uint number = group * 64u + local;
-    if (((outside[0] | outside[1] | outside[2]) & 33u) == 0u)
+    if (((outside[0] | outside[1] | outside[2]) & 33u) == 0u) {
         draw(corners[0], corners[1], corners[2], number);
-    else
+    } else {
         draw_clipped(corners[0], corners[1], corners[2], number);
+    }
 }

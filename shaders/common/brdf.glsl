@@ -21,8 +21,9 @@ float smith_visibility(float n_dot_l, float n_dot_v, float alpha) {
 /// Radiance towards `view` per unit of irradiance at normal incidence from `light`.
 vec3 shade(vec3 normal, vec3 view, vec3 light, vec3 albedo, float roughness, float metalness) {
     float n_dot_l = dot(normal, light);
-    if (!(n_dot_l > 0.0))
+    if (!(n_dot_l > 0.0)) {
         return vec3(0.0);
+    }
     float n_dot_v = max(dot(normal, view), 1e-4);
     vec3 sum = view + light;
     float squared = dot(sum, sum);

@@ -1,6 +1,6 @@
-// How two looks are shown together: the functions that rows of preview/finish/compare.h name, each for
-// one texel `at` of a picture of that size with the display-encoded colour `c`. The build writes the
-// choice among the rows (rows/compares.glsl).
+// How two looks are shown together: the functions that rows of preview/finish/compare.h name, each
+// for one texel `at` of a picture of that size with the display-encoded colour `c`. The build
+// writes the choice among the rows (rows/compares.glsl).
 #include "common/difference.glsl"
 #include "common/heat_map.glsl"
 #include "common/sanitise.glsl"

@@ -1,5 +1,5 @@
-// CIEDE2000 between two sRGB-encoded colours, as lutlib/color/difference.h has it (Sharma, Wu, Dalal
-// 2005).
+// CIEDE2000 between two sRGB-encoded colours, as lutlib/color/difference.h has it (Sharma, Wu,
+// Dalal 2005).
 #include "common/srgb.glsl"
 
 vec3 lab_of(vec3 srgb) {
@@ -36,10 +36,11 @@ float delta_e_2000(vec3 srgb_a, vec3 srgb_b) {
     float turn = grey ? 0.0 : hq - hp;
     turn += turn > pi ? -2.0 * pi : turn < -pi ? 2.0 * pi : 0.0;
     float mean_h = 0.5 * (hp + hq);
-    if (grey)
+    if (grey) {
         mean_h = hp + hq;
-    else if (abs(hp - hq) > pi)
+    } else if (abs(hp - hq) > pi) {
         mean_h += mean_h < pi ? pi : -pi;
+    }
     float dl = q.x - p.x, dc = cq - cp, dh = 2.0 * sqrt(cp * cq) * sin(0.5 * turn);
     float ml = 0.5 * (p.x + q.x), mc = 0.5 * (cp + cq);
     float t = 1.0 - 0.17 * cos(mean_h - pi / 6.0) + 0.24 * cos(2.0 * mean_h) +

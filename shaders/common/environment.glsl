@@ -1,4 +1,5 @@
-// The surroundings of preview/scene/environment.h, formula for formula; its comment has the sources.
+// The surroundings of preview/scene/environment.h, formula for formula; its comment has the
+// sources.
 struct SoftBox {
     vec4 axis_sharpness;
     vec4 radiance;

@@ -1,6 +1,6 @@
 // The body of finish_shared.comp and finish_shared_half.comp: as finish.comp, with one look of 16
-// nodes in shared memory. There are as many groups as the GPU holds at once; each copies the lattice
-// and then finishes tiles of the picture, a stride apart, until it ends.
+// nodes in shared memory. There are as many groups as the GPU holds at once; each copies the
+// lattice and then finishes tiles of the picture, a stride apart, until it ends.
 layout(local_size_x = 8, local_size_y = 128) in;
 
 #include "common/finish.glsl"
@@ -10,15 +10,17 @@ layout(local_size_x = 8, local_size_y = 128) in;
 const bool is_unit = tonemap_row >= 0 || unit_picture;
 
 vec3 graded_a(vec3 c) {
-    if (is_shared(lookup_a))
+    if (is_shared(lookup_a)) {
         return shared_lookup(lookup_a, is_unit ? c : saturate(c));
+    }
     return apply_lookup(lookup_a, picture_a, volume_a, shaper_a, look_a, c);
 }
 
 // There is shared memory for one lattice only; the second is read from its picture.
 vec3 graded_b(vec3 c) {
-    if (is_shared(lookup_b) && !is_shared(lookup_a))
+    if (is_shared(lookup_b) && !is_shared(lookup_a)) {
         return shared_lookup(lookup_b, is_unit ? c : saturate(c));
+    }
     return apply_lookup(lookup_b, picture_b, volume_b, shaper_b, look_b, c);
 }
 
@@ -37,8 +39,9 @@ void finish_tile(ivec2 corner, ivec2 size, bool whole) {
     }
     for (int k = 0; k < texels_each; ++k) {
         ivec2 at = first + ivec2(8 * k, 0);
-        if (whole || all(lessThan(at, size)))
+        if (whole || all(lessThan(at, size))) {
             store_texel(at, size, display_encoded(at, texels[k]));
+        }
     }
 }
 
@@ -50,12 +53,14 @@ void main() {
     ivec2 place = ivec2(group % tiles.x, group / tiles.x);
     ivec2 stride = ivec2(groups % tiles.x, groups / tiles.x);
     while (place.y < tiles.y) {
-        if (all(lessThanEqual((place + 1) * tile, size)))
+        if (all(lessThanEqual((place + 1) * tile, size))) {
             finish_tile(place * tile, size, true);
-        else
+        } else {
             finish_tile(place * tile, size, false);
+        }
         place += stride;
-        if (place.x >= tiles.x)
+        if (place.x >= tiles.x) {
             place += ivec2(-tiles.x, 1);
+        }
     }
 }

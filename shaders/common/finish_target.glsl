@@ -10,10 +10,12 @@ layout(binding = 16) buffer Figures {
 
 void count_difference(float difference) {
     uint bin = min(uint(difference * difference_bins_per_unit), difference_bins - 1u);
-    if (bin > 0u)
+    if (bin > 0u) {
         atomicAdd(figures_out.bins[bin], 1u);
-    if (floatBitsToUint(difference) > figures_out.largest)
+    }
+    if (floatBitsToUint(difference) > figures_out.largest) {
         atomicMax(figures_out.largest, floatBitsToUint(difference));
+    }
 }
 
 /// Shows the looks of the display-encoded colour `c`.

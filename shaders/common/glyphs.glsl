@@ -10,8 +10,9 @@ const int glyph_height = 6, glyph_step = 6;
 /// Whether the texel `at`, relative to the glyph's upper left corner, is part of it.
 bool in_glyph(ivec2 at, uint glyph, int dot_size) {
     ivec2 cell = ivec2(floor(vec2(at) / float(dot_size)));
-    if (any(lessThan(cell, ivec2(0))) || cell.x > 4 || cell.y >= glyph_height)
+    if (any(lessThan(cell, ivec2(0))) || cell.x > 4 || cell.y >= glyph_height) {
         return false;
+    }
     return (glyphs[glyph] >> (29 - cell.y * 5 - cell.x) & 1u) != 0u;
 }
 
@@ -19,11 +20,13 @@ bool in_glyph(ivec2 at, uint glyph, int dot_size) {
 bool in_label(ivec2 at, uint number, int dot_size) {
     int width = glyph_step * dot_size;
     for (int place = 1; place <= 3; ++place) {
-        if (in_glyph(at + ivec2(place * width, 0), number % 10u, dot_size))
+        if (in_glyph(at + ivec2(place * width, 0), number % 10u, dot_size)) {
             return true;
+        }
         number /= 10u;
-        if (number == 0u)
+        if (number == 0u) {
             break;
+        }
     }
     return false;
 }

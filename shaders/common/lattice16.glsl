@@ -1,9 +1,9 @@
 // A look of 16 nodes a side with codes of 8 bits in shared memory, and its lookups. Nodes are half
 // floats, which hold the codes 0..255 exactly and need no unpacking: red and green, then blue.
 //
-// FINISH_HALF interpolates in half floats, two channels an instruction: weights and sums are rounded
-// to 11 bits, which moves a result by less than 1/2 code of 8 bits (a test holds it to one code after
-// rounding). Without it the arithmetic is in floats.
+// FINISH_HALF interpolates in half floats, two channels an instruction: weights and sums are
+// rounded to 11 bits, which moves a result by less than 1/2 code of 8 bits (a test holds it to one
+// code after rounding). Without it the arithmetic is in floats.
 #include "common/sanitise.glsl"
 #ifdef FINISH_HALF
 #extension GL_EXT_shader_explicit_arithmetic_types_float16 : require
@@ -21,8 +21,9 @@ void load_nodes() {
     const uint threads = gl_WorkGroupSize.x * gl_WorkGroupSize.y;
     const uint pairs_each = lattice_nodes / 2 / threads;
     uvec4 pairs[pairs_each];
-    for (uint k = 0; k < pairs_each; ++k)
+    for (uint k = 0; k < pairs_each; ++k) {
         pairs[k] = node_pairs[gl_LocalInvocationIndex + k * threads];
+    }
     for (uint k = 0; k < pairs_each; ++k) {
         uint first = 2 * (gl_LocalInvocationIndex + k * threads);
         nodes[first] = pairs[k].xy;
@@ -36,9 +37,9 @@ vec3 codes_at(uint node) {
     return vec3(unpackHalf2x16(halves.x), unpackHalf2x16(halves.y).x);
 }
 
-// The cell of each channel, and where in it a colour lies, -1/2..1/2. Adding 1.5 * 2^23 rounds to an
-// integer, which then stands in the low bits; half a node less makes that the cell. A value on a node
-// may land in either of its cells, on its border.
+// The cell of each channel, and where in it a colour lies, -1/2..1/2. Adding 1.5 * 2^23 rounds to
+// an integer, which then stands in the low bits; half a node less makes that the cell. A value on a
+// node may land in either of its cells, on its border.
 struct Cell16 {
     uint node;
     vec3 from_middle;
@@ -71,8 +72,9 @@ vec3 weighted(uvec4 places, vec4 weights) {
 #else
 vec3 weighted(uvec4 places, vec4 weights) {
     vec3 codes = codes_at(places.x) * weights.x;
-    for (int i = 1; i < 4; ++i)
+    for (int i = 1; i < 4; ++i) {
         codes = fma(codes_at(places[i]), vec3(weights[i]), codes);
+    }
     return codes * (1.0 / 255.0);
 }
 #endif

@@ -2,11 +2,11 @@
 // lutlib/engine/engine.cpp call them; the build writes the choice among the rows from those
 // (rows/lookups.glsl). The engines' own are those of lutlib/engine/engine.cpp and the float .cube
 // that of lutlib/interpolation, operation for operation and without contraction where a rounding of
-// a coordinate would show, so that they agree to float rounding; only the rows that say so leave the
-// filtering to the texture unit and its few bits of fraction.
+// a coordinate would show, so that they agree to float rounding; only the rows that say so leave
+// the filtering to the texture unit and its few bits of fraction.
 //
-// A lookup of a picture takes (picture, n nodes a side, colour within 0..1), one of a table (volume,
-// shaper, look, any colour).
+// A lookup of a picture takes (picture, n nodes a side, colour within 0..1), one of a table
+// (volume, shaper, look, any colour).
 #include "common/sanitise.glsl"
 #include "common/srgb.glsl"
 
@@ -29,8 +29,8 @@ vec3 blend(vec3 a, vec3 b, float t) {
     return a * (1.0 - t) + b * t;
 }
 
-// The lower node of the cell and the fraction in it, from one clamped value. `x` may lie half a node
-// outside of 0..n-1.
+// The lower node of the cell and the fraction in it, from one clamped value. `x` may lie half a
+// node outside of 0..n-1.
 struct Axis {
     int low, high;
     float f;
@@ -49,20 +49,23 @@ Axis axis_within(float x, int n) {
 }
 
 ivec2 texel_of(int arrangement, int n, int width, ivec3 node) {
-    if (arrangement == layout_strip)
+    if (arrangement == layout_strip) {
         return ivec2(node.b * n + node.r, node.g);
+    }
     if (arrangement == layout_ocio) {
         int i = node.r + n * (node.g + n * node.b);
         return ivec2(i % width, i / width);
     }
     int per_row = width / n;
-    if (arrangement == layout_tiles)
+    if (arrangement == layout_tiles) {
         return ivec2(node.b % per_row * n + node.r, node.b / per_row * n + node.g);
+    }
     return ivec2(node.g % per_row * n + node.r, node.b * per_row + node.g / per_row);
 }
 
 vec3 node_at(sampler2D picture, int arrangement, int n, int r, int g, int b) {
-    return texelFetch(picture, texel_of(arrangement, n, textureSize(picture, 0).x, ivec3(r, g, b)), 0)
+    return texelFetch(picture, texel_of(arrangement, n, textureSize(picture, 0).x, ivec3(r, g, b)),
+                      0)
         .rgb;
 }
 
@@ -87,14 +90,16 @@ struct Walk {
 Walk walk_of(vec3 f) {
     bool rg = f.r > f.g, gb = f.g > f.b, rb = f.r > f.b;
     ivec3 first, last;
-    if (rg)
+    if (rg) {
         first = rb ? ivec3(1, 0, 0) : ivec3(0, 0, 1);
-    else
+    } else {
         first = f.b > f.g ? ivec3(0, 0, 1) : ivec3(0, 1, 0);
-    if (rg)
+    }
+    if (rg) {
         last = gb ? ivec3(0, 0, 1) : ivec3(0, 1, 0);
-    else
+    } else {
         last = f.b > f.r ? ivec3(1, 0, 0) : ivec3(0, 0, 1);
+    }
     float high = max(f.r, max(f.g, f.b)), low = min(f.r, min(f.g, f.b));
     float middle = max(min(f.r, f.g), min(max(f.r, f.g), f.b));
     return Walk(first, ivec3(1) - last, vec3(high, middle, low));
@@ -217,12 +222,13 @@ vec3 shape(sampler2D shaper, Look look, vec3 c) {
     return shaped;
 }
 
-// Nodes of a lattice and what a colour's place among them is, after the shaper; false where the look
-// has no lattice, and `x` is the result.
+// A colour's place among the nodes of a lattice, after the shaper; false where the look has no
+// lattice, and `x` is the result.
 bool place_in_cube(sampler2D shaper, Look look, vec3 c, out vec3 x) {
     x = look.shaper_size > 0 ? shape(shaper, look, c) : c;
-    if (look.size > 0)
+    if (look.size > 0) {
         x = lattice_coordinates(x, look.cube_min.rgb, look.cube_max.rgb, look.size);
+    }
     return look.size > 0;
 }
 
@@ -233,8 +239,9 @@ vec3 table_nearest(sampler3D cube, sampler2D shaper, Look look, vec3 c) {
 
 vec3 table_trilinear(sampler3D cube, sampler2D shaper, Look look, vec3 c) {
     vec3 x;
-    if (!place_in_cube(shaper, look, c, x))
+    if (!place_in_cube(shaper, look, c, x)) {
         return x;
+    }
     Axis r = axis_within(x.r, look.size), g = axis_within(x.g, look.size),
          b = axis_within(x.b, look.size);
     vec3 line[4];
@@ -248,8 +255,9 @@ vec3 table_trilinear(sampler3D cube, sampler2D shaper, Look look, vec3 c) {
 
 vec3 table_tetrahedral(sampler3D cube, sampler2D shaper, Look look, vec3 c) {
     vec3 x;
-    if (!place_in_cube(shaper, look, c, x))
+    if (!place_in_cube(shaper, look, c, x)) {
         return x;
+    }
     Axis r = axis_within(x.r, look.size), g = axis_within(x.g, look.size),
          b = axis_within(x.b, look.size);
     ivec3 low = ivec3(r.low, g.low, b.low);

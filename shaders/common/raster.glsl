@@ -1,13 +1,13 @@
 // Rasterising triangles in compute: fixed-point edge functions, and a buffer of the nearest
 // triangle at every pixel.
 //
-// Vertices stand on a grid of 256 steps a pixel within +-32768 pixels (guard_band). An edge from a to
-// b has E(p) = cross(b - a, p - a), an exact 64-bit integer that is positive inside; a pixel whose
-// centre lies on the edge counts only where the edge is a top or left one, so that triangles with a
-// common edge neither overlap nor leave a hole (Pineda 1988, "A parallel algorithm for polygon
-// rasterization"). Pixels are 256 apart, so floor(E / 256) has the sign of E at all of them and
-// steps by b - a: within 32 pixels 32 bits hold it, and what lies further than that is held at 2^30,
-// beyond the reach of the steps.
+// Vertices stand on a grid of 256 steps a pixel within +-32768 pixels (guard_band). An edge from a
+// to b has E(p) = cross(b - a, p - a), an exact 64-bit integer that is positive inside; a pixel
+// whose centre lies on the edge counts only where the edge is a top or left one, so that triangles
+// with a common edge neither overlap nor leave a hole (Pineda 1988, "A parallel algorithm for
+// polygon rasterization"). Pixels are 256 apart, so floor(E / 256) has the sign of E at all of them
+// and steps by b - a: within 32 pixels 32 bits hold it, and what lies further than that is held at
+// 2^30, beyond the reach of the steps.
 //
 // A pixel's key is the depth's bits over the triangle's number, both such that the least wins: the
 // nearest, and of equals the last. Keys lie in blocks of 8x8 pixels.

@@ -54,8 +54,9 @@ vec3 unit_or_up(vec3 v) {
 // Octahedral unit vectors (Cigolle et al. 2014), 16 bits a coordinate.
 vec3 decode_octahedral(vec2 e) {
     vec3 v = vec3(e, 1.0 - abs(e.x) - abs(e.y));
-    if (v.z < 0.0)
+    if (v.z < 0.0) {
         v.xy = (1.0 - abs(v.yx)) * mix(vec2(-1.0), vec2(1.0), greaterThanEqual(v.xy, vec2(0.0)));
+    }
     return normalize(v);
 }
 

@@ -1,5 +1,6 @@
-// What the scopes count by (preview/finish/scopes.h), in integers: 8-bit codes, and BT.709's luma and
-// colour differences of them with weights in 65536ths. preview/reference/scopes.cpp is the twin.
+// What the scopes count by (preview/finish/scopes.h), in integers: 8-bit codes, and BT.709's luma
+// and colour differences of them with weights in 65536ths. preview/reference/scopes.cpp is the
+// twin.
 const uint levels = 256u;
 
 /// Of an rgba8 texel, exactly.

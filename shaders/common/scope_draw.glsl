@@ -14,8 +14,8 @@ const vec3 surround = vec3(0.075, 0.075, 0.085), ground = vec3(0.02, 0.02, 0.025
 const vec3 line_color = vec3(0.30, 0.25, 0.16), label_color = vec3(0.72, 0.64, 0.46);
 
 /// What a place adds whose counts lie `density` times denser than if they were spread evenly over
-/// all `bins`: like a beam's, its light whitens where it is brightest. In proportion, a sixteenth of
-/// all in one waveform level is full light already.
+/// all `bins`: like a beam's, its light whitens where it is brightest. In proportion, a sixteenth
+/// of all in one waveform level is full light already.
 vec3 trace(vec3 color, float density, float bins) {
     float light = push.logarithmic != 0u
                       ? pow(log2(1.0 + 24.0 * density) / log2(1.0 + 24.0 * bins), 0.72)

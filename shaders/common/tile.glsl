@@ -1,8 +1,8 @@
 // How a light pass over a whole picture divides it: 64 threads a group and eight texels a thread. A
 // GPU starts a group or so a clock, so that one texel a thread is bound by that and not by memory,
-// and eight independent loads a thread hide what a load takes. A thread's texels lie a group's width
-// apart, so that each access of neighbouring threads is to neighbouring texels. Dispatched over
-// tiles of many_each (preview/graph/graph.h).
+// and eight independent loads a thread hide what a load takes. A thread's texels lie a group's
+// width apart, so that each access of neighbouring threads is to neighbouring texels. Dispatched
+// over tiles of many_each (preview/graph/graph.h).
 layout(local_size_x = 8, local_size_y = 8) in;
 const int texels_each = 8;
 

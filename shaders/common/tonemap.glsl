@@ -1,6 +1,6 @@
-// The tone maps that mix channels, formula for formula those of preview/finish/tonemaps.cpp, which has
-// the sources. Linear light of 0..65504 in, display-encoded 0..1 out. What treats the channels apart
-// is read from its table (common/tone_curve.glsl).
+// The tone maps that mix channels, formula for formula those of preview/finish/tonemaps.cpp, which
+// has the sources. Linear light of 0..65504 in, display-encoded 0..1 out. What treats the channels
+// apart is read from its table (common/tone_curve.glsl).
 #include "common/srgb.glsl"
 
 vec3 aces_hill(vec3 c) {
@@ -25,8 +25,9 @@ vec3 agx(vec3 c) {
     vec3 d = x - 10.0 / 16.5;
     vec3 m = abs(d);
     bvec3 above = greaterThan(d, vec3(0.0));
-    vec3 bend = pow(1.0 + mix(vec3(59.507875), 69.86278913545539 * sqrt(sqrt(m)), above) * m * m * m,
-                    mix(vec3(-1.0 / 3.0), vec3(-4.0 / 13.0), above));
+    vec3 bend =
+        pow(1.0 + mix(vec3(59.507875), 69.86278913545539 * sqrt(sqrt(m)), above) * m * m * m,
+            mix(vec3(-1.0 / 3.0), vec3(-4.0 / 13.0), above));
     return clamp(outset * (0.5 + 2.0 * d * bend), 0.0, 1.0);
 }
 

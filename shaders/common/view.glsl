@@ -1,5 +1,5 @@
-// A debug view: an image in the size of the picture that shows it, by its nearest texels. Who includes
-// this defines shown(); with VIEW_UNSIGNED the image is of integers.
+// A debug view: an image in the size of the picture that shows it, by its nearest texels. Who
+// includes this defines shown(); with VIEW_UNSIGNED the image is of integers.
 #include "common/sanitise.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
 #ifdef VIEW_UNSIGNED
@@ -18,8 +18,9 @@ vec3 shown(VIEWED_TEXEL texel);
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     ivec2 size = imageSize(target);
-    if (any(greaterThanEqual(at, size)))
+    if (any(greaterThanEqual(at, size))) {
         return;
+    }
     vec3 color = shown(texelFetch(source, at * textureSize(source, 0) / size, 0));
     imageStore(target, at, vec4(saturate(color), 1.0));
 }

@@ -7,6 +7,7 @@
 #include "lutlib/io/oiio.h"
 #include "lutlib/io/png.h"
 #include "lutlib/io/temporary_file.h"
+#include "lutlib/named.h"
 
 #include <algorithm>
 #include <array>
@@ -130,9 +131,12 @@ std::vector<Depth> depths_of(const std::string& path) {
         return {Depth::uint8, Depth::uint16};
     }
     if (!oiio().writes(path)) {
-        throw UsageError("no picture that can be written has this extension; there are png, exr, "
-                         "tif, jpg, hdr and others",
-                         {path, 0, {}});
+        const std::string extension = extension_of(path);
+        const std::vector<std::string> known = oiio().written_extensions();
+        throw UsageError(
+            "no type of picture that can be written has the extension '" + extension + "'; " +
+                what_there_is(extension, std::vector<std::string_view>(known.begin(), known.end())),
+            {path, 0, {}});
     }
     std::vector<Depth> out;
     const PendingFile trial(path);

@@ -4,6 +4,7 @@
 #include "lutlib/io/image.h"
 
 #include <string>
+#include <vector>
 
 namespace lutlib::io {
 
@@ -15,6 +16,8 @@ class Oiio {
     virtual FloatImage read(const std::string& path, const std::string& file) const = 0;
     /// Whether a picture of the extension of `path` can be written, whatever its depth.
     virtual bool writes(const std::string& path) const = 0;
+    /// An extension of each type of picture that can be written, without its dot.
+    virtual std::vector<std::string> written_extensions() const = 0;
     /// The depth that a picture written to `path` with this depth then has; tried out on `path`.
     virtual Depth written_depth(const std::string& path, const std::string& file,
                                 Depth depth) const = 0;

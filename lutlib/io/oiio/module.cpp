@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 #include <string_view>
 
 namespace lutlib::io {
@@ -133,6 +134,22 @@ class Library final : public Oiio {
         const bool known = OIIO::ImageOutput::create(path) != nullptr;
         OIIO::geterror(); // else it is printed when the program ends
         return known;
+    }
+
+    std::vector<std::string> written_extensions() const override {
+        // "tiff:tif,tiff,tx;openexr:exr,sxr": of types that are read or written.
+        std::vector<std::string> out;
+        std::istringstream types(OIIO::get_string_attribute("extension_list"));
+        for (std::string type; std::getline(types, type, ';');) {
+            const std::size_t first = type.find(':') + 1;
+            const std::string extension = type.substr(first, type.find(',') - first);
+            const bool makes_file = extension != "null" && extension != "term"; // a terminal
+            if (makes_file && writes("picture." + extension)) {
+                out.push_back(extension);
+            }
+        }
+        std::sort(out.begin(), out.end());
+        return out;
     }
 
     Depth written_depth(const std::string& path, const std::string& file,

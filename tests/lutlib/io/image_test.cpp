@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -154,6 +155,29 @@ TEST(Image, errors_are_one_line_that_names_the_file) {
     EXPECT_EQ(message([&] { read_image(folder.path().string()); }),
               folder.path().string() + ": this is a directory; name a file");
     EXPECT_EQ(folder.count(), 3U) << "a temporary file was left";
+}
+
+TEST(Image, of_an_extension_that_no_type_has_is_told_which_there_are) {
+    const std::vector<std::string> known = oiio().written_extensions();
+    for (const char* const expected : {"exr", "hdr", "jpg", "png", "tif"}) {
+        EXPECT_EQ(std::count(known.begin(), known.end(), expected), 1) << expected;
+    }
+    for (const std::string& extension : known) {
+        EXPECT_TRUE(oiio().writes("picture." + extension)) << extension;
+    }
+    const auto refusal = [](const std::string& path) {
+        try {
+            depths_of(path);
+        } catch (const UsageError& error) {
+            return error.message();
+        }
+        return std::string("no error");
+    };
+    EXPECT_NE(refusal("x.exe").find("extension 'exe'; did you mean exr?"), std::string::npos);
+    const std::string text = refusal("x.unknown");
+    for (const std::string& extension : known) {
+        EXPECT_NE(text.find(" " + extension), std::string::npos) << text;
+    }
 }
 
 TEST(Image, comes_through_a_pipe_that_is_read_but_once) {

@@ -1,6 +1,6 @@
 #include "preview/graph/fingerprint.h"
 
-#include "preview/graph/byte_text.h"
+#include "preview/graph/shape.h"
 
 #include <map>
 
@@ -54,25 +54,13 @@ class Fingerprint {
             return;
         }
         const Resource& resource = graph_.resources()[resource_index];
-        text_.add(resource.kind);
-        text_.add(resource.image.format);
-        text_.add(resource.image.width);
-        text_.add(resource.image.height);
-        text_.add(resource.image.depth);
-        text_.add(resource.image.layers);
-        text_.add(resource.bytes);
-        text_.add(resource.serial);
+        add_resource(text_, resource);
         text_.add_text({reinterpret_cast<const char*>(resource.data.data()), resource.data.size()});
     }
 
     void add_use(const Use& use) {
         add_place(use.version);
-        text_.add(use.access);
-        text_.add(use.binding);
-        text_.add(use.sampler);
-        text_.add(use.neutral);
-        text_.add(use.layer);
-        text_.add(use.writes);
+        add_binding(text_, use);
         text_.add(use.clears);
         for (const float value : use.clear) {
             text_.add(value);
@@ -96,11 +84,7 @@ class Fingerprint {
             text_.add(count);
         }
         text_.add(pass.indirect_use);
-        text_.add(pass.raster.cull);
-        text_.add(pass.raster.depth_test);
-        text_.add(pass.raster.depth_write);
-        text_.add(pass.raster.depth_bias_constant);
-        text_.add(pass.raster.depth_bias_slope);
+        add_raster_state(text_, pass.raster);
         text_.add(pass.draws.size());
         for (const Draw& draw : pass.draws) {
             text_.add(draw);

@@ -1,6 +1,6 @@
 #include "preview/graph/realise.h"
 
-#include "preview/graph/byte_text.h"
+#include "preview/graph/shape.h"
 
 #include <algorithm>
 #include <cstring>
@@ -59,16 +59,9 @@ constexpr vk::ImageLayout layouts[] = {
     vk::ImageLayout::eTransferDstOptimal,
 };
 
-void add_resource(ByteText& shape, const Resource& resource) {
+void add_place(ByteText& shape, const Resource& resource) {
     shape.add(resource.origin);
-    shape.add(resource.kind);
-    shape.add(resource.image.format);
-    shape.add(resource.image.width);
-    shape.add(resource.image.height);
-    shape.add(resource.image.depth);
-    shape.add(resource.image.layers);
-    shape.add(resource.bytes);
-    shape.add(resource.serial);
+    add_resource(shape, resource);
     if (resource.origin == Origin::data || resource.origin == Origin::persistent) {
         shape.add_text(resource.name);
     }
@@ -138,25 +131,16 @@ std::string shape_of(const Graph& graph, const Plan& plan) {
         for (const std::uint32_t word : pass.constants) {
             shape.add(word);
         }
-        shape.add(pass.raster.cull);
-        shape.add(pass.raster.depth_test);
-        shape.add(pass.raster.depth_write);
-        shape.add(pass.raster.depth_bias_constant);
-        shape.add(pass.raster.depth_bias_slope);
+        add_raster_state(shape, pass.raster);
         for (const Use& use : pass.uses) {
-            shape.add(use.access);
-            shape.add(use.binding);
-            shape.add(use.sampler);
-            shape.add(use.neutral);
-            shape.add(use.layer);
-            shape.add(use.writes);
+            add_binding(shape, use);
             if (use.version == Version::none) {
                 continue;
             }
             shape.add(bool{plan.version_lives[use.version]});
             const std::uint32_t resource = graph.versions()[use.version].resource;
             shape.add(resource);
-            add_resource(shape, graph.resources()[resource]);
+            add_place(shape, graph.resources()[resource]);
         }
     }
     for (const std::uint32_t version : graph.presented()) {

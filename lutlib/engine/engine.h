@@ -5,6 +5,7 @@
 #include "lutlib/engine/layout.h"
 #include "lutlib/interpolation/lattice_reader.h"
 
+#include <array>
 #include <span>
 #include <string_view>
 
@@ -22,33 +23,41 @@ enum class ColourChunks { ignored, converted, unknown };
 /// by the sRGB curve, which it encodes again.
 enum class Filtering { codes, light };
 
-/// One engine. Every lookup takes a colour in codes of 0..1; NaN and -Inf read as 0, +Inf as 1.
+/// Of a lookup whose first and last nodes are the colours 0 and 1: the input of node i of n, and
+/// the place of an input among the nodes.
+double at_lattice(int i, int n);
+double place_at_lattice(double in, int n);
+
+inline constexpr std::array<int, 1> only_8_bits{8};
+
+/// One engine, with what most have in common for defaults. Every lookup takes a colour in
+/// codes of 0..1; NaN and -Inf read as 0, +Inf as 1.
 struct Engine {
     std::string_view name;
     std::string_view label;
     std::string_view layout; ///< name of a row of layouts()
     int default_size;
-    std::span<const int> sizes; ///< lattice sizes the engine accepts; empty: any of its layout
+    std::span<const int> sizes = {}; ///< lattice sizes the engine accepts; empty: any of its layout
     /// Of those, the ones that work without a setting in the project; empty: all. Nothing else is
     /// chosen unless it was asked for.
-    std::span<const int> usual_sizes;
-    int default_bits;
-    std::span<const int> bits; ///< sample depths the engine accepts
-    SrgbTag srgb_tag;
+    std::span<const int> usual_sizes = {};
+    int default_bits = 8;
+    std::span<const int> bits = only_8_bits; ///< sample depths the engine accepts
+    SrgbTag srgb_tag = SrgbTag::absent;
     ColourChunks colour_chunks;
     /// What the code values are that the lookup gets and gives, as of encoding_named(): those of
     /// the display that they go to. Empty: the engine hands on what the look is made for.
-    std::string_view encoding;
+    std::string_view encoding = {};
     std::string_view input;  ///< the same in words, and where the lookup stands
     std::string_view import; ///< settings that the engine's importer needs
     std::string_view lookup_help;
     std::string_view source; ///< where the contract and the lookup are documented
     /// The input at which the engine reads node i of n exactly, 0..1.
-    double (*node_input)(int i, int n);
+    double (*node_input)(int i, int n) = at_lattice;
     /// Where the lookup finds an input of 0..1 between the nodes, 0 .. n-1; does not fall.
-    double (*place)(double in, int n);
+    double (*place)(double in, int n) = place_at_lattice;
     /// How the lookup weighs the nodes around that place.
-    Interpolation interpolation;
+    Interpolation interpolation = Interpolation::trilinear;
     Filtering filtering = Filtering::codes;
     /// The engine's arithmetic in float over a picture of codes/maximum; `n` is the lattice size.
     Rgb (*lookup)(const Picture& picture, int n, Rgb in);

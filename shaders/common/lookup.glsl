@@ -1,6 +1,6 @@
 // The ways of reading a look, by the names that rows of preview/look/gpu_lookups.cpp and of
 // lutlib/engine/engine.cpp call them; the build writes the choice among the rows from those
-// (rows/lookups.glsl). The engines' own are those of lutlib/engine/engine.cpp and the float .cube
+// (rows/lookups.glsl). The engines' own are those of lutlib/engine/lookups.cpp and the float .cube
 // that of lutlib/interpolation, operation for operation and without contraction where a rounding of
 // a coordinate would show, so that they agree to float rounding; only the rows that say so leave
 // the filtering to the texture unit and its few bits of fraction.

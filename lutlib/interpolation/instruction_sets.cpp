@@ -19,7 +19,6 @@ std::int64_t of_this_processor() {
     const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
                         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
                         __builtin_cpu_supports("avx512cd");
-    out |= __builtin_cpu_supports("ssse3") ? HWY_SSSE3 : 0;
     out |= __builtin_cpu_supports("sse4.2") ? HWY_SSE4 : 0;
     out |= avx2 ? HWY_AVX2 : 0;
     out |= avx2 && avx512 ? HWY_AVX3 : 0;

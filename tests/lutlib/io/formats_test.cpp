@@ -6,35 +6,18 @@
 #include "lutlib/io/fit_format.h"
 #include "lutlib/io/look.h"
 #include "lutlib/io/ocio.h"
-#include "lutlib/metrics/scale.h"
 #include "lutlib/named.h"
 #include "tests/lutlib/io/looks.h"
 #include "tests/lutlib/io/scratch.h"
 #include "tests/support/names.h"
-#include "tests/support/thorough.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace lutlib::io {
 namespace {
-
-std::vector<Rgb> colors_in(const Domain& domain, int count = 5000) {
-    std::mt19937 random(7);
-    std::uniform_real_distribution<float> position(0, 1);
-    std::vector<Rgb> out{domain.min, domain.max};
-    for (int i = 0; i < count; ++i) {
-        Rgb c;
-        for (std::size_t k = 0; k < 3; ++k) {
-            c[k] = domain.min[k] + position(random) * (domain.max[k] - domain.min[k]);
-        }
-        out.push_back(c);
-    }
-    return out;
-}
 
 double largest_difference(const std::vector<Rgb>& a, const std::vector<Rgb>& b) {
     double worst = 0;
@@ -366,86 +349,6 @@ TEST(WriteLut, keeps_the_interpolation_in_formats_that_name_one) {
             EXPECT_EQ(decode_lut(bytes, std::string("x.") + name).lut.interpolation, how) << name;
         }
     }
-}
-
-bool says(const std::vector<std::string>& sentences, const char* words) {
-    return std::any_of(sentences.begin(), sentences.end(), [&](const std::string& sentence) {
-        return sentence.find(words) != std::string::npos;
-    });
-}
-
-Transform by_opencolorio(const std::string& bytes) {
-    return ocio().parse(bytes, "3dl", "x.3dl", {});
-}
-
-// The largest difference between OpenColorIO's evaluation of a file and a look, over random
-// colours.
-double difference_to_opencolorio(const std::string& bytes, const Lut& lut) {
-    const std::vector<Rgb> in = colors_in({});
-    const std::vector<RgbD> theirs = images_of(by_opencolorio(bytes), in);
-    double worst = 0;
-    for (std::size_t i = 0; i < in.size(); ++i) {
-        worst =
-            std::max(worst, largest_magnitude(theirs[i] - evaluate_exact(lut, to_double(in[i]))));
-    }
-    return worst;
-}
-
-TEST(Autodesk3dl, of_every_size_is_read_by_opencolorio_as_the_look_it_is) {
-    for (const char* name : {"flame", "lustre"}) {
-        for (const int size :
-             support::all_or<int>({4, 5, 9, 16, 17, 25, 32, 33, 48, 65, 129}, {4, 17, 25, 32})) {
-            Lut lut;
-            lut.cube = graded_cube(size, {});
-            const Encoded file = encode_lut(lut, require_file_format(name));
-            const Lut back = decode_lut(file.bytes, "x.3dl").lut;
-            EXPECT_FALSE(back.shaper) << size;
-            EXPECT_LT(difference_to_opencolorio(file.bytes, back), 1e-6) << name << size;
-        }
-    }
-}
-
-TEST(Autodesk3dl, of_a_lattice_too_small_or_too_large_for_it_is_resampled_onto_one_it_has) {
-    Lut lut;
-    lut.cube = graded_cube(3, {});
-    for (Rgb& node : lut.cube->nodes) {
-        node = saturate(node); // as codes are
-    }
-    const Encoded small = encode_lut(lut, require_file_format("flame"));
-    EXPECT_EQ(small.lut.cube->size, 5);
-    EXPECT_LT(difference_to_opencolorio(small.bytes, lut), 0.6 / 4095);
-    lut.cube = identity_cube(160);
-    EXPECT_EQ(encode_lut(lut, require_file_format("flame")).lut.cube->size, 129);
-    EXPECT_THROW(encode_lut(lut, require_file_format("flame"), {.title = {}, .size = 3}), Error);
-}
-
-TEST(Autodesk3dl, of_a_dark_look_is_read_back_right_and_says_who_takes_it_for_brighter) {
-    Lut dark;
-    dark.cube = identity_cube(17);
-    for (Rgb& node : dark.cube->nodes) {
-        node = node * 0.1F;
-    }
-    const Encoded file = encode_lut(dark, require_file_format("flame"));
-    EXPECT_TRUE(says(file.readers, "OpenColorIO and three.js take its codes"));
-    const Lut back = decode_lut(file.bytes, "x.3dl").lut;
-    EXPECT_NEAR(back.cube->nodes.back().r, 0.1, 2e-4);
-    const auto scale = scale_between(
-        by_opencolorio(file.bytes), Transform::of(back, Interpolation::tetrahedral), colors_in({}));
-    ASSERT_TRUE(scale);
-    EXPECT_NEAR(*scale, 4095.0 / 255, 1e-3);
-}
-
-TEST(DiscreetLut, says_its_depth_in_its_name) {
-    std::string table = "LUT: 1 1024\n";
-    for (int i = 0; i < 1024; ++i) {
-        table += std::to_string(i / 4) + '\n';
-    }
-    const auto white = [&](const char* name) {
-        return evaluate_exact(decode_lut(table, name).lut, {1, 1, 1}).g;
-    };
-    EXPECT_NEAR(white("dir to12/log10to8.lut"), 1, 1e-6);
-    EXPECT_NEAR(white("a$b 10to8.lut"), 1, 1e-6);
-    EXPECT_NEAR(white("plain.lut"), 255.0 / 1023, 1e-6);
 }
 
 TEST(MistakenFiles, of_every_extension_are_refused_with_the_remedy) {

@@ -4,6 +4,7 @@
 #include "lutlib/lut.h"
 
 #include <cmath>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,21 @@ inline std::vector<NamedLut> looks_of_every_shape(int size = 17) {
         {"cube_trilinear", trilinear},
         {"shaper_and_cube_hdr", look(log_curve(64, {}), graded_cube(size, {{0, 0, 0}, {2, 2, 2}}))},
     };
+}
+
+/// The corners of a domain and random colours within it.
+inline std::vector<Rgb> colors_in(const Domain& domain, int count = 5000) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> position(0, 1);
+    std::vector<Rgb> out{domain.min, domain.max};
+    for (int i = 0; i < count; ++i) {
+        Rgb c;
+        for (std::size_t k = 0; k < 3; ++k) {
+            c[k] = domain.min[k] + position(random) * (domain.max[k] - domain.min[k]);
+        }
+        out.push_back(c);
+    }
+    return out;
 }
 
 } // namespace lutlib

@@ -1,14 +1,10 @@
-// What the window edits, without a window: history, operators' order, knots, sides and files.
+// What the window edits, without a window: history, operators' order and files.
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
-#include "lutlib/metrics/compare.h"
-#include "lutlib/transform.h"
 #include "preview/editor/commands.h"
 #include "preview/editor/knots.h"
-#include "preview/editor/look_baker.h"
 #include "preview/effects/effect.h"
 #include "preview/look/cube_settings.h"
-#include "preview/look/recipe_table.h"
 #include "preview/scene/camera_settings.h"
 #include "preview/scene/light_controls.h"
 
@@ -21,25 +17,6 @@ namespace preview::editor {
 namespace {
 
 namespace fs = std::filesystem;
-using lutlib::Knot;
-using lutlib::Knots;
-using lutlib::Parameter;
-
-std::vector<const Parameter*> curve_parameters() {
-    std::vector<const Parameter*> out;
-    for (const lutlib::Op* op : lutlib::ops()) {
-        for (const Parameter& parameter : op->parameters) {
-            if (parameter.kind == lutlib::ParameterKind::curve) {
-                out.push_back(&parameter);
-            }
-        }
-    }
-    return out;
-}
-
-Knot middle_of(const CurveView& view) {
-    return {(view.x_min + view.x_max) / 2, (view.y_min + view.y_max) / 2};
-}
 
 struct Folder {
     Folder()
@@ -218,197 +195,6 @@ TEST(Operations, move_to_any_place_and_keep_the_others_in_order) {
             }
         }
     }
-}
-
-TEST(Knots, stay_valid_and_sorted_however_they_are_added_moved_and_removed) {
-    for (const Parameter* parameter : curve_parameters()) {
-        SCOPED_TRACE(std::string(parameter->flag));
-        Knots knots;
-        for (const double share : {0.5, 0.0, 1.0, 0.25, 0.25, -3.0, 9.0}) {
-            const CurveView view = view_of(*parameter, knots);
-            const std::size_t at = add_knot(*parameter, knots,
-                                            {view.x_min + share * (view.x_max - view.x_min),
-                                             view.y_min + share * (view.y_max - view.y_min)});
-            ASSERT_LT(at, knots.size());
-            move_knot(*parameter, knots, at, {1e6 * (share - 0.4), -1e6});
-            EXPECT_EQ(lutlib::problem_with(*parameter, knots), "");
-            for (std::size_t i = 1; i < knots.size(); ++i) {
-                EXPECT_LT(knots[i - 1].x, knots[i].x);
-            }
-        }
-        while (!knots.empty()) {
-            remove_knot(*parameter, knots, knots.size() - 1);
-        }
-    }
-}
-
-TEST(Knots, at_both_ends_of_a_circle_are_one) {
-    for (const Parameter* parameter : curve_parameters()) {
-        if (!parameter->axis.periodic) {
-            continue;
-        }
-        const double low = parameter->min, high = parameter->max;
-        Knots knots{{0, low}, {180, high}, {360, low}};
-        move_knot(*parameter, knots, 0, {0, high});
-        EXPECT_EQ(knots.back().y, high) << parameter->flag;
-        knots = {{10, low}, {180, high}, {360, low}};
-        add_knot(*parameter, knots, {0, high});
-        EXPECT_EQ(lutlib::problem_with(*parameter, knots), "") << parameter->flag;
-    }
-}
-
-TEST(Knots, lie_inside_what_the_editor_shows) {
-    for (const Parameter* parameter : curve_parameters()) {
-        Knots knots;
-        add_knot(*parameter, knots, {parameter->axis.max, parameter->max});
-        const CurveView view = view_of(*parameter, knots);
-        for (const Knot& knot : knots) {
-            EXPECT_LE(view.x_min, knot.x);
-            EXPECT_GE(view.x_max, knot.x);
-            EXPECT_LE(view.y_min, knot.y);
-            EXPECT_GE(view.y_max, knot.y);
-        }
-    }
-}
-
-TEST(Knots, leave_a_neutral_curve_neutral_when_the_first_one_is_set_on_it) {
-    for (const Parameter* parameter : curve_parameters()) {
-        SCOPED_TRACE(std::string(parameter->flag));
-        Knots knots;
-        const CurveView view = view_of(*parameter, knots);
-        const double x = middle_of(view).x;
-        add_knot(*parameter, knots, {x, parameter->axis.diagonal ? x : parameter->fallback});
-        const lutlib::Curve curve = lutlib::curve_of(*parameter, knots);
-        for (int i = 0; i <= 64; ++i) {
-            const double at = view.x_min + (view.x_max - view.x_min) * i / 64;
-            // A cubic through knots on a line rounds in the last places.
-            EXPECT_NEAR(curve(at), parameter->axis.diagonal ? at : parameter->fallback, 1e-9);
-        }
-    }
-}
-
-TEST(Knots, become_none_again_when_the_only_change_is_deleted) {
-    for (const Parameter* parameter : curve_parameters()) {
-        Knots knots;
-        const CurveView view = view_of(*parameter, knots);
-        const std::size_t at = add_knot(*parameter, knots, {middle_of(view).x, view.y_max});
-        remove_knot(*parameter, knots, at);
-        EXPECT_TRUE(knots.empty()) << parameter->flag;
-    }
-}
-
-TEST(Knots, are_caught_within_reach_only_and_the_nearest_first) {
-    const CurveView view{0, 360, 0, 2};
-    const Knots knots{{100, 1}, {110, 1}};
-    const Knot reach{10.0 / 400, 10.0 / 140};
-    EXPECT_EQ(knot_at(view, knots, {104, 1}, reach), 0U);
-    EXPECT_EQ(knot_at(view, knots, {106, 1}, reach), 1U);
-    EXPECT_EQ(knot_at(view, knots, {104, 1.5}, reach), std::nullopt);
-    EXPECT_EQ(knot_at(view, {}, {104, 1}, reach), std::nullopt);
-}
-
-TEST(Side, is_baked_for_every_engine_and_every_source) {
-    State state = initial_state();
-    add_operation(state.recipe, *lutlib::op_named("saturation"));
-    state.recipe.operations[0].values[0] = 0.25;
-    for (const SideSourceInfo& info : side_sources) {
-        for (const GpuLookup* engine : engine_lookups()) {
-            Side side;
-            side.source = info.source;
-            side.engine = engine;
-            const LoadedLook look = look_of(state.recipe, side);
-            const bool shows =
-                info.source == SideSource::recipe || info.source == SideSource::baked;
-            EXPECT_EQ(look.skip_reason.empty(), shows) << info.name;
-            EXPECT_EQ(look.data.lookup == engine, info.source == SideSource::baked);
-        }
-    }
-}
-
-TEST(LookBaker, ends_with_the_newest_request_of_many) {
-    LookBaker baker([] {});
-    State state = initial_state();
-    add_operation(state.recipe, *lutlib::op_named("exposure"));
-    for (int i = 0; i <= 20; ++i) {
-        state.recipe.operations[0].values[0] = 0.1 * i;
-        baker.request({state.recipe, state.sides});
-    }
-    const RecipeTable table = *measured_table(state.recipe);
-    const LoadedLook newest = measured_look(table, *gpu_lookup_named("tetrahedral"));
-    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-    bool found = false;
-    while (!found && std::chrono::steady_clock::now() < give_up) {
-        if (const std::optional<BakedLooks> looks = baker.take()) {
-            found = looks->sides[1].note == newest.note &&
-                    looks->sides[1].data.volume.bytes == newest.data.volume.bytes &&
-                    looks->sides[1].data.picture.bytes == newest.data.picture.bytes;
-        }
-    }
-    EXPECT_TRUE(found);
-    EXPECT_FALSE(baker.is_busy());
-}
-
-TEST(LookBaker, bakes_at_once_and_measures_when_nothing_follows) {
-    LookBaker baker([] {});
-    State state = initial_state();
-    add_operation(state.recipe, *lutlib::op_named("saturation"));
-    state.recipe.operations[0].values[0] = 0.5;
-    baker.request({state.recipe, state.sides});
-    std::vector<std::string> notes;
-    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-    while (notes.size() < 2 && std::chrono::steady_clock::now() < give_up) {
-        if (const std::optional<BakedLooks> looks = baker.take()) {
-            notes.push_back(looks->sides[1].note);
-        }
-    }
-    ASSERT_EQ(notes.size(), 2U);
-    EXPECT_EQ(notes[0], "");
-    EXPECT_NE(notes[1].find("of the look itself"), std::string::npos) << notes[1];
-}
-
-TEST(RecipeTable, is_fine_enough_that_no_difference_is_seen) {
-    lutlib::Recipe recipe;
-    add_operation(recipe, *lutlib::op_named("saturation"));
-    recipe.operations[0].values[0] = 0.4;
-    const RecipeTable mild = *measured_table(recipe);
-    EXPECT_LT(mild.max_error, visible_difference);
-    EXPECT_EQ(mild.nodes, 33);
-    // Light that is clipped makes a kink, which lies between nodes.
-    lutlib::Recipe bright;
-    add_operation(bright, *lutlib::op_named("exposure"));
-    bright.operations[0].values[0] = 2.0;
-    const RecipeTable steep = *measured_table(bright);
-    EXPECT_GT(steep.nodes, 33);
-    EXPECT_LT(steep.max_error, visible_difference);
-}
-
-TEST(RecipeTable, is_measured_as_the_recipe_and_the_table_differ) {
-    lutlib::Recipe recipe;
-    add_operation(recipe, *lutlib::op_named("exposure"));
-    recipe.operations[0].values[0] = 1.0;
-    const RecipeTable table = *measured_table(recipe);
-    const lutlib::Transform exact = lutlib::Transform::of(recipe);
-    double largest = 0;
-    for (int i = 0; i <= 4000; ++i) {
-        const double v = i / 4000.0;
-        const lutlib::RgbD in{v, 0.5 * v, 1 - v};
-        const lutlib::Rgb at = lutlib::to_float(in);
-        const lutlib::Difference difference = lutlib::difference_of(
-            {at}, {exact(in)},
-            {lutlib::evaluate_exact(table.lut, in, lutlib::Interpolation::tetrahedral)},
-            lutlib::srgb());
-        largest = std::max(largest, difference.delta_e_2000.max);
-    }
-    EXPECT_GT(largest, 0);
-    EXPECT_LT(largest, 1.2 * table.max_error); // a line meets places between the dense colours
-}
-
-TEST(RecipeTable, stops_when_it_is_told) {
-    lutlib::Recipe recipe;
-    add_operation(recipe, *lutlib::op_named("exposure"));
-    int asked = 0;
-    EXPECT_FALSE(measured_table(recipe, [&] { return ++asked == 3; }));
-    EXPECT_EQ(asked, 3);
 }
 
 TEST(Commands, save_a_recipe_that_opens_as_it_was) {

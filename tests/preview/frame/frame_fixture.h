@@ -9,6 +9,16 @@
 
 namespace preview {
 
+/// A look that no side shows by chance.
+inline lutlib::Lut inverting_look() {
+    lutlib::Lut look;
+    look.cube = lutlib::identity_cube(5);
+    for (lutlib::Rgb& node : look.cube->nodes) {
+        node = {1 - node.b, node.r, node.g};
+    }
+    return look;
+}
+
 class FrameTest : public GpuTest {
   protected:
     static constexpr Size size{160, 90};

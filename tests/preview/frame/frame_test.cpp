@@ -2,7 +2,6 @@
 // steady frame costs nothing but its passes.
 #include "lutlib/error.h"
 #include "preview/effects/effect.h"
-#include "preview/finish/curve_counts.h"
 #include "preview/frame/frame.h"
 #include "preview/look/gpu_look.h"
 #include "preview/look/look_bake.h"
@@ -14,15 +13,6 @@
 
 namespace preview {
 namespace {
-
-lutlib::Lut inverting_look() {
-    lutlib::Lut look;
-    look.cube = lutlib::identity_cube(5);
-    for (lutlib::Rgb& node : look.cube->nodes) {
-        node = {1 - node.b, node.r, node.g};
-    }
-    return look;
-}
 
 /// Whether some channel, alpha apart, has more than one value.
 bool has_contrast(const Rendered& rendered) {
@@ -246,94 +236,6 @@ TEST_F(FrameTest, a_view_of_what_the_frame_withholds_is_an_error) {
     settings.view = debug_view_named("shadows");
     Executor executor(device());
     EXPECT_THROW(render_frame(executor, loaded.inputs(), settings), lutlib::UsageError);
-}
-
-TEST_F(FrameTest, scopes_are_left_out_until_somebody_looks_and_change_nothing_else) {
-    const Loaded loaded(scene_at(*scene_named("sample"), 0));
-    FrameSettings settings = settings_for(loaded.scene);
-    Executor executor(device());
-    const Rendered plain = render_frame(executor, loaded.inputs(), settings);
-    const std::size_t steps = executor.plan().steps.size();
-    for (std::size_t i = 0; i < scopes.size(); ++i) {
-        const std::string name(scopes[i].name);
-        EXPECT_FALSE(kept(plain, "count " + name));
-        EXPECT_NE(plain.explanation.find("left out  " + name), std::string::npos);
-        settings.scope_sizes[i] = {200, 120};
-        const Rendered beside = render_frame(executor, loaded.inputs(), settings);
-        EXPECT_EQ(beside.rgba, plain.rgba) << name;
-        EXPECT_TRUE(kept(beside, "count " + name)) << beside.explanation;
-        EXPECT_GT(executor.plan().steps.size(), steps);
-        settings.scope = &scopes[i];
-        const Rendered alone = render_frame(executor, loaded.inputs(), settings);
-        EXPECT_EQ(alone.size, (Size{200, 120})) << name;
-        EXPECT_NE(alone.rgba, plain.rgba) << name;
-        settings.scope = nullptr;
-        settings.scope_sizes[i] = {};
-    }
-}
-
-TEST_F(FrameTest, a_scope_of_what_is_not_shown_is_an_error_and_beside_the_picture_left_out) {
-    const Loaded loaded(scene_at(*scene_named("plain"), 0));
-    FrameSettings settings = settings_for(loaded.scene);
-    settings.scope_sizes[0] = {64, 64};
-    settings.compare = &compare_difference;
-    Executor executor(device());
-    EXPECT_FALSE(kept(render_frame(executor, loaded.inputs(), settings), "count waveform"));
-    settings.scope = &scopes[0];
-    EXPECT_THROW(render_frame(executor, loaded.inputs(), settings), lutlib::UsageError);
-    settings.compare = &compares[0];
-    settings.scope_side = &scope_sides[2];
-    EXPECT_THROW(render_frame(executor, loaded.inputs(), settings), lutlib::UsageError);
-}
-
-TEST_F(FrameTest, a_probe_tells_both_sides_of_the_same_texel_whatever_is_compared) {
-    const Loaded loaded(scene_at(*scene_named("sample"), 0));
-    const GpuLook look(device(), look_for(inverting_look(), *gpu_lookup_named("tetrahedral")).data);
-    FrameInputs inputs = loaded.inputs();
-    inputs.look_b = &look;
-    FrameSettings settings = settings_for(loaded.scene);
-    settings.effects.clear();
-    Executor executor(device());
-    const auto codes_at = [](const Rendered& rendered, std::int32_t x, std::int32_t y) {
-        const std::size_t at =
-            4 * (static_cast<std::size_t>(y) * rendered.size.width + static_cast<std::size_t>(x));
-        return std::array<int, 3>{rendered.rgba[at], rendered.rgba[at + 1], rendered.rgba[at + 2]};
-    };
-    const auto codes = [](lutlib::RgbD color) {
-        const Codes out = codes_of(color);
-        return std::array<int, 3>{out.r, out.g, out.b};
-    };
-    for (const Compare& compare : compares) {
-        settings.compare = &compare;
-        settings.split = 0.25F;
-        settings.probe = {90, 41};
-        const Rendered rendered = render_frame(executor, inputs, settings);
-        ASSERT_TRUE(rendered.probe) << compare.name;
-        EXPECT_EQ(rendered.probe->a, rendered.probe->before) << compare.name;
-        EXPECT_NE(rendered.probe->b, rendered.probe->before) << compare.name;
-        if (&compare == &compare_difference) {
-            continue;
-        }
-        // Side by side, 90 is the tenth column of B.
-        EXPECT_EQ(codes_at(rendered, 90, 41),
-                  codes(compare.shows_b ? rendered.probe->b : rendered.probe->a))
-            << compare.name;
-    }
-    settings.probe.reset();
-    EXPECT_FALSE(kept(render_frame(executor, inputs, settings), "probe"));
-}
-
-TEST_F(FrameTest, axes_are_counted_only_while_a_curve_is_seen) {
-    const Loaded loaded(scene_at(*scene_named("chart"), 0));
-    FrameSettings settings = settings_for(loaded.scene);
-    Executor executor(device());
-    EXPECT_FALSE(kept(render_frame(executor, loaded.inputs(), settings), "count along axes"));
-    settings.axes = &lutlib::srgb();
-    EXPECT_TRUE(kept(render_frame(executor, loaded.inputs(), settings), "count along axes"));
-    const std::vector<std::byte> counts = executor.finished_buffer("axis counts");
-    EXPECT_EQ(counts.size(), counted_axes.size() * axis_bins * sizeof(std::uint32_t));
-    EXPECT_NE(std::count(counts.begin(), counts.end(), std::byte{0}),
-              static_cast<std::ptrdiff_t>(counts.size()));
 }
 
 TEST_F(FrameTest, a_steady_frame_allocates_and_uploads_nothing) {

@@ -50,8 +50,8 @@ void declare_layout(CLI::App& verb) {
         [](const std::string& name) {
             named_layout = &require_named(lutlib::layouts(), "layout", name);
         },
-        "the layout of LUT pictures that are read, where their content does not tell it or tells "
-        "it wrong: " +
+        "the layout of the LUT pictures to read, where it is not recognised or recognised "
+        "wrongly: " +
             lutlib::names_of(lutlib::layouts()));
 }
 

@@ -31,8 +31,8 @@ void choose_engine(Subject& s, const std::string& name) {
         const std::string_view layout = recognise_one(decoded(s.codes), name).reading.layout->name;
         s.engine = engine_with_layout(layout);
         if (!s.engine) {
-            throw lutlib::Error(fmt::format("this is a {} picture, which no engine that we know "
-                                            "reads as it is; name the engine with --engine",
+            throw lutlib::Error(fmt::format("this is a {} picture, which no known engine reads as "
+                                            "it is; name the engine with --engine",
                                             layout),
                                 {name, 0, {}});
         }
@@ -44,8 +44,8 @@ int size_in_layout(const Engine& engine, const lutlib::CodeImage& codes) {
 }
 
 std::string wrong_size(const Subject& s) {
-    std::string words = fmt::format("wrong size: {}x{} pixels are no {} picture", s.codes.width,
-                                    s.codes.height, s.engine->layout);
+    std::string words = fmt::format("wrong size: {}x{} pixels is not a size of a {} picture",
+                                    s.codes.width, s.codes.height, s.engine->layout);
     for (const lutlib::Recognition& reading : recognise(decoded(s.codes))) {
         words += fmt::format("; they could be {} of size {}", reading.layout->name, reading.size);
     }

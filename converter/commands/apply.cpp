@@ -84,8 +84,8 @@ std::string result_text(const Options& o, const lutlib::LookPlace& place) {
     const std::string type = io::extension_of(o.output);
     const bool misread = (type == "exr" || type == "hdr") && holds->curve->name != "linear";
     return "the result holds " + holds->name() +
-           (misread ? ", and readers take ." + type +
-                          " files for linear light: --output-encoding linear writes that"
+           (misread ? ", but readers expect linear light in ." + type +
+                          " files: write that with --output-encoding linear"
                     : "");
 }
 

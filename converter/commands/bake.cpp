@@ -59,7 +59,7 @@ std::string fit_text(const FilledBake& filled, const lutlib::Viewing& viewing) {
         lost.clamped_values == 0
             ? ""
             : fmt::format("  lost: {} of the look's own values at the nodes lie outside 0..1, by "
-                          "{:.4g} at most; the fit aims at the look held to 0..1\n",
+                          "{:.4g} at most; the fit aims at the look clamped to 0..1\n",
                           lost.clamped_values, lost.most_clamped);
     const Difference &before = *filled.point_sampled, &after = *filled.result;
     const lutlib::Metric eye = eye_metric(viewing);
@@ -243,7 +243,7 @@ BakeReport make_report(const Options& o) {
         out.explanation = explain(table_to_explain(look, exact, placement),
                                   0.5 / out.filled.bake.picture.depth.maximum());
         out.explanation->kept =
-            "the engine reads a lattice of this size, so there is nothing to leave out";
+            "nothing is left out, because the engine needs a lattice of this size";
     }
     return out;
 }

@@ -175,8 +175,9 @@ int run(const Options& o) {
     if (o.explain) {
         // What holds values that are no numbers is beyond simplifying.
         if (health.non_finite > 0) {
-            throw lutlib::Error("--explain needs a look whose values are all numbers; use --repair",
-                                {io::input_name(o.input), 0, {}});
+            throw lutlib::Error(
+                "--explain needs a look without NaN and infinities; repair it with --repair first",
+                {io::input_name(o.input), 0, {}});
         }
         const Explanation explanation = explain(repaired.lut, o.tolerance);
         text += "what it does not need:\n" + to_text(explanation);
@@ -211,7 +212,7 @@ Run declare_check(CLI::App& app) {
     app.add_flag("--explain", o->explain,
                  "list the parts that the look does not need; convert --explain drops them");
     app.add_option("--tolerance", o->tolerance,
-                   "with --explain: the largest difference of a channel that counts as none")
+                   "with --explain: the largest difference of a channel that is ignored")
         ->check(zero_or_more())
         ->capture_default_str();
     app.add_flag("--json", o->json, "print the results as JSON");

@@ -96,7 +96,7 @@ std::optional<Explanation> leave_out(lutlib::Lut& lut, const Options& o) {
         lut = std::move(less);
         out.left_out = true;
     } else {
-        out.kept = fmt::format("{} cannot hold it so", format.label);
+        out.kept = fmt::format("{} cannot store it in that form", format.label);
     }
     return out;
 }
@@ -134,7 +134,7 @@ int strip_tags(const Options& o) {
     const std::string name = io::input_name(o.input);
     const std::string bytes = io::read_file(o.input);
     if (!io::is_png(bytes)) {
-        throw lutlib::UsageError("--strip-tags rewrites PNG files, and " + name + " is none");
+        throw lutlib::UsageError("--strip-tags takes PNG files; " + name + " is not one");
     }
     require_png_name(o.output, "convert --strip-tags");
     io::PngImage image = io::read_png(bytes, name);

@@ -55,7 +55,7 @@ lutlib::Recipe assemble(const Options& o, std::string& base) {
     if (!o.recipe.empty()) {
         const io::Look read = open_look(o.recipe);
         if (!read.recipe()) {
-            throw lutlib::Error("--recipe takes a recipe, and this is a LUT",
+            throw lutlib::Error("--recipe takes a recipe; this file is a LUT",
                                 {io::input_name(o.recipe), 0, {}});
         }
         recipe = *read.recipe();
@@ -87,7 +87,7 @@ lutlib::Recipe assemble(const Options& o, std::string& base) {
     const auto given = recipe.base_lut ? encodings_of(recipe.base_lut->encodings).output
                                        : std::optional<lutlib::Encoding>();
     if (given && *given != recipe.input && !o.input_encoding.empty()) {
-        print(fmt::format("lutconv: {} gives {}, and --input-encoding says {}, which counts\n",
+        print(fmt::format("lutconv: {} gives {}; --input-encoding {} is used instead\n",
                           input_text(base), given->name(), recipe.input.name()),
               std::string(io::standard_stream));
     }
@@ -148,8 +148,9 @@ int run(const Options& o) {
     }
     require_one_standard_input(std::array{o.input, o.recipe});
     if (o.config.given() && (o.input != "identity" || !o.save_recipe.empty())) {
-        throw lutlib::UsageError("--ocio-config stands in place of a LUT and is no part of a "
-                                 "recipe: edit the word identity, without --save-recipe");
+        throw lutlib::UsageError(
+            "a recipe cannot keep an OpenColorIO config: beside --ocio-config, edit the word "
+            "identity and leave out --save-recipe");
     }
     const std::string shown = standard_output_of(std::array{o.output, o.save_recipe});
     std::string base;

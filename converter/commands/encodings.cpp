@@ -19,7 +19,7 @@ std::string line(std::string_view name, std::string_view label, std::string_view
 }
 
 std::string as_text() {
-    std::string out = "curves; a curve alone stands for the gamut behind it\n";
+    std::string out = "curves, each with the gamut that its name alone implies\n";
     for (const lutlib::TransferCurve* row : lutlib::transfer_curves()) {
         out += line(row->name, fmt::format("{}, {}", row->label, row->gamut->name), row->source);
     }

@@ -55,9 +55,8 @@ std::vector<Rgb> from_arguments(const std::vector<std::string>& words) {
         }
     }
     if (words.size() % 3 != 0) {
-        throw lutlib::UsageError(
-            "colours are given as R G B; " + std::to_string(words.size()) +
-            " numbers do not make whole colours; give three numbers, R G B, for each");
+        throw lutlib::UsageError("expected groups of three numbers, R G B, got " +
+                                 std::to_string(words.size()));
     }
     std::vector<Rgb> out;
     for (std::size_t i = 0; i < words.size(); i += 3) {

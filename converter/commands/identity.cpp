@@ -31,7 +31,7 @@ std::string bytes_of(const Options& o) {
         return lutlib::io::picture_bytes(picture, {"identity", "Identity", {}});
     }
     if (o.bits) {
-        throw lutlib::UsageError("--bits is of pictures: name a .png or an --engine");
+        throw lutlib::UsageError("--bits is for pictures: give -o a .png name, or add --engine");
     }
     lutlib::Lut lut;
     lut.cube = lutlib::identity_cube(o.size ? o.size : usual_size);

@@ -70,7 +70,7 @@ std::string cube_text(const lutlib::Inversion& inversion) {
                        inversion.lut.cube->size, lutlib::io::domain_text(inversion.lut.domain()),
                        100 * inputs.undoable, 100 * inputs.flat, 100 * inputs.folded) +
            region_text("outside the look's gamut: no input gives these colours, so the nearest "
-                       "that can be reached stands in",
+                       "reachable one is used",
                        "distance", inversion.out_of_gamut, inversion.nodes) +
            (inversion.extrapolated > 0
                 ? fmt::format(
@@ -79,11 +79,10 @@ std::string cube_text(const lutlib::Inversion& inversion) {
                       inversion.extrapolated)
                 : "") +
            region_text("flat: a range of inputs gives these colours, so the one nearest to the "
-                       "colour itself stands in",
+                       "colour itself is used",
                        "it lies away by", inversion.flat, inversion.nodes) +
-           region_text(
-               "folded: several inputs give these colours, so the nearest of them stands in",
-               "the inputs differ by", inversion.folded, inversion.nodes);
+           region_text("folded: several inputs give these colours, so the nearest of them is used",
+                       "the inputs differ by", inversion.folded, inversion.nodes);
 }
 
 using Channels = std::array<lutlib::CurveInversion::Channel, 3>;

@@ -253,7 +253,8 @@ std::string as_text(const Options& o, const Subject& s, const Verdict& v) {
         out += "  why: the texels are right; " + s.tags + "\n";
     }
     if (!v.scale.empty()) {
-        out += fmt::format("  {}\n  so OpenColorIO evaluates our reading of the look\n", v.scale);
+        out +=
+            fmt::format("  {}\n  so OpenColorIO evaluates what lutlib read of the look\n", v.scale);
     }
     for (const std::string& point : s.contract) {
         if (!is_a_matter_of_tags(s, v)) {
@@ -361,7 +362,8 @@ int run(const Options& o) {
 Run declare_verify(CLI::App& app) {
     const auto o = std::make_shared<Options>();
     app.add_option("PICTURE", o->picture, "the LUT picture, or - for standard input")->required();
-    app.add_option("--against", o->against, "the look or recipe it should be a bake of")
+    app.add_option("--against", o->against,
+                   "the look or recipe that it should have been baked from")
         ->required();
     o->engine.declare(app, "");
     o->interpolation.declare(app, "how the look was read between its nodes (default: as recorded "

@@ -142,7 +142,7 @@ constexpr std::array<Layout, 6> table{{
      .pixel = hald_pixel},
     {.name = "tiles",
      .help = "blue slices in rows of a grid, green down: OBS, GPUImage, Godot",
-     .sizes = "numbers that are no primes (16, 32, 64, ...)",
+     .sizes = "numbers that are not prime (16, 32, 64, ...)",
      .stacks = false,
      .picture = tiles_picture,
      .lattice = tiles_lattice,

@@ -151,8 +151,8 @@ std::string listed(std::span<const Recognition> readings) {
     const bool any_smooth = std::any_of(readings.begin(), readings.end(), is_smooth);
     throw Error(
         (any_smooth ? "the content does not tell in which layout to read this picture"
-                    : "in no layout of its dimensions is the content of this picture a "
-                      "look: neighbouring nodes differ as if they were shuffled") +
+                    : "this picture is not like a look in any layout of its dimensions: "
+                      "neighbouring nodes differ as if they were shuffled") +
             std::string("; name it (lutconv's --layout), or the engine that it was made for "
                         "(--engine). It could be: ") +
             listed(readings),

@@ -24,11 +24,11 @@ struct Mistaken {
 constexpr std::array<Mistaken, 14> table{{
     {"{\\rtf"sv, "rich text (RTF) as a word processor saves it",
      "open it in a text editor and save it as plain text (in TextEdit: Format, Make Plain Text)"},
-    {"version https://git-lfs.github.com/spec/"sv, "a Git LFS pointer, not the file itself",
+    {"version https://git-lfs.github.com/spec/"sv, "a Git LFS pointer to the file",
      "fetch the file with 'git lfs pull' in its repository"},
-    {"version https://hawser.github.com/spec/"sv, "a Git LFS pointer, not the file itself",
+    {"version https://hawser.github.com/spec/"sv, "a Git LFS pointer to the file",
      "fetch the file with 'git lfs pull' in its repository"},
-    {"/annex/objects/"sv, "a git-annex pointer, not the file itself",
+    {"/annex/objects/"sv, "a git-annex pointer to the file",
      "fetch the file with 'git annex get' in its repository"},
     {"PK\3\4"sv, "a ZIP archive (or an office document, which is one)", archive},
     {"PK\5\6"sv, "an empty ZIP archive", "download or pack it again"},
@@ -57,7 +57,7 @@ bool is_web_page(std::string_view bytes) {
 }
 
 [[noreturn]] void refuse(std::string_view what, std::string_view remedy, const std::string& file) {
-    throw Error("this is " + std::string(what) + ", and no LUT; " + std::string(remedy),
+    throw Error("this is " + std::string(what) + ", not a LUT; " + std::string(remedy),
                 {file, 0, {}});
 }
 

@@ -168,14 +168,14 @@ class ThreedlReader {
         const int n = static_cast<int>(std::lround(std::cbrt(static_cast<double>(rows_.size()))));
         const auto side = static_cast<std::size_t>(n);
         if (n < limits::min_cube_size || side * side * side != rows_.size()) {
-            throw Error("the table has " + std::to_string(rows_.size()) +
-                            " rows, which is no cube of any size; the file is cut off or damaged" +
-                            (mesh_.empty()
-                                 ? ""
-                                 : " (" + std::to_string(mesh_.size()) + " nodes per axis need " +
-                                       std::to_string(mesh_.size() * mesh_.size() * mesh_.size()) +
-                                       ")"),
-                        {file_, lines_.line_number(), {}});
+            throw Error(
+                "the table has " + std::to_string(rows_.size()) +
+                    " rows, which is not a cube of any size; the file is cut off or damaged" +
+                    (mesh_.empty()
+                         ? ""
+                         : " (" + std::to_string(mesh_.size()) + " nodes per axis need " +
+                               std::to_string(mesh_.size() * mesh_.size() * mesh_.size()) + ")"),
+                {file_, lines_.line_number(), {}});
         }
         return n;
     }
@@ -196,7 +196,7 @@ class ThreedlReader {
         }
         if (largest_ < least_largest_code) {
             throw Error(largest + ", is below " + std::to_string(least_largest_code) +
-                            ": these are no codes of any depth; is this another format?",
+                            ": no depth has so small codes; is this another format?",
                         {file_, 0, {}});
         }
         lut_.notes.push_back((output_.bits > 0 ? "line " + std::to_string(output_.line) +
@@ -213,7 +213,7 @@ class ThreedlReader {
         const int largest = *std::max_element(mesh_.begin(), mesh_.end());
         if (largest < least_largest_code) {
             throw Error("the mesh line's largest number, " + std::to_string(largest) +
-                            ", is no code of any depth; is this another format?",
+                            ", is too small for any depth; is this another format?",
                         {file_, 0, {}});
         }
         const double top = largest_code(input_.bits > 0 ? input_.bits : likely_depth(largest));
@@ -230,13 +230,13 @@ class ThreedlReader {
             const auto value = static_cast<float>(code / top);
             shaper.entries.push_back({value, value, value});
         }
-        lut_.notes.push_back("the mesh line is no even ramp; it is read as a 1D table of the "
+        lut_.notes.push_back("the mesh line is not an even ramp; it is read as a 1D table of the "
                              "input, as OpenColorIO does");
     }
 
     Lut finish() {
         if (rows_.empty() && mesh_.empty()) {
-            throw Error("neither a mesh line nor a row of 3 whole numbers: this is no .3dl",
+            throw Error("neither a mesh line nor a row of 3 whole numbers: this is not a .3dl",
                         {file_, 0, {}});
         }
         if (!rows_.empty()) {

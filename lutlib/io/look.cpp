@@ -50,13 +50,13 @@ std::vector<std::string> remarks_of(std::vector<std::string> remarks, const Lut&
                              const std::optional<Encoding>& option) {
         const std::optional<Encoding> known = encoding_named(name);
         if (!name.empty() && !known && !option) {
-            remarks.push_back(fmt::format("its {0} encoding '{1}' is none that 'lutconv encodings' "
-                                          "lists; name it with --look-{0}",
+            remarks.push_back(fmt::format("its {0} encoding '{1}' is unknown; name one of 'lutconv "
+                                          "encodings' with --look-{0}",
                                           side, name));
         } else if (known && option && *known != *option) {
-            remarks.push_back(fmt::format("it says that its {0} is {1}, and --look-{0} says {2}, "
-                                          "which counts",
-                                          side, name, option->name()));
+            remarks.push_back(
+                fmt::format("it says that its {0} is {1}; --look-{0} {2} is used instead", side,
+                            name, option->name()));
         }
     };
     look_at("input", lut.encodings.input, said.input);

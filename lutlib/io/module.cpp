@@ -33,8 +33,8 @@ void* module_symbol(const std::string& name, const char* symbol) {
     void* const address = module ? ::dlsym(module, symbol) : nullptr;
     if (!address) {
         const char* const reason = ::dlerror();
-        throw Error("cannot load " + file + ", which must stand in ../lib beside the program (" +
-                    (reason ? reason : "unknown reason") + ")");
+        throw Error("cannot load " + file + " (" + (reason ? reason : "unknown reason") +
+                    "); it belongs in the folder lib beside the program's own");
     }
     return address;
 }

@@ -82,7 +82,7 @@ Lut sample_like(const Lut& like, const Sampling& sampling, const Transform& whol
         out.cube = sample_cube(whole, domain, size);
     } else if (shaper == "base") {
         if (!like.shaper) {
-            throw Error("the 1D table is to be the look's own, but it has none");
+            throw Error("the look has no 1D table to keep; choose another one");
         }
         if (sampling.domain) {
             throw Error("the look's own 1D table comes with its own domain; choose another table "

@@ -13,7 +13,7 @@ namespace {
 
 [[noreturn]] void reject(const std::string& text, const std::string& why) {
     throw lutlib::UsageError(fmt::format(
-        "--light {}: {}; it reads NAME.CONTROL=VALUE, as in --light key.intensity=2", text, why));
+        "--light {}: {}; write NAME.CONTROL=VALUE, such as key.intensity=2", text, why));
 }
 
 PointLight& light_named(std::vector<PointLight>& lights, const std::string& name,
@@ -48,7 +48,8 @@ glm::vec3 values_of(const LightControl& control, const std::string& values,
         const auto [rest, failed] = std::from_chars(at, end, out[i]);
         const bool separated = i + 1 < count ? rest != end && *rest == ',' : rest == end;
         if (failed != std::errc{} || !separated) {
-            reject(text, count == 1 ? "the value is no number" : "the value is not three numbers");
+            reject(text,
+                   count == 1 ? "the value is not a number" : "the value is not three numbers");
         }
         if (!(out[i] >= control.min && out[i] <= control.max)) {
             reject(text,

@@ -1,6 +1,7 @@
 #include "preview/cli/look_options.h"
 
 #include "lutlib/error.h"
+#include "lutlib/named.h"
 
 namespace preview {
 
@@ -32,18 +33,17 @@ bool is_look(const std::string& path) {
 } // namespace
 
 const GpuLookup* lookup_of(const std::string& name) {
-    const GpuLookup* const lookup = name.empty() ? nullptr : gpu_lookup_named(name);
-    if (lookup == nullptr && !name.empty()) {
-        throw lutlib::UsageError("no lookup is named '" + name + "'; --list names them");
+    if (name.empty()) {
+        return nullptr;
     }
-    if (lookup != nullptr && lookup->engine != nullptr &&
-        !lutlib::is_fed_display_codes(*lookup->engine)) {
+    const GpuLookup& lookup = lutlib::require_named(gpu_lookups(), "lookup", name);
+    if (lookup.engine != nullptr && !lutlib::is_fed_display_codes(*lookup.engine)) {
         throw lutlib::UsageError(
-            std::string(lookup->engine->label) +
+            std::string(lookup.engine->label) +
             " grades scene light before the tone map, and looks stand behind it here: preview the "
             "look itself (without --engine)");
     }
-    return lookup;
+    return &lookup;
 }
 
 PictureCodes picture_codes(const Options& options) {
@@ -52,7 +52,7 @@ PictureCodes picture_codes(const Options& options) {
 
 LookUse use_a(const Options& options) {
     if (!options.engine_a.empty() && !is_look(options.look_a) && is_look(options.look_b)) {
-        throw lutlib::UsageError("--engine-a is for side A, which has no look: --engine-b is for "
+        throw lutlib::UsageError("side A, which --engine-a is for, has no look: use --engine-b for "
                                  "side B");
     }
     return use_of(options, options.engine_a, options.look_input_a, options.look_output_a);
@@ -60,7 +60,7 @@ LookUse use_a(const Options& options) {
 
 LookUse use_b(const Options& options) {
     if (!options.engine_b.empty() && !is_look(options.look_b) && is_look(options.look_a)) {
-        throw lutlib::UsageError("--engine is for side B, which has no look: --engine-a is for "
+        throw lutlib::UsageError("side B, which --engine is for, has no look: use --engine-a for "
                                  "side A");
     }
     return use_of(options, options.engine_b, options.look_input_b, options.look_output_b);

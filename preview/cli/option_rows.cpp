@@ -13,8 +13,9 @@ using O = Options;
 
 constexpr OptionRow rows[] = {
     {.flag = "input",
-     .help = "A built-in scene (--list), a glTF 2.0 file (textures stand as their mean), or a "
-             "picture file, which stands for the scene",
+     .help =
+         "A built-in scene (--list), a glTF 2.0 file (a texture is replaced by its mean colour), "
+         "or a picture file, shown in place of a scene",
      .of = [](O& o) -> std::string& { return o.input; }},
     {.flag = "--a",
      .help = "Look of side A: none, or any LUT file or picture",
@@ -25,33 +26,34 @@ constexpr OptionRow rows[] = {
      .of = [](O& o) -> std::string& { return o.look_b; },
      .type = "LOOK"},
     {.flag = "--engine-a",
-     .help = "The lookup that reads side A's look, baked for it unless it is a picture: an "
-             "engine's or another of --list",
+     .help = "The engine or other lookup of --list that reads side A's look; a look that is not a "
+             "picture is baked for it",
      .of = [](O& o) -> std::string& { return o.engine_a; },
      .type = "ENGINE"},
     {.flag = "--engine,--engine-b",
-     .help = "The same of side B's look",
+     .help = "The same for side B's look",
      .of = [](O& o) -> std::string& { return o.engine_b; },
      .type = "ENGINE"},
     {.flag = "--look-input-a",
-     .help = "What the inputs of side A's look are, in place of what its file says: a curve or "
+     .help = "Encoding of the inputs of side A's look, instead of what its file says: a curve or "
              "curve/gamut of 'lutconv encodings'",
      .of = [](O& o) -> std::string& { return o.look_input_a; },
      .type = "ENCODING"},
     {.flag = "--look-output-a",
-     .help = "What its results are, in the same way",
+     .help = "Encoding of its results, likewise",
      .of = [](O& o) -> std::string& { return o.look_output_a; },
      .type = "ENCODING"},
     {.flag = "--look-input,--look-input-b",
-     .help = "The inputs of side B's look",
+     .help = "Encoding of the inputs of side B's look",
      .of = [](O& o) -> std::string& { return o.look_input_b; },
      .type = "ENCODING"},
     {.flag = "--look-output,--look-output-b",
-     .help = "Its results",
+     .help = "Encoding of its results",
      .of = [](O& o) -> std::string& { return o.look_output_b; },
      .type = "ENCODING"},
     {.flag = "--picture-encoding",
-     .help = "What the codes are that the looks get: of a scene sRGB, after its tone map",
+     .help = "Encoding of the picture that the looks are applied to; a scene is sRGB after its "
+             "tone map",
      .of = [](O& o) -> std::string& { return o.picture_encoding; },
      .type = "ENCODING"},
     {.flag = "--no-convert",
@@ -63,7 +65,7 @@ constexpr OptionRow rows[] = {
      .min = -1e6,
      .max = 1e6},
     {.flag = "--shadow-size",
-     .help = "Texels of a shadow map's side",
+     .help = "Width and height of a shadow map, in texels",
      .of = [](O& o) -> std::uint32_t& { return o.frame.shadow_size; },
      .min = 16,
      .max = 8192},
@@ -83,7 +85,7 @@ constexpr OptionRow rows[] = {
      .of = [](O& o) -> std::string& { return o.cube_view; },
      .one_of = {"a", "b"}},
     {.flag = "--cube-nodes",
-     .help = "Nodes of an axis, at most",
+     .help = "Most nodes drawn along an axis",
      .of = [](O& o) -> int& { return o.cube_nodes; },
      .min = 2,
      .max = 65},

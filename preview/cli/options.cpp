@@ -256,8 +256,8 @@ Size parse_size(std::string_view option, const std::string& text) {
         size.width <= largest_side && size.height <= largest_side) {
         return size;
     }
-    throw lutlib::UsageError(fmt::format(
-        "{} needs WIDTHxHEIGHT with sides of 1 to {}; '{}' is none", option, largest_side, text));
+    throw lutlib::UsageError(fmt::format("{} needs WIDTHxHEIGHT with sides of 1 to {}, got '{}'",
+                                         option, largest_side, text));
 }
 
 ProbePlace parse_place(std::string_view option, const std::string& text, Size picture) {
@@ -267,7 +267,7 @@ ProbePlace parse_place(std::string_view option, const std::string& text, Size pi
         static_cast<std::uint32_t>(place.y) < picture.height) {
         return place;
     }
-    throw lutlib::UsageError(fmt::format("{} needs X,Y within the picture of {}x{}; '{}' is none",
+    throw lutlib::UsageError(fmt::format("{} needs X,Y within the picture of {}x{}, got '{}'",
                                          option, picture.width, picture.height, text));
 }
 
@@ -309,8 +309,8 @@ FrameSettings settings_of(const Options& options, Size input_size) {
         settings.probe = parse_place("--probe", options.probe, settings.output);
     }
     if (settings.probe && settings.shows_intermediate()) {
-        throw lutlib::UsageError(
-            "--probe tells the finished picture, which --debug-view leaves out");
+        throw lutlib::UsageError("--probe reads the finished picture, which --debug-view does not "
+                                 "make: drop one of them");
     }
     return settings;
 }

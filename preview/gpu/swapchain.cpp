@@ -17,8 +17,7 @@ vk::SurfaceFormatKHR choose_format(const std::vector<vk::SurfaceFormatKHR>& form
             }
         }
     }
-    throw lutlib::Error("this window takes no 8-bit picture of display-encoded codes; use "
-                        "--headless");
+    throw lutlib::Error("this display does not take 8-bit sRGB pictures; render with --headless");
 }
 
 } // namespace

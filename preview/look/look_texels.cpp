@@ -93,7 +93,7 @@ LookData no_look() {
 LookData look_data(const lutlib::CodeImage& codes, int size, const GpuLookup& lookup) {
     const std::string name(lookup.name);
     if (lookup.source != Source::picture) {
-        throw lutlib::Error("the lookup '" + name + "' reads a table and no picture");
+        throw lutlib::Error("the lookup '" + name + "' reads tables, not pictures");
     }
     if (lookup.shared() && (size != shared_size || codes.depth.bits != 8)) {
         throw lutlib::Error("the lookup '" + name +
@@ -129,13 +129,14 @@ LookData look_data(const lutlib::CodeImage& codes, int size, const GpuLookup& lo
 LookData look_data(const lutlib::Lut& look, const GpuLookup& lookup) {
     const std::string name(lookup.name);
     if (lookup.source != Source::table) {
-        throw lutlib::Error("the lookup '" + name + "' reads a picture and no table");
+        throw lutlib::Error("the lookup '" + name + "' reads pictures, not tables");
     }
     LookData data;
     data.lookup = &lookup;
     if (lookup.filtered &&
         (look.shaper || !look.cube || !look.cube->domain.is_unit() || look.cube->size > 256)) {
-        throw lutlib::Error("the lookup '" + name + "' reads a cube over 0..1 without a shaper");
+        throw lutlib::Error("the lookup '" + name +
+                            "' reads only cubes over 0..1 without a shaper");
     }
     if (look.shaper) {
         data.shaper = shaper_texels(*look.shaper);

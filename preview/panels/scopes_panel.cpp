@@ -15,7 +15,7 @@ struct ScaleRow {
     const char* label;
     std::optional<bool> logarithmic;
 };
-constexpr ScaleRow scales[] = {{"own", "as is usual for each", std::nullopt},
+constexpr ScaleRow scales[] = {{"own", "each scope's own", std::nullopt},
                                {"log", "by the logarithm of the counts", true},
                                {"linear", "in proportion to the counts", false}};
 
@@ -55,7 +55,7 @@ void scopes_panel(Ui& ui) {
         }
     }
     ImGui::Separator();
-    ImGui::TextUnformatted("They look at");
+    ImGui::TextUnformatted("What they measure");
     for (const ScopeSide& side : scope_sides) {
         if (ImGui::RadioButton(std::string(side.label).c_str(), choice.side == &side)) {
             choice.side = &side;

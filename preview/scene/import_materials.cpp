@@ -64,7 +64,7 @@ glm::vec3 texture_mean(const aiScene& scene, const aiMaterial& material, aiTextu
     }
     try {
         const glm::vec3 mean = mean_of(decoded(scene, name.C_Str(), folder), is_color);
-        left_out.add("textures' detail (their mean stands for them)");
+        left_out.add("textures' detail (replaced by their mean)");
         return mean;
     } catch (const lutlib::Error&) {
         left_out.add("textures that cannot be read");

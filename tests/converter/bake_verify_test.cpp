@@ -141,7 +141,7 @@ TEST(Bake, says_what_a_fit_takes_from_the_look_instead_of_what_point_samples_wou
     EXPECT_EQ(fit["fit"]["look_clamped_values"], point["loss"]["clamped_values"]);
     const std::string text = baked({"--fit"});
     EXPECT_EQ(text.find("lost: rounding"), std::string::npos) << text;
-    EXPECT_NE(text.find("the fit aims at the look held to 0..1"), std::string::npos) << text;
+    EXPECT_NE(text.find("the fit aims at the look clamped to 0..1"), std::string::npos) << text;
 }
 
 TEST(Bake, says_that_no_combination_keeps_a_promise_and_which_comes_nearest) {

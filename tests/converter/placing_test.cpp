@@ -197,7 +197,7 @@ TEST_F(ApplyOfALook, says_what_the_picture_is_taken_for_and_what_the_result_hold
     const Result exr = lutconv_in_process({"apply", look, light, "-o", folder.path("out.exr")});
     EXPECT_NE(exr.out.find("the picture holds linear by its file type"), std::string::npos)
         << exr.out;
-    EXPECT_NE(exr.out.find("the result holds srgb, and readers take .exr files for linear light"),
+    EXPECT_NE(exr.out.find("the result holds srgb, but readers expect linear light in .exr files"),
               std::string::npos)
         << exr.out;
     lutconv_in_process({"apply", look, light, "-o", png});

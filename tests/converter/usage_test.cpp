@@ -49,7 +49,7 @@ const std::vector<Row>& rows() {
          "--sizes: Value 1 not in range"},
         {{"report", "LOOK", "-o", "OUT.html", "--max-delta-e", "nan"}, "--max-delta-e: 'nan'"},
         {{"identity", "-o", "OUT.cube", "--bits", "9"}, "--bits: 9 not in {8,16}"},
-        {{"identity", "-o", "OUT.cube", "--bits", "8"}, "--bits is of pictures"},
+        {{"identity", "-o", "OUT.cube", "--bits", "8"}, "--bits is for pictures"},
         {{"identity", "-o", "OUT.cube", "--size", "0"}, "--size: Value 0 not in range"},
         {{"identity", "-o", "OUT.cube", "--engine", "unity"}, "--engine writes PNG, but -o names "},
         {{"compose", "-", "LOOK", "-", "-o", "OUT.cube"},

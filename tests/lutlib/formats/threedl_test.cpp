@@ -95,8 +95,8 @@ TEST(Threedl, refuses_what_is_none_with_the_line) {
     refused(mesh + mesh, "a second mesh line", 2);
     const std::string all = rows(5, 4095);
     refused(mesh + all.substr(all.find('\n') + 1), "the table has 124 rows", 125);
-    refused("0 64 90 127\n" + rows(4, 4095), "no code of any depth", 0);
-    refused(mesh + rows(5, 100), "these are no codes", 0);
+    refused("0 64 90 127\n" + rows(4, 4095), "too small for any depth", 0);
+    refused(mesh + rows(5, 100), "no depth has so small codes", 0);
     refused("<xml>\n", "begins with '<'", 1);
     refused("nothing\n", "neither a mesh line nor a row", 0);
 }

@@ -2,6 +2,7 @@
 #include "converter/report.h"
 #include "converter/survey_columns.h"
 #include "converter/survey_page.h"
+#include "converter/survey_sections.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -89,6 +90,7 @@ nlohmann::ordered_json survey_json(const Survey& survey, const std::string& look
         }
         out["rows"].push_back(std::move(row));
     }
+    out["strain"] = strain_json(survey.strain);
     if (gpu) {
         out["gpu"] = to_json(*gpu);
     }

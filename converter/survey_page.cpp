@@ -1,6 +1,7 @@
 #include "converter/survey_page.h"
 
 #include "converter/survey_panels.h"
+#include "converter/survey_sections.h"
 #include "lutlib/plot/page.h"
 #include "lutlib/plot/scatter.h"
 #include "lutlib/survey/pareto.h"
@@ -99,7 +100,8 @@ std::vector<std::string> method(const Survey& survey) {
         fmt::format("Errors: against the look evaluated exactly in double; p99 and mean over {} "
                     "colours spread evenly over the domain. abs is the largest channel difference "
                     "in code values. Maxima: over the grid of all nodes of the look and of the "
-                    "lattice, the middles between them, and uphill from the worst{}.",
+                    "lattice, the middles between them, and uphill from the worst, further for "
+                    "what is recommended{}.",
                     survey.colours,
                     survey.largest_seen ? "; since operators may bend anywhere and large grids are "
                                           "thinned, they are the largest seen"
@@ -227,6 +229,9 @@ std::string survey_html(const Survey& survey, const std::string& look,
     page.panels = survey_panels(survey);
     if (gpu) {
         page.sections.push_back(gpu_section(survey, *gpu));
+    }
+    for (std::string& section : strain_sections(survey.strain)) {
+        page.sections.push_back(std::move(section));
     }
     page.table = table(survey);
     return html(page);

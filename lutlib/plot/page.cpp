@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace plot {
 namespace {
 
@@ -37,6 +39,15 @@ std::string filters_html(const Table& table) {
                            escaped(table.columns[column]), column);
     }
     return out + "</span>\n";
+}
+
+// Where something is dominated.
+std::string front_toggle(const Table& table) {
+    const bool any = std::any_of(table.rows.begin(), table.rows.end(),
+                                 [](const Row& row) { return row.dominated; });
+    return any ? "<input class=\"only\" type=\"checkbox\" id=\"front-only\">"
+                 "<label class=\"only\" for=\"front-only\">the front only</label>\n"
+               : "";
 }
 
 std::string cells_html(const std::vector<Cell>& cells) {
@@ -133,9 +144,7 @@ std::string html(const Page& page) {
                       escaped(page.title) + "</title>\n<style>" + page_style() +
                       "</style>\n</head>\n<body>\n";
     out += "<h1>" + escaped(page.title) + "</h1>\n<p class=\"summary\">" + escaped(page.summary) +
-           "</p>\n<section>\n" + filters_html(page.table) +
-           "<input class=\"only\" type=\"checkbox\" id=\"front-only\">"
-           "<label class=\"only\" for=\"front-only\">the front only</label>\n" +
+           "</p>\n<section>\n" + filters_html(page.table) + front_toggle(page.table) +
            views_html(page);
     if (!page.panels.markup.empty()) {
         out += page.panels.markup;

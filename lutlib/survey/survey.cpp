@@ -4,6 +4,7 @@
 #include "lutlib/resample/resample.h"
 #include "lutlib/survey/detailer.h"
 #include "lutlib/survey/lattices.h"
+#include "lutlib/survey/precision.h"
 #include "lutlib/survey/row_errors.h"
 
 #include <tbb/parallel_for.h>
@@ -103,6 +104,34 @@ void measure_rows(const SurveyReference& reference, const std::vector<Candidate>
     });
 }
 
+// Recommends, climbs further from what is recommended, and again until that holds. Rows that were
+// climbed further get the larger error.
+Recommendation settled(const SurveyReference& reference, const std::vector<Candidate>& candidates,
+                       const SurveySettings& settings, std::vector<SurveyRow>& rows) {
+    std::set<std::size_t> seen;
+    const auto holds = [&](std::size_t i) {
+        if (seen.insert(i).second) {
+            const Candidate& c = candidates[i];
+            const Transform read = reference.reading(
+                std::make_shared<const StoredLut>(c.lattice->lut, *c.nodes, *c.what.storage),
+                *c.what.lookup);
+            const Peak peak = largest_difference(reference.shown, read, c.lattice->samples->at,
+                                                 reference.viewing, Metric::delta_e_2000);
+            ErrorStats& stats = rows[i].error.delta_e_2000;
+            if (peak.error > stats.max) {
+                stats.max = peak.error;
+                stats.at = peak.at;
+            }
+        }
+        return rows[i].error.delta_e_2000.max <= settings.promise;
+    };
+    Recommendation out;
+    do {
+        out = recommend(rows, settings.promise);
+    } while (out.kept && !(holds(out.row) && holds(out.fastest)));
+    return out;
+}
+
 template <class T>
 void append(std::vector<T>& out, std::vector<T> more) {
     std::move(more.begin(), more.end(), std::back_inserter(out));
@@ -164,7 +193,8 @@ Survey survey(const Recipe& recipe, const SurveySettings& wanted, const Progress
     append(out.notes, lattices.notes);
     append(out.notes, std::move(fits.notes));
     measure_rows(reference, candidates, timings, from_to(after_fitting, 1), out);
-    out.recommendation = recommend(out.rows, settings.promise);
+    out.recommendation = settled(reference, candidates, settings, out.rows);
+    out.strain = strain_of(reference);
     out.largest_seen = std::any_of(out.rows.begin(), out.rows.end(), [](const SurveyRow& row) {
         return row.error.delta_e_2000.largest_seen;
     });

@@ -7,6 +7,7 @@
 #include "lutlib/recipe/recipe.h"
 #include "lutlib/survey/details.h"
 #include "lutlib/survey/display.h"
+#include "lutlib/survey/strain.h"
 #include "lutlib/survey/timing.h"
 
 #include <functional>
@@ -78,6 +79,7 @@ struct Survey {
     DetailColours detail_colours;
     std::vector<Details> details; ///< of each row
     Recommendation recommendation;
+    Strain strain;
 };
 
 /// From 0 to 1, and what is being done.

@@ -168,8 +168,8 @@ void take_shaper(const Options& o, const lutlib::Lut& look, lutlib::InvertOption
         options.shaper_size = o.shaper_size;
     }
     // The codes that the inverse gets are those that the look gives.
-    options.input = !o.input.empty()
-                        ? encoding_of(o.input, "--encoding")
+    options.input = !o.gives.empty()
+                        ? encoding_of(o.gives, "--encoding")
                         : lutlib::encoding_named(look.encodings.output).value_or(lutlib::srgb());
 }
 

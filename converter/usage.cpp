@@ -35,8 +35,7 @@ lutlib::Rgb end_of_domain(const std::string& text) {
     std::vector<float> channels;
     for (const std::string& part : CLI::detail::split(text, ',')) {
         float value = 0;
-        if (!CLI::detail::lexical_cast(CLI::detail::trim_copy(part), value) ||
-            !std::isfinite(value)) {
+        if (!CLI::detail::lexical_cast(CLI::detail::trim_copy(part), value)) {
             throw UsageError(
                 fmt::format("--domain takes two numbers, or two of \"r,g,b\", not '{}'", text));
         }

@@ -1,9 +1,7 @@
 // What a verb of lutconv is, and the table of them.
 #pragma once
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
+#include "converter/verb.h"
 
 #include <functional>
 #include <span>
@@ -20,29 +18,29 @@ struct Command {
     std::string_view name;
     std::string_view help;
     /// Declares the verb's options on its own sub-command; the returned function runs it.
-    Run (*declare)(CLI::App& app);
+    Run (*declare)(Verb& verb);
     bool reads_looks = true; ///< and so takes --layout
 };
 
 /// Every verb, in the order of the help.
 std::span<const Command> commands();
 
-Run declare_apply(CLI::App& app);
-Run declare_bake(CLI::App& app);
-Run declare_blend(CLI::App& app);
-Run declare_compare(CLI::App& app);
-Run declare_compose(CLI::App& app);
-Run declare_check(CLI::App& app);
-Run declare_convert(CLI::App& app);
-Run declare_edit(CLI::App& app);
-Run declare_encodings(CLI::App& app);
-Run declare_engines(CLI::App& app);
-Run declare_eval(CLI::App& app);
-Run declare_identity(CLI::App& app);
-Run declare_info(CLI::App& app);
-Run declare_invert(CLI::App& app);
-Run declare_report(CLI::App& app);
-Run declare_resample(CLI::App& app);
-Run declare_verify(CLI::App& app);
+Run declare_apply(Verb& verb);
+Run declare_bake(Verb& verb);
+Run declare_blend(Verb& verb);
+Run declare_compare(Verb& verb);
+Run declare_compose(Verb& verb);
+Run declare_check(Verb& verb);
+Run declare_convert(Verb& verb);
+Run declare_edit(Verb& verb);
+Run declare_encodings(Verb& verb);
+Run declare_engines(Verb& verb);
+Run declare_eval(Verb& verb);
+Run declare_identity(Verb& verb);
+Run declare_info(Verb& verb);
+Run declare_invert(Verb& verb);
+Run declare_report(Verb& verb);
+Run declare_resample(Verb& verb);
+Run declare_verify(Verb& verb);
 
 } // namespace converter

@@ -8,17 +8,17 @@
 
 namespace converter {
 
-void ConfigOptions::declare(CLI::App& app) {
+void ConfigOptions::declare(Verb& verb) {
     constexpr const char* group = "OpenColorIO config";
-    app.add_option("--ocio-config", config_,
-                   "let this .ocio file (or ocio:// name) convert first, evaluated by OpenColorIO")
-        ->group(group);
-    app.add_option("--from", from_, "the config's colour space of the input")->group(group);
-    app.add_option("--to", to_, "the config's colour space of the result")->group(group);
-    app.add_option("--display", display_, "instead of --to, one of the config's displays")
-        ->group(group);
-    app.add_option("--view", view_, "how --display shows it (default: the display's own)")
-        ->group(group);
+    verb.add_option("--ocio-config", config_,
+                    "let this .ocio file (or ocio:// name) convert first, evaluated by OpenColorIO")
+        .group(group);
+    verb.add_option("--from", from_, "the config's colour space of the input").group(group);
+    verb.add_option("--to", to_, "the config's colour space of the result").group(group);
+    verb.add_option("--display", display_, "instead of --to, one of the config's displays")
+        .group(group);
+    verb.add_option("--view", view_, "how --display shows it (default: the display's own)")
+        .group(group);
 }
 
 lutlib::Transform ConfigOptions::transform() const {

@@ -1,9 +1,8 @@
 // The user's own OpenColorIO config on the command line.
 #pragma once
 
+#include "converter/verb.h"
 #include "lutlib/transform.h"
-
-#include <CLI/App.hpp>
 
 #include <string>
 
@@ -12,7 +11,7 @@ namespace converter {
 /// --ocio-config with --from and --to, or --display and --view.
 class ConfigOptions {
   public:
-    void declare(CLI::App& app);
+    void declare(Verb& verb);
     bool given() const { return !config_.empty(); }
     /// Loads OpenColorIO. Throws UsageError for options that do not belong together, Error for
     /// what the config lacks.

@@ -43,9 +43,9 @@ io::Look told(io::Look look) {
 
 } // namespace
 
-void declare_layout(CLI::App& verb) {
+void declare_layout(Verb& verb) {
     named_layout = nullptr;
-    verb.add_option_function<std::string>(
+    verb.add_action(
         "--layout",
         [](const std::string& name) {
             named_layout = &require_named(lutlib::layouts(), "layout", name);

@@ -1,9 +1,8 @@
 // Looks in and out of files. What that loses goes to standard error.
 #pragma once
 
+#include "converter/verb.h"
 #include "lutlib/io/look.h"
-
-#include <CLI/App.hpp>
 
 #include <memory>
 #include <string>
@@ -11,7 +10,7 @@
 namespace converter {
 
 /// --layout NAME: the layout of the pictures that this run reads as looks.
-void declare_layout(CLI::App& verb);
+void declare_layout(Verb& verb);
 /// The one that was named, or null.
 const lutlib::Layout* layout_option();
 

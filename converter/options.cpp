@@ -5,20 +5,20 @@
 #include "lutlib/named.h"
 
 namespace converter {
-void EngineOption::declare(CLI::App& app, const std::string& default_name) {
+void EngineOption::declare(Verb& verb, const std::string& default_name) {
     name_ = default_name;
-    app.add_option("--engine", name_, "one of: " + lutlib::names_of(lutlib::engines()))
-        ->capture_default_str();
+    verb.add_option("--engine", name_, "one of: " + lutlib::names_of(lutlib::engines()))
+        .capture_default_str();
 }
 
 const lutlib::Engine& EngineOption::get() const {
     return lutlib::require_named(lutlib::engines(), "engine", name_, lutlib::Letters::any_case);
 }
 
-void InterpolationOption::declare(CLI::App& app, const std::string& help) {
-    app.add_option("--interpolation", name_,
-                   help + ": " + lutlib::names_of(lutlib::interpolations()) +
-                       " (default: as the look asks for, else tetrahedral)");
+void InterpolationOption::declare(Verb& verb, const std::string& help) {
+    verb.add_option("--interpolation", name_,
+                    help + ": " + lutlib::names_of(lutlib::interpolations()) +
+                        " (default: as the look asks for, else tetrahedral)");
 }
 
 std::optional<lutlib::Interpolation> InterpolationOption::get() const {
@@ -28,11 +28,11 @@ std::optional<lutlib::Interpolation> InterpolationOption::get() const {
     return lutlib::require_named(lutlib::interpolations(), "interpolation", name_).kind;
 }
 
-void declare_reference_white(CLI::App& app, double& nits) {
-    app.add_option("--reference-white", nits,
-                   "cd/m2 of diffuse white, for colour differences; PQ codes say their own light")
-        ->check(above_zero())
-        ->capture_default_str();
+void declare_reference_white(Verb& verb, double& nits) {
+    verb.add_option("--reference-white", nits,
+                    "cd/m2 of diffuse white, for colour differences; PQ codes say their own light")
+        .takes(Takes::above_zero)
+        .capture_default_str();
 }
 
 } // namespace converter

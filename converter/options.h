@@ -1,10 +1,9 @@
 // Options that several verbs share.
 #pragma once
 
+#include "converter/verb.h"
 #include "lutlib/engine/engine.h"
 #include "lutlib/interpolation/interpolation.h"
-
-#include <CLI/App.hpp>
 
 #include <optional>
 #include <string>
@@ -15,7 +14,7 @@ namespace converter {
 class EngineOption {
   public:
     /// An empty default leaves the engine open.
-    void declare(CLI::App& app, const std::string& default_name);
+    void declare(Verb& verb, const std::string& default_name);
     bool given() const { return !name_.empty(); }
     const lutlib::Engine& get() const;
 
@@ -26,7 +25,7 @@ class EngineOption {
 /// --interpolation NAME, with every row of lutlib::interpolations() in its help.
 class InterpolationOption {
   public:
-    void declare(CLI::App& app, const std::string& help);
+    void declare(Verb& verb, const std::string& help);
     /// Nothing where it was not given: as the look asks for. Throws UsageError.
     std::optional<lutlib::Interpolation> get() const;
 
@@ -35,6 +34,6 @@ class InterpolationOption {
 };
 
 /// --reference-white, in cd/m2, for colour differences; at first BT.2408's.
-void declare_reference_white(CLI::App& app, double& nits);
+void declare_reference_white(Verb& verb, double& nits);
 
 } // namespace converter

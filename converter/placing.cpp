@@ -24,16 +24,15 @@ std::optional<lutlib::Encoding> named(const std::string& name, const std::string
 
 } // namespace
 
-void PlacingOptions::declare(CLI::App& app) {
-    app.add_option("--look-input", input_,
-                   std::string("what the look's inputs are, in place of what the recipe or the "
-                               "file says: ") +
-                       encoding_help);
-    app.add_option("--look-output", output_, "what its results are, in the same way");
-    app.add_option("--adaptation", adaptation_,
-                   "between the whites of different gamuts: bradford (default) or cat02");
-    app.add_flag("--no-convert", no_convert_,
-                 "never convert, even where the look is made for other encodings");
+void PlacingOptions::declare(Verb& verb) {
+    verb.add_option("--look-input", input_,
+                    encoding_help("what the look's inputs are, in place of what the recipe or the "
+                                  "file says"));
+    verb.add_option("--look-output", output_, "what its results are, in the same way");
+    verb.add_option("--adaptation", adaptation_,
+                    "between the whites of different gamuts: bradford (default) or cat02");
+    verb.add_flag("--no-convert", no_convert_,
+                  "never convert, even where the look is made for other encodings");
 }
 
 lutlib::LookEncodings PlacingOptions::look() const {

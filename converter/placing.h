@@ -1,9 +1,9 @@
 // What a look is made for and where it is put, on the command line.
 #pragma once
 
+#include "converter/verb.h"
 #include "lutlib/recipe/placement.h"
 
-#include <CLI/App.hpp>
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
@@ -13,7 +13,7 @@ namespace converter {
 /// --look-input, --look-output, --adaptation and --no-convert.
 class PlacingOptions {
   public:
-    void declare(CLI::App& app);
+    void declare(Verb& verb);
     /// What was named. Throws UsageError.
     lutlib::LookEncodings look() const;
     bool convert() const { return !no_convert_; }

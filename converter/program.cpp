@@ -7,8 +7,13 @@
 #include "lutlib/io/file.h"
 #include "lutlib/named.h"
 
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
 #include <algorithm>
 #include <cstdio>
+#include <deque>
 #include <exception>
 #include <sstream>
 
@@ -61,15 +66,17 @@ int run_program(int argc, const char* const* argv) {
     app.require_subcommand(1);
     app.set_version_flag("--version", std::string(LUT_VERSION));
     Run run;
+    std::deque<Verb> verbs;
     for (const Command& command : commands()) {
         CLI::App* const verb =
             app.add_subcommand(std::string(command.name), std::string(command.help));
         if (!is_word_of(command.name, argc, argv)) {
             continue; // some two hundred options cost a third of a small bake
         }
-        verb->final_callback([&run, chosen = command.declare(*verb)] { run = chosen; });
+        Verb& declared = verbs.emplace_back(*verb);
+        verb->final_callback([&run, chosen = command.declare(declared)] { run = chosen; });
         if (command.reads_looks) {
-            declare_layout(*verb);
+            declare_layout(declared);
         }
     }
     try {

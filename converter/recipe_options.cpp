@@ -9,7 +9,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
 
 namespace converter {
 namespace {
@@ -57,19 +56,14 @@ std::vector<std::string_view> shapers(bool recipe) {
 
 } // namespace
 
-void OperatorFlags::declare(CLI::App& app) {
-    app_ = &app;
+void OperatorFlags::declare(Verb& verb) {
+    verb_ = &verb;
     for (const lutlib::Op* op : lutlib::ops()) {
         for (std::size_t i = 0; i < op->parameters.size(); ++i) {
             const Parameter& parameter = op->parameters[i];
-            CLI::Option* const option =
-                app.add_option("--" + std::string(parameter.flag))
-                    ->type_name("")
-                    ->description(help_of(parameter))
-                    ->expected(1)
-                    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-                    ->group(fmt::format("{} (in {})", op->label, name_of(op->space)));
-            flags_.push_back({option, op, i});
+            verb.add_in_order("--" + std::string(parameter.flag), help_of(parameter),
+                              fmt::format("{} (in {})", op->label, name_of(op->space)));
+            flags_.push_back({op, i});
         }
     }
 }
@@ -77,38 +71,32 @@ void OperatorFlags::declare(CLI::App& app) {
 std::vector<Operation> OperatorFlags::operations() const {
     std::vector<Operation> out;
     std::vector<bool> set; // parameters of the last operation that have been given
-    std::map<const CLI::Option*, std::size_t> used;
-    for (const CLI::Option* const option : app_->parse_order()) {
-        const auto flag = std::find_if(flags_.begin(), flags_.end(),
-                                       [&](const Flag& f) { return f.option == option; });
-        if (flag == flags_.end()) {
-            continue;
+    for (const auto& [number, text] : verb_->in_order()) {
+        const Flag& flag = flags_[number];
+        if (out.empty() || out.back().op != flag.op || set[flag.parameter]) {
+            out.push_back(default_operation(*flag.op));
+            set.assign(flag.op->parameters.size(), false);
         }
-        if (out.empty() || out.back().op != flag->op || set[flag->parameter]) {
-            out.push_back(default_operation(*flag->op));
-            set.assign(flag->op->parameters.size(), false);
-        }
-        const std::string& text = option->results()[used[option]++];
-        out.back().values[flag->parameter] =
-            parse_value(flag->op->parameters[flag->parameter], text);
-        set[flag->parameter] = true;
+        out.back().values[flag.parameter] = parse_value(flag.op->parameters[flag.parameter], text);
+        set[flag.parameter] = true;
     }
     return out;
 }
 
-void SamplingOptions::declare(CLI::App& app, bool recipe) {
+void SamplingOptions::declare(Verb& verb, bool recipe) {
     recipe_ = recipe;
-    app.add_option("--size", size_,
-                   recipe ? "nodes per axis of the result, which is then a cube"
-                          : "nodes per axis of the result; of curves, which stay curves, entries")
-        ->check(recipe ? cube_sizes() : shaper_sizes());
-    app.add_option("--domain", domain_,
-                   "input range of the result: minimum and maximum, each a number or \"r,g,b\"")
-        ->expected(2);
-    app.add_option("--shaper", shaper_,
-                   "1D table before the cube, or the encoding whose curve it is: " +
-                       lutlib::listed(shapers(recipe)));
-    app.add_option("--shaper-size", shaper_size_, "entries of the 1D table")->check(shaper_sizes());
+    verb.add_option("--size", size_,
+                    recipe ? "nodes per axis of the result, which is then a cube"
+                           : "nodes per axis of the result; of curves, which stay curves, entries")
+        .takes(recipe ? Takes::cube_size : Takes::shaper_size);
+    verb.add_option("--domain", domain_,
+                    "input range of the result: minimum and maximum, each a number or \"r,g,b\"")
+        .expected(2);
+    verb.add_option("--shaper", shaper_,
+                    "1D table before the cube, or the encoding whose curve it is: " +
+                        lutlib::listed(shapers(recipe)));
+    verb.add_option("--shaper-size", shaper_size_, "entries of the 1D table")
+        .takes(Takes::shaper_size);
 }
 
 void SamplingOptions::apply_to(lutlib::BakeSettings& settings) const {
@@ -158,14 +146,14 @@ lutlib::Sampling SamplingOptions::sampling_of(const std::vector<const lutlib::Lu
     return out;
 }
 
-void MethodOption::declare(CLI::App& app) {
+void MethodOption::declare(Verb& verb) {
     std::string names;
     for (const lutlib::ResamplingMethod& row : lutlib::resampling_methods()) {
         names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", row.name, row.help);
     }
-    app.add_option("--interpolation", name_,
-                   "how looks are read between their nodes: " + names +
-                       " (default: as each asks for, else tetrahedral)");
+    verb.add_option("--interpolation", name_,
+                    "how looks are read between their nodes: " + names +
+                        " (default: as each asks for, else tetrahedral)");
 }
 
 const lutlib::ResamplingMethod& MethodOption::get() const {
@@ -175,15 +163,14 @@ const lutlib::ResamplingMethod& MethodOption::get() const {
     return lutlib::require_named(lutlib::resampling_methods(), "interpolation", name_);
 }
 
-void NewLutOptions::declare(CLI::App& app) {
-    app.add_option("-o,--output", output, "the new LUT, or - for standard output")->required();
-    sampling.declare(app, false);
-    method.declare(app);
-    app.add_option("--encoding", encoding,
-                   std::string("encoding of the looks' outputs, for colour differences: ") +
-                       encoding_help)
-        ->capture_default_str();
-    app.add_flag("--json", json, "print the results as JSON");
+void NewLutOptions::declare(Verb& verb) {
+    verb.add_option("-o,--output", output, "the new LUT, or - for standard output").required();
+    sampling.declare(verb, false);
+    method.declare(verb);
+    verb.add_option("--encoding", encoding,
+                    encoding_help("encoding of the looks' outputs, for colour differences"))
+        .capture_default_str();
+    verb.add_flag("--json", json, "print the results as JSON");
 }
 
 lutlib::Encoding NewLutOptions::results() const {
@@ -196,6 +183,11 @@ lutlib::Encoding encoding_of(const std::string& name, const std::string& flag) {
     } catch (const lutlib::Error& error) {
         throw lutlib::UsageError(flag + ": " + error.message());
     }
+}
+
+std::string encoding_help(const std::string& what) {
+    return what +
+           ": a curve or curve/gamut, such as slog3/sgamut3.cine ('lutconv encodings' lists them)";
 }
 
 } // namespace converter

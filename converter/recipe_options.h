@@ -1,10 +1,9 @@
 // Recipes on the command line: operators as flags, in the order in which they are given.
 #pragma once
 
+#include "converter/verb.h"
 #include "lutlib/recipe/recipe.h"
 #include "lutlib/resample/resample.h"
-
-#include <CLI/App.hpp>
 
 #include <string>
 #include <vector>
@@ -14,7 +13,7 @@ namespace converter {
 /// One flag for each parameter of each operator, made from the descriptors.
 class OperatorFlags {
   public:
-    void declare(CLI::App& app);
+    void declare(Verb& verb);
 
     /// The operators that the flags describe. A flag opens an operator, unless it belongs to the
     /// one before it and is not set there yet: `--contrast 1.2 --contrast-pivot .4` is one.
@@ -22,19 +21,18 @@ class OperatorFlags {
 
   private:
     struct Flag {
-        const CLI::Option* option;
         const lutlib::Op* op;
         std::size_t parameter;
     };
-    const CLI::App* app_ = nullptr;
-    std::vector<Flag> flags_;
+    const Verb* verb_ = nullptr;
+    std::vector<Flag> flags_; ///< by their number in the verb
 };
 
 /// The lattice of the result: --size, --domain, --shaper, --shaper-size.
 class SamplingOptions {
   public:
     /// `recipe`: the 1D table may follow the recipe's tones.
-    void declare(CLI::App& app, bool recipe);
+    void declare(Verb& verb, bool recipe);
     /// Overwrites what was given.
     void apply_to(lutlib::BakeSettings& settings) const;
     lutlib::Sampling sampling() const;
@@ -53,7 +51,7 @@ class SamplingOptions {
 /// where it is not given, each look as it asks for.
 class MethodOption {
   public:
-    void declare(CLI::App& app);
+    void declare(Verb& verb);
     const lutlib::ResamplingMethod& get() const;
 
   private:
@@ -63,7 +61,7 @@ class MethodOption {
 /// What every verb that makes one LUT of others asks: where to, on which lattice, how the others
 /// are read, and what the figures are in.
 struct NewLutOptions {
-    void declare(CLI::App& app);
+    void declare(Verb& verb);
     /// Throws UsageError.
     lutlib::Encoding results() const;
 
@@ -75,8 +73,7 @@ struct NewLutOptions {
 
 /// lutlib::require_encoding() for a flag. Throws UsageError naming it.
 lutlib::Encoding encoding_of(const std::string& name, const std::string& flag);
-/// What an encoding's flag takes, for help.
-inline constexpr const char* encoding_help =
-    "a curve or curve/gamut, such as slog3/sgamut3.cine ('lutconv encodings' lists them)";
+/// Help of an encoding's flag: what it is of, and what it takes.
+std::string encoding_help(const std::string& what);
 
 } // namespace converter

@@ -2,8 +2,9 @@
 
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
-#include "lutlib/limits.h"
 
+#include <CLI/StringTools.hpp>
+#include <CLI/TypeTools.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -12,20 +13,7 @@
 namespace converter {
 namespace {
 
-namespace limits = lutlib::limits;
 using lutlib::UsageError;
-
-// CLI11's own ranges take NaN for a member.
-CLI::Validator number_that(bool (*fits)(double), const std::string& words) {
-    return CLI::Validator(
-        [fits, words](const std::string& text) {
-            double value = 0;
-            const bool good =
-                CLI::detail::lexical_cast(text, value) && std::isfinite(value) && fits(value);
-            return good ? std::string() : fmt::format("'{}' is not {}", text, words);
-        },
-        words);
-}
 
 std::ptrdiff_t standard_streams(std::span<const std::string> paths) {
     return std::count(paths.begin(), paths.end(), lutlib::io::standard_stream);
@@ -52,26 +40,6 @@ lutlib::Rgb end_of_domain(const std::string& text) {
 }
 
 } // namespace
-
-CLI::Validator cube_sizes() {
-    return CLI::Range(limits::min_cube_size, limits::max_cube_size);
-}
-
-CLI::Validator shaper_sizes() {
-    return CLI::Range(limits::min_shaper_size, limits::max_shaper_size);
-}
-
-CLI::Validator picture_bits() {
-    return CLI::IsMember({8, 16});
-}
-
-CLI::Validator above_zero() {
-    return number_that([](double x) { return x > 0; }, "a number above 0");
-}
-
-CLI::Validator zero_or_more() {
-    return number_that([](double x) { return x >= 0; }, "a number of 0 or more");
-}
 
 lutlib::Domain domain_of(const std::vector<std::string>& ends) {
     const lutlib::Domain domain{end_of_domain(ends[0]), end_of_domain(ends[1])};

@@ -1,23 +1,14 @@
-// What options may not ask for, alone and together. Validators are for CLI::Option::check(); they
-// and all functions, which throw UsageError, name the option and what it takes.
+// What options may not ask for together. All functions, which throw UsageError, name the option and
+// what it takes.
 #pragma once
 
 #include "lutlib/lut.h"
-
-#include <CLI/App.hpp>
 
 #include <span>
 #include <string>
 #include <vector>
 
 namespace converter {
-
-CLI::Validator cube_sizes();
-CLI::Validator shaper_sizes();
-CLI::Validator picture_bits();
-/// Finite numbers.
-CLI::Validator above_zero();
-CLI::Validator zero_or_more();
 
 /// --domain: minimum and maximum, each a number, or "r,g,b" for the channels. Throws UsageError.
 lutlib::Domain domain_of(const std::vector<std::string>& ends);

@@ -225,26 +225,26 @@ int run(const Options& o) {
 
 } // namespace
 
-Run declare_apply(CLI::App& app) {
+Run declare_apply(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    app.add_option("LUT", o->lut, "a LUT of any format or a recipe, or - for standard input")
-        ->required();
-    app.add_option("PICTURE", o->picture, "PNG, EXR or another picture, or - for standard input")
-        ->required();
-    app.add_option("-o,--output", o->output,
-                   "the picture to write, or - for a PNG to standard output")
-        ->required();
-    app.add_option("--depth", o->depth,
-                   "uint8, uint16, half or float, as far as the file type holds it (default: the "
-                   "nearest to the picture's own)");
-    o->interpolation.declare(app, "of the LUT's cube");
-    app.add_option("--picture-encoding", o->picture_encoding,
-                   std::string("what the picture's codes are: ") + encoding_help);
-    app.add_option("--output-encoding", o->output_encoding,
-                   "what the written picture's codes are to be (default: the picture's own where "
-                   "the look keeps its encoding, else what the look gives)");
-    o->placing.declare(app);
-    app.add_flag("--json", o->json, "print the results as JSON");
+    verb.add_option("LUT", o->lut, "a LUT of any format or a recipe, or - for standard input")
+        .required();
+    verb.add_option("PICTURE", o->picture, "PNG, EXR or another picture, or - for standard input")
+        .required();
+    verb.add_option("-o,--output", o->output,
+                    "the picture to write, or - for a PNG to standard output")
+        .required();
+    verb.add_option("--depth", o->depth,
+                    "uint8, uint16, half or float, as far as the file type holds it (default: the "
+                    "nearest to the picture's own)");
+    o->interpolation.declare(verb, "of the LUT's cube");
+    verb.add_option("--picture-encoding", o->picture_encoding,
+                    encoding_help("what the picture's codes are"));
+    verb.add_option("--output-encoding", o->output_encoding,
+                    "what the written picture's codes are to be (default: the picture's own where "
+                    "the look keeps its encoding, else what the look gives)");
+    o->placing.declare(verb);
+    verb.add_flag("--json", o->json, "print the results as JSON");
     return [o] { return run(*o); };
 }
 

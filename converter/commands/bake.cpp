@@ -317,36 +317,36 @@ int run(const Options& o) {
 
 } // namespace
 
-Run declare_bake(CLI::App& app) {
+Run declare_bake(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    app.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input")->required();
-    app.add_option("-o,--output", o->output, "the PNG, or - for standard output")->required();
-    o->engine.declare(app, "piccolo");
-    app.add_option("--size", o->size, "lattice size: nodes per axis (default: the engine's)")
-        ->check(cube_sizes());
-    app.add_option("--bits", o->bits, "bits per sample: 8 or 16 (default: the engine's)")
-        ->check(picture_bits());
-    o->interpolation.declare(app, "how to interpolate the look between its own nodes");
-    o->placing.declare(app);
-    app.add_flag("--fit", o->fit,
-                 fmt::format("choose the nodes so that the engine's lookup comes nearest to the "
-                             "look between them; keeps point samples where that does not help, "
-                             "and beyond {} nodes per axis",
-                             lutlib::largest_fitted_size));
-    CLI::Option* const promise =
-        app.add_option(
-               "--max-delta-e", o->max_delta_e,
-               "take the smallest combination of size, bits and fit that the engine accepts and "
-               "that stays within this dE2000; writes nothing, with exit code 1, when none does")
-            ->check(above_zero());
-    app.add_option("--max-delta-itp", o->max_delta_itp,
-                   "the same of dE-ITP (ITU-R BT.2124), for HDR outputs, where dE2000 means little")
-        ->check(above_zero())
-        ->excludes(promise);
-    declare_reference_white(app, o->reference_white);
-    app.add_flag("--explain", o->explain,
-                 "list the parts of the look that a shader could do without a LUT");
-    app.add_flag("--json", o->json, "print the results as JSON");
+    verb.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input").required();
+    verb.add_option("-o,--output", o->output, "the PNG, or - for standard output").required();
+    o->engine.declare(verb, "piccolo");
+    verb.add_option("--size", o->size, "lattice size: nodes per axis (default: the engine's)")
+        .takes(Takes::cube_size);
+    verb.add_option("--bits", o->bits, "bits per sample: 8 or 16 (default: the engine's)")
+        .takes(Takes::picture_bits);
+    o->interpolation.declare(verb, "how to interpolate the look between its own nodes");
+    o->placing.declare(verb);
+    verb.add_flag("--fit", o->fit,
+                  fmt::format("choose the nodes so that the engine's lookup comes nearest to the "
+                              "look between them; keeps point samples where that does not help, "
+                              "and beyond {} nodes per axis",
+                              lutlib::largest_fitted_size));
+    verb.add_option(
+            "--max-delta-e", o->max_delta_e,
+            "take the smallest combination of size, bits and fit that the engine accepts and "
+            "that stays within this dE2000; writes nothing, with exit code 1, when none does")
+        .takes(Takes::above_zero);
+    verb.add_option(
+            "--max-delta-itp", o->max_delta_itp,
+            "the same of dE-ITP (ITU-R BT.2124), for HDR outputs, where dE2000 means little")
+        .takes(Takes::above_zero)
+        .excludes({"--max-delta-e"});
+    declare_reference_white(verb, o->reference_white);
+    verb.add_flag("--explain", o->explain,
+                  "list the parts of the look that a shader could do without a LUT");
+    verb.add_flag("--json", o->json, "print the results as JSON");
     return [o] { return run(*o); };
 }
 

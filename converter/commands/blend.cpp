@@ -61,13 +61,13 @@ int run(const Options& o) {
 
 } // namespace
 
-Run declare_blend(CLI::App& app) {
+Run declare_blend(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    app.add_option("A", o->a, "the look at amount 0, or the word identity")->required();
-    app.add_option("B", o->b, "the look at amount 1, or the word identity")->required();
-    app.add_option("--amount", o->amount, "share of B; beyond 0..1 extrapolates")
-        ->capture_default_str();
-    o->made.declare(app);
+    verb.add_option("A", o->a, "the look at amount 0, or the word identity").required();
+    verb.add_option("B", o->b, "the look at amount 1, or the word identity").required();
+    verb.add_option("--amount", o->amount, "share of B; beyond 0..1 extrapolates")
+        .capture_default_str();
+    o->made.declare(verb);
     return [o] { return run(*o); };
 }
 

@@ -202,21 +202,21 @@ std::string check_list() {
 
 } // namespace
 
-Run declare_check(CLI::App& app) {
+Run declare_check(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    app.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input")->required();
-    app.add_flag("--strict", o->strict, "exit with status 1 if a fault remains");
-    app.add_flag("--repair", o->repair, "repair what can be repaired and write the result to -o");
-    app.add_flag("--clamp", o->repairs.clamp, "with --repair: clamp outputs to 0..1");
-    app.add_option("-o,--output", o->output, "the repaired LUT, or - for standard output");
-    app.add_flag("--explain", o->explain,
-                 "list the parts that the look does not need; convert --explain drops them");
-    app.add_option("--tolerance", o->tolerance,
-                   "with --explain: the largest difference of a channel that is ignored")
-        ->check(zero_or_more())
-        ->capture_default_str();
-    app.add_flag("--json", o->json, "print the results as JSON");
-    app.footer(check_list());
+    verb.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input").required();
+    verb.add_flag("--strict", o->strict, "exit with status 1 if a fault remains");
+    verb.add_flag("--repair", o->repair, "repair what can be repaired and write the result to -o");
+    verb.add_flag("--clamp", o->repairs.clamp, "with --repair: clamp outputs to 0..1");
+    verb.add_option("-o,--output", o->output, "the repaired LUT, or - for standard output");
+    verb.add_flag("--explain", o->explain,
+                  "list the parts that the look does not need; convert --explain drops them");
+    verb.add_option("--tolerance", o->tolerance,
+                    "with --explain: the largest difference of a channel that is ignored")
+        .takes(Takes::zero_or_more)
+        .capture_default_str();
+    verb.add_flag("--json", o->json, "print the results as JSON");
+    verb.footer(check_list());
     return [o] { return run(*o); };
 }
 

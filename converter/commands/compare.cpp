@@ -88,23 +88,23 @@ int run(const Options& o) {
 
 } // namespace
 
-Run declare_compare(CLI::App& app) {
+Run declare_compare(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    app.add_option("A", o->a, "a LUT or recipe file, or the word identity")->required();
-    app.add_option("B", o->b, "the other, or the word identity")->required();
-    o->interpolation.declare(app, "how LUTs are read between their nodes");
-    app.add_option("--encoding", o->encoding,
-                   std::string("encoding of the looks' outputs, for colour differences (default: "
-                               "what they say, else srgb): ") +
-                       encoding_help);
-    declare_reference_white(app, o->reference_white);
-    app.add_option("--samples", o->samples,
-                   "colours spread evenly over the domain, for the mean and the percentiles")
-        ->capture_default_str();
-    app.add_option("--domain", o->domain,
-                   "inputs to compare on: minimum and maximum (default: both looks' domains)")
-        ->expected(2);
-    app.add_flag("--json", o->json, "print the results as JSON");
+    verb.add_option("A", o->a, "a LUT or recipe file, or the word identity").required();
+    verb.add_option("B", o->b, "the other, or the word identity").required();
+    o->interpolation.declare(verb, "how LUTs are read between their nodes");
+    verb.add_option(
+        "--encoding", o->encoding,
+        encoding_help("encoding of the looks' outputs, for colour differences (default: "
+                      "what they say, else srgb)"));
+    declare_reference_white(verb, o->reference_white);
+    verb.add_option("--samples", o->samples,
+                    "colours spread evenly over the domain, for the mean and the percentiles")
+        .capture_default_str();
+    verb.add_option("--domain", o->domain,
+                    "inputs to compare on: minimum and maximum (default: both looks' domains)")
+        .expected(2);
+    verb.add_flag("--json", o->json, "print the results as JSON");
     return [o] { return run(*o); };
 }
 

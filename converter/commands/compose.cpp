@@ -72,13 +72,13 @@ int run(const Options& o) {
 
 } // namespace
 
-Run declare_compose(CLI::App& app) {
+Run declare_compose(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    app.add_option("LUT", o->inputs, "the looks; the first gets the input")
-        ->required()
-        ->expected(1, -1);
-    o->made.declare(app);
-    app.footer("compose A B -o C: C(x) = B(A(x)), on A's domain, with the largest size of all.");
+    verb.add_option("LUT", o->inputs, "the looks; the first gets the input")
+        .required()
+        .expected(1, -1);
+    o->made.declare(verb);
+    verb.footer("compose A B -o C: C(x) = B(A(x)), on A's domain, with the largest size of all.");
     return [o] { return run(*o); };
 }
 

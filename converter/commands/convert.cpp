@@ -219,38 +219,38 @@ int run(const Options& o) {
 
 } // namespace
 
-Run declare_convert(CLI::App& app) {
+Run declare_convert(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    app.add_option("LUT", o->input, "a LUT of any format or a recipe, or - for standard input")
-        ->required();
-    app.add_option("-o,--output", o->output, "the file to write, or - for standard output")
-        ->required();
-    app.add_option("--from", o->from, "the input's format (default: recognised)");
-    app.add_option("--row", o->row,
-                   "which of the lattices stacked in a picture, from the top (ReShade's multi-LUT "
-                   "files)")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
-    app.add_option("--format", o->format, "the output's format (default: by its extension)");
-    app.add_option("--size", o->save.size,
-                   "lattice size: nodes per axis (default: the input's, or 65 for a new cube)")
-        ->check(cube_sizes());
-    app.add_option("--bits", o->save.bits, "bits per sample of a picture: 8 or 16")
-        ->check(picture_bits())
-        ->capture_default_str();
-    o->placing.declare(app);
-    app.add_option("--title", o->save.title, "title to write instead of the input's");
-    app.add_flag("--strict", o->strict,
-                 "write nothing, and exit with status 2, if anything would be lost but the "
-                 "rounding of floats (1e-6)");
-    app.add_flag("--explain", o->explain,
-                 "drop what the look does not need, and list it with the error bound");
-    app.add_flag("--strip-tags", o->strip_tags,
-                 "only rewrite a PNG without its chunks sRGB, gAMA, cHRM and iCCP, by which some "
-                 "engines convert the codes; every texel stays as it is")
-        ->excludes("--from", "--row", "--format", "--size", "--title", "--explain");
-    app.add_flag("--json", o->json, "print the results as JSON");
-    app.footer(format_list());
+    verb.add_option("LUT", o->input, "a LUT of any format or a recipe, or - for standard input")
+        .required();
+    verb.add_option("-o,--output", o->output, "the file to write, or - for standard output")
+        .required();
+    verb.add_option("--from", o->from, "the input's format (default: recognised)");
+    verb.add_option("--row", o->row,
+                    "which of the lattices stacked in a picture, from the top (ReShade's multi-LUT "
+                    "files)")
+        .takes(Takes::count)
+        .capture_default_str();
+    verb.add_option("--format", o->format, "the output's format (default: by its extension)");
+    verb.add_option("--size", o->save.size,
+                    "lattice size: nodes per axis (default: the input's, or 65 for a new cube)")
+        .takes(Takes::cube_size);
+    verb.add_option("--bits", o->save.bits, "bits per sample of a picture: 8 or 16")
+        .takes(Takes::picture_bits)
+        .capture_default_str();
+    o->placing.declare(verb);
+    verb.add_option("--title", o->save.title, "title to write instead of the input's");
+    verb.add_flag("--strict", o->strict,
+                  "write nothing, and exit with status 2, if anything would be lost but the "
+                  "rounding of floats (1e-6)");
+    verb.add_flag("--explain", o->explain,
+                  "drop what the look does not need, and list it with the error bound");
+    verb.add_flag("--strip-tags", o->strip_tags,
+                  "only rewrite a PNG without its chunks sRGB, gAMA, cHRM and iCCP, by which some "
+                  "engines convert the codes; every texel stays as it is")
+        .excludes({"--from", "--row", "--format", "--size", "--title", "--explain"});
+    verb.add_flag("--json", o->json, "print the results as JSON");
+    verb.footer(format_list());
     return [o] { return run(*o); };
 }
 

@@ -177,27 +177,26 @@ int run(const Options& o) {
 
 } // namespace
 
-Run declare_edit(CLI::App& app) {
+Run declare_edit(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    app.add_option("LUT", o->input,
-                   "a LUT or recipe file to edit, - for standard input, or the word identity");
-    app.add_option("-o,--output", o->output, "the baked LUT, or - for standard output");
-    app.add_option("--recipe", o->recipe, "operators to start from");
-    app.add_option("--save-recipe", o->save_recipe, "write the operators and their base here");
-    app.add_option("--title", o->title, "title of the result");
-    app.add_option("--input-encoding", o->input_encoding,
-                   std::string("what the operators' code values are (default: what the LUT says "
-                               "that it gives, else srgb): ") +
-                       encoding_help);
-    app.add_option("--output-encoding", o->output_encoding,
-                   "encoding of the result (default: as the input)");
-    app.add_option("--adaptation", o->adaptation,
-                   "between the whites of different gamuts: bradford (default) or cat02");
-    o->config.declare(app);
-    o->sampling.declare(app, true);
-    app.add_flag("--json", o->json, "print the results as JSON");
-    o->operators.declare(app);
-    app.footer("Operators apply in the order in which their flags are given, after the recipe's.");
+    verb.add_option("LUT", o->input,
+                    "a LUT or recipe file to edit, - for standard input, or the word identity");
+    verb.add_option("-o,--output", o->output, "the baked LUT, or - for standard output");
+    verb.add_option("--recipe", o->recipe, "operators to start from");
+    verb.add_option("--save-recipe", o->save_recipe, "write the operators and their base here");
+    verb.add_option("--title", o->title, "title of the result");
+    verb.add_option("--input-encoding", o->input_encoding,
+                    encoding_help("what the operators' code values are (default: what the LUT says "
+                                  "that it gives, else srgb)"));
+    verb.add_option("--output-encoding", o->output_encoding,
+                    "encoding of the result (default: as the input)");
+    verb.add_option("--adaptation", o->adaptation,
+                    "between the whites of different gamuts: bradford (default) or cat02");
+    o->config.declare(verb);
+    o->sampling.declare(verb, true);
+    verb.add_flag("--json", o->json, "print the results as JSON");
+    o->operators.declare(verb);
+    verb.footer("Operators apply in the order in which their flags are given, after the recipe's.");
     return [o] { return run(*o); };
 }
 

@@ -61,9 +61,9 @@ ordered_json as_json() {
 
 } // namespace
 
-Run declare_encodings(CLI::App& app) {
+Run declare_encodings(Verb& verb) {
     const auto json = std::make_shared<bool>(false);
-    app.add_flag("--json", *json, "print the rows as JSON, with chromaticities");
+    verb.add_flag("--json", *json, "print the rows as JSON, with chromaticities");
     return [json] {
         if (*json) {
             print(as_json(), "");

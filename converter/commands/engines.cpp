@@ -71,9 +71,9 @@ int run(bool json) {
 
 } // namespace
 
-Run declare_engines(CLI::App& app) {
+Run declare_engines(Verb& verb) {
     const auto json = std::make_shared<bool>(false);
-    app.add_flag("--json", *json, "print as JSON, with where each row is documented");
+    verb.add_flag("--json", *json, "print as JSON, with where each row is documented");
     return [json] { return run(*json); };
 }
 

@@ -115,23 +115,14 @@ int run(const Options& o, const std::vector<std::string>& words) {
 
 } // namespace
 
-Run declare_eval(CLI::App& app) {
+Run declare_eval(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    app.add_option("LUT", o->lut, "a LUT or recipe file, or - for standard input")->required();
-    o->interpolation.declare(app, "how the cube is read between its nodes");
-    app.add_flag("--json", o->json, "print inputs and outputs as JSON");
-    // Not a positional option: negative numbers would be taken for flags.
-    app.allow_extras();
-    app.footer("R G B...: colours; without any, lines of three numbers from standard input");
-    // CLI11 gives what follows a bare -- to the program itself.
-    CLI::App& program = *app.get_parent();
-    app.parse_complete_callback([&program] { program.allow_extras(); });
-    return [o, &app, &program] {
-        std::vector<std::string> words = app.remaining();
-        const std::vector<std::string> more = program.remaining();
-        words.insert(words.end(), more.begin(), more.end());
-        return run(*o, words);
-    };
+    verb.add_option("LUT", o->lut, "a LUT or recipe file, or - for standard input").required();
+    o->interpolation.declare(verb, "how the cube is read between its nodes");
+    verb.add_flag("--json", o->json, "print inputs and outputs as JSON");
+    verb.allow_words();
+    verb.footer("R G B...: colours; without any, lines of three numbers from standard input");
+    return [o, &verb] { return run(*o, verb.words()); };
 }
 
 } // namespace converter

@@ -41,16 +41,17 @@ std::string bytes_of(const Options& o) {
 
 } // namespace
 
-Run declare_identity(CLI::App& app) {
+Run declare_identity(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    app.add_option("-o,--output", o->output,
-                   "a LUT file of any extension, or - for a .cube to standard output")
-        ->required();
-    app.add_option("--size", o->size, "lattice size: nodes per axis (default: the engine's, or 33)")
-        ->check(cube_sizes());
-    app.add_option("--bits", o->bits, "bits per sample of a picture: 8 or 16")
-        ->check(picture_bits());
-    o->engine.declare(app, "");
+    verb.add_option("-o,--output", o->output,
+                    "a LUT file of any extension, or - for a .cube to standard output")
+        .required();
+    verb.add_option("--size", o->size,
+                    "lattice size: nodes per axis (default: the engine's, or 33)")
+        .takes(Takes::cube_size);
+    verb.add_option("--bits", o->bits, "bits per sample of a picture: 8 or 16")
+        .takes(Takes::picture_bits);
+    o->engine.declare(verb, "");
     return [o] {
         lutlib::io::write_file(o->output, bytes_of(*o));
         return static_cast<int>(ok);

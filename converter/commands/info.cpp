@@ -142,11 +142,11 @@ int run(const std::string& path, bool json) {
 
 } // namespace
 
-Run declare_info(CLI::App& app) {
+Run declare_info(Verb& verb) {
     const auto path = std::make_shared<std::string>();
     const auto json = std::make_shared<bool>(false);
-    app.add_option("LUT", *path, "a LUT file, or - for standard input")->required();
-    app.add_flag("--json", *json, "print as JSON");
+    verb.add_option("LUT", *path, "a LUT file, or - for standard input").required();
+    verb.add_flag("--json", *json, "print as JSON");
     return [path, json] { return run(*path, *json); };
 }
 

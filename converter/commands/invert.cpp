@@ -221,35 +221,36 @@ int run(const Options& o) {
 
 } // namespace
 
-Run declare_invert(CLI::App& app) {
+Run declare_invert(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    app.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input")->required();
-    app.add_option("-o,--output", o->output, "the inverse, or - for standard output")->required();
-    app.add_option("--size", o->size,
-                   "lattice size of the inverse: nodes per axis (default: the look's); of a curve, "
-                   "which stays a "
-                   "curve, entries (default: as many as it needs)")
-        ->check(shaper_sizes());
-    app.add_option("--domain", o->domain,
-                   "colours to invert: minimum and maximum, each a number or \"r,g,b\" (default: "
-                   "0..1, widened to the look's; of a curve its own)")
-        ->expected(2);
+    verb.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input").required();
+    verb.add_option("-o,--output", o->output, "the inverse, or - for standard output").required();
+    verb.add_option(
+            "--size", o->size,
+            "lattice size of the inverse: nodes per axis (default: the look's); of a curve, "
+            "which stays a "
+            "curve, entries (default: as many as it needs)")
+        .takes(Takes::shaper_size);
+    verb.add_option("--domain", o->domain,
+                    "colours to invert: minimum and maximum, each a number or \"r,g,b\" (default: "
+                    "0..1, widened to the look's; of a curve its own)")
+        .expected(2);
     std::string choices;
     for (const lutlib::OutsideInfo& row : lutlib::outside_choices()) {
         choices += fmt::format("{}{}, {}", choices.empty() ? "" : "; ", row.name, row.help);
     }
-    app.add_option("--outside", o->outside, "where no input of the look gives a colour: " + choices)
-        ->capture_default_str();
-    app.add_option("--shaper", o->shaper,
-                   "1D table before the inverse's cube: none, or a curve of `lutconv encodings`, "
-                   "such as log for an inverse that is fed light");
-    app.add_option("--shaper-size", o->shaper_size, "entries of that table (default 4096)")
-        ->check(shaper_sizes());
-    app.add_option("--encoding", o->gives,
-                   std::string("what the look gives, for --shaper (default: as its file says, "
-                               "else srgb): ") +
-                       encoding_help);
-    app.add_flag("--json", o->json, "print the results as JSON");
+    verb.add_option("--outside", o->outside,
+                    "where no input of the look gives a colour: " + choices)
+        .capture_default_str();
+    verb.add_option("--shaper", o->shaper,
+                    "1D table before the inverse's cube: none, or a curve of `lutconv encodings`, "
+                    "such as log for an inverse that is fed light");
+    verb.add_option("--shaper-size", o->shaper_size, "entries of that table (default 4096)")
+        .takes(Takes::shaper_size);
+    verb.add_option("--encoding", o->gives,
+                    encoding_help("what the look gives, for --shaper (default: as its file says, "
+                                  "else srgb)"));
+    verb.add_flag("--json", o->json, "print the results as JSON");
     return [o] { return run(*o); };
 }
 

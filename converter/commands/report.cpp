@@ -140,30 +140,30 @@ int run(const Options& o) {
 
 } // namespace
 
-Run declare_report(CLI::App& app) {
+Run declare_report(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    app.add_option("LOOK", o->input, "a LUT or recipe file, or - for standard input");
-    app.add_option("--suite", o->suite,
-                   "instead of a look: stiff, functions that are hard for lattices");
-    app.add_option("-o,--output", o->output, "the HTML page, or - for standard output")->required();
-    app.add_option("--json", o->json, "every figure as JSON, into this file");
-    app.add_option("--csv", o->csv, "every figure as CSV, into this file");
-    app.add_option(
-           "--sizes", o->sizes,
-           "only these lattice sizes (default: of a look 8 16 17 25 32 33 49 64 65 and the one "
-           "it is baked to, of the suite 8 12 16 24 33 48 65)")
-        ->check(cube_sizes());
-    app.add_option("--max-delta-e", o->promise, "largest dE2000 that the recommendation may have")
-        ->check(above_zero())
-        ->capture_default_str();
-    app.add_option("--input-encoding", o->input_encoding,
-                   std::string("what the look's input is: ") + encoding_help);
-    app.add_option("--output-encoding", o->output_encoding, "what its results are encoded in");
-    app.add_option("--gpu-times", o->gpu_times,
-                   "a file of what preview_bench --json prints: its lookups' times on a GPU too");
-    app.add_flag("--unclamped", o->unclamped,
-                 "where displays take the output: errors of what lies outside 0..1 too, which no "
-                 "display shows (for looks whose output goes on being worked on)");
+    verb.add_option("LOOK", o->input, "a LUT or recipe file, or - for standard input");
+    verb.add_option("--suite", o->suite,
+                    "instead of a look: stiff, functions that are hard for lattices");
+    verb.add_option("-o,--output", o->output, "the HTML page, or - for standard output").required();
+    verb.add_option("--json", o->json, "every figure as JSON, into this file");
+    verb.add_option("--csv", o->csv, "every figure as CSV, into this file");
+    verb.add_option(
+            "--sizes", o->sizes,
+            "only these lattice sizes (default: of a look 8 16 17 25 32 33 49 64 65 and the one "
+            "it is baked to, of the suite 8 12 16 24 33 48 65)")
+        .takes(Takes::cube_size);
+    verb.add_option("--max-delta-e", o->promise, "largest dE2000 that the recommendation may have")
+        .takes(Takes::above_zero)
+        .capture_default_str();
+    verb.add_option("--input-encoding", o->input_encoding,
+                    encoding_help("what the look's input is"));
+    verb.add_option("--output-encoding", o->output_encoding, "what its results are encoded in");
+    verb.add_option("--gpu-times", o->gpu_times,
+                    "a file of what preview_bench --json prints: its lookups' times on a GPU too");
+    verb.add_flag("--unclamped", o->unclamped,
+                  "where displays take the output: errors of what lies outside 0..1 too, which no "
+                  "display shows (for looks whose output goes on being worked on)");
     return [o] { return run(*o); };
 }
 

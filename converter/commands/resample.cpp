@@ -37,11 +37,11 @@ int run(const Options& o) {
 
 } // namespace
 
-Run declare_resample(CLI::App& app) {
+Run declare_resample(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    app.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input")->required();
-    o->made.declare(app);
-    app.footer("Without --size, --domain or --shaper the look's own are kept.");
+    verb.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input").required();
+    o->made.declare(verb);
+    verb.footer("Without --size, --domain or --shaper the look's own are kept.");
     return [o] { return run(*o); };
 }
 

@@ -359,21 +359,21 @@ int run(const Options& o) {
 
 } // namespace
 
-Run declare_verify(CLI::App& app) {
+Run declare_verify(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    app.add_option("PICTURE", o->picture, "the LUT picture, or - for standard input")->required();
-    app.add_option("--against", o->against,
-                   "the look or recipe that it should have been baked from")
-        ->required();
-    o->engine.declare(app, "");
-    o->interpolation.declare(app, "how the look was read between its nodes (default: as recorded "
-                                  "in the picture)");
-    o->placing.declare(app);
-    app.add_option("--samples", o->samples,
-                   "colours spread evenly, for the mean and the percentiles of the lookup's error")
-        ->capture_default_str();
-    declare_reference_white(app, o->reference_white);
-    app.add_flag("--json", o->json, "print the results as JSON");
+    verb.add_option("PICTURE", o->picture, "the LUT picture, or - for standard input").required();
+    verb.add_option("--against", o->against,
+                    "the look or recipe that it should have been baked from")
+        .required();
+    o->engine.declare(verb, "");
+    o->interpolation.declare(verb, "how the look was read between its nodes (default: as recorded "
+                                   "in the picture)");
+    o->placing.declare(verb);
+    verb.add_option("--samples", o->samples,
+                    "colours spread evenly, for the mean and the percentiles of the lookup's error")
+        .capture_default_str();
+    declare_reference_white(verb, o->reference_white);
+    verb.add_flag("--json", o->json, "print the results as JSON");
     return [o] { return run(*o); };
 }
 

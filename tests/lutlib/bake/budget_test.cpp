@@ -1,0 +1,105 @@
+#include "lutlib/bake/budget.h"
+
+#include "lutlib/bake/bake.h"
+#include "tests/lutlib/looks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lutlib {
+namespace {
+
+// Bends in every cell, as a real look's rounded nodes do.
+Lut rough_look(int size) {
+    Lut out;
+    out.cube = sampled(
+        [](RgbD c) {
+            const auto bend = [](double x, double y) {
+                return saturate(x + 0.08 * std::sin(23 * x + 9 * y));
+            };
+            return RgbD{bend(c.r, c.g), bend(c.g, c.b), bend(c.b, c.r)};
+        },
+        size);
+    return out;
+}
+
+double largest(const Transform& look, const Engine& engine, int size, const Breaks& breaks) {
+    const Bake baked = bake(look, engine, size, 8);
+    return measure_lookup(baked.picture, engine, size, look, breaks, srgb(), {.even = 1000})
+        .delta_e_2000.max;
+}
+
+TEST(Budget, takes_the_smallest_of_all_sizes_by_the_whole_union_grid) {
+    const Engine& engine = *engine_named("piccolo");
+    const Lut lut = rough_look(7);
+    const Transform look = Transform::of(lut);
+    const Budget budget{.most = 12,
+                        .size = {},
+                        .bits = {},
+                        .fit = false,
+                        .breaks = breaks_of(lut),
+                        .nodes = lut.cube->size};
+    const BudgetBake found = bake_within(look, engine, budget);
+    ASSERT_TRUE(found.kept);
+    EXPECT_LE(found.error.delta_e_2000.max, budget.most);
+    for (int size = 2; size < found.filled.bake.size; ++size) {
+        EXPECT_GT(largest(look, engine, size, budget.breaks), budget.most) << size;
+    }
+}
+
+TEST(Budget, names_what_none_of_the_sizes_stays_within) {
+    const Engine& engine = *engine_named("unreal");
+    const Lut lut = rough_look(7);
+    const Budget budget{
+        .most = 0.1, .size = {}, .bits = {}, .fit = false, .breaks = breaks_of(lut)};
+    const BudgetBake found = bake_within(Transform::of(lut), engine, budget);
+    EXPECT_FALSE(found.kept);
+    EXPECT_EQ(found.filled.bake.size, 16);
+    EXPECT_DOUBLE_EQ(found.largest, found.error.delta_e_2000.max);
+    EXPECT_GT(found.largest, 0.1);
+}
+
+TEST(Budget, judges_a_pq_output_as_pq) {
+    const Engine& engine = *engine_named("ocio");
+    const Transform look = Transform::each([](RgbD c) {
+        const auto s = [](double x) { return x * x * (3 - 2 * x); };
+        return RgbD{s(c.r), s(c.g), s(c.b)};
+    });
+    const Viewing pq{require_encoding("pq")};
+    const auto found_for = [&](const Viewing& viewing) {
+        return bake_within(look, engine,
+                           {.most = 1,
+                            .size = {},
+                            .bits = 16,
+                            .fit = false,
+                            .metric = Metric::delta_e_itp,
+                            .viewing = viewing});
+    };
+    const BudgetBake as_pq = found_for(pq), as_srgb = found_for(srgb());
+    ASSERT_TRUE(as_pq.kept);
+    EXPECT_LE(as_pq.error.delta_e_itp.max, 1);
+    EXPECT_NE(as_pq.filled.bake.size, as_srgb.filled.bake.size);
+    EXPECT_TRUE(as_pq.error.delta_e_itp.largest_seen);
+}
+
+TEST(Fit, makes_neither_the_largest_nor_the_mean_of_either_measure_grow) {
+    const Engine& engine = *engine_named("piccolo");
+    const Lut lut = rough_look(17);
+    const Transform look = Transform::of(lut);
+    const Breaks breaks = breaks_of(lut);
+    const FilledBake fit = bake_fitted(look, engine, 12, 8, {breaks, srgb()});
+    ASSERT_TRUE(fit.fitted);
+    const auto measured = [&](const Bake& baked) {
+        return measure_lookup(baked.picture, engine, 12, look, breaks, srgb(), {.even = 30'000});
+    };
+    const Difference now = measured(fit.bake), before = measured(bake(look, engine, 12, 8));
+    EXPECT_LT(now.delta_e_2000.mean, 0.9 * before.delta_e_2000.mean);
+    EXPECT_LT(now.absolute.mean, before.absolute.mean);
+    EXPECT_LE(now.delta_e_2000.max, 1.0005 * before.delta_e_2000.max);
+    EXPECT_LE(now.absolute.max, 1.0005 * before.absolute.max);
+    EXPECT_LE(fit.tint, 1.05 * fit.tint_of_point_samples + 1e-3);
+}
+
+} // namespace
+} // namespace lutlib

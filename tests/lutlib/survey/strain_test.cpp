@@ -51,17 +51,18 @@ TEST(Precision, rises_with_bits_and_is_what_rounding_makes_it) {
     }
 }
 
-TEST(Sensitivity, of_a_curve_of_slope_two_is_twice_that_of_the_identity) {
-    const Recipe identity = plain_recipe([](RgbD c) { return c; });
-    const Recipe half = plain_recipe([](RgbD c) { return 0.5 * c + RgbD{0.25, 0.25, 0.25}; });
-    const std::vector<SensitivityRow> of_identity = sensitivity_of(reference_of(identity)),
-                                      of_half = sensitivity_of(reference_of(half));
-    ASSERT_EQ(of_identity.size(), 3U);
-    EXPECT_NEAR(of_identity[0].p50 / of_half[0].p50, 2, 0.5);
+TEST(Sensitivity, of_a_look_twice_as_steep_is_twice_as_large) {
+    // Both end near middle grey, where equal changes of codes are equal to the eye.
+    const Recipe steep = plain_recipe([](RgbD c) { return 0.02 * c + RgbD{0.49, 0.49, 0.49}; });
+    const Recipe flat = plain_recipe([](RgbD c) { return 0.01 * c + RgbD{0.495, 0.495, 0.495}; });
+    const std::vector<SensitivityRow> of_steep = sensitivity_of(reference_of(steep)),
+                                      of_flat = sensitivity_of(reference_of(flat));
+    ASSERT_EQ(of_steep.size(), 3U);
+    EXPECT_NEAR(of_steep[0].p50 / of_flat[0].p50, 2, 0.2);
     // Four times as many codes, a quarter of the error.
-    EXPECT_NEAR(of_identity[0].p50 / of_identity[1].p50, 1023.0 / 255, 0.1);
-    EXPECT_LE(of_identity[0].p50, of_identity[0].delta_e.p99);
-    EXPECT_LE(of_identity[0].delta_e.p99, of_identity[0].delta_e.max);
+    EXPECT_NEAR(of_steep[0].p50 / of_steep[1].p50, 1023.0 / 255, 0.1);
+    EXPECT_LE(of_steep[0].p50, of_steep[0].delta_e.p99);
+    EXPECT_LE(of_steep[0].delta_e.p99, of_steep[0].delta_e.max);
 }
 
 TEST(Noise, gain_is_the_slope_of_the_look) {

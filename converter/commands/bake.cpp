@@ -39,7 +39,7 @@ struct Options {
     PlacingOptions placing;
     double max_delta_e = 0, max_delta_itp = 0;
     double reference_white = lutlib::reference_white_nits;
-    bool fit = false, explain = false, json = false;
+    bool fit = false, no_measure = false, explain = false, json = false;
 };
 
 std::string gain_text(std::string_view what, const lutlib::ErrorStats& before,
@@ -108,32 +108,36 @@ std::string budget_text(const Options& o, const BudgetBake& found, const lutlib:
 }
 
 nlohmann::ordered_json as_json(const Options& o, const FilledBake& filled, const Domain& domain,
-                               const lutlib::LookPlace& place, const Difference& error,
+                               const lutlib::LookPlace& place,
+                               const std::optional<Difference>& error,
                                const lutlib::Viewing& viewing) {
     const Bake& bake = filled.bake;
     const lutlib::io::Reach reach = lutlib::io::reach_of(domain, place.applied());
-    return {{"input", o.input},
-            {"output", o.output},
-            {"engine", bake.engine->name},
-            {"layout", bake.engine->layout},
-            {"width", bake.picture.width},
-            {"height", bake.picture.height},
-            {"size", bake.size},
-            {"bits", bake.picture.depth.bits},
-            {"srgb_tag", bake.engine->srgb_tag == lutlib::SrgbTag::present},
-            {"encodings", to_json(place)},
-            {"loss",
-             {{"clamped_values", bake.loss.clamped_values},
-              {"most_clamped", bake.loss.most_clamped},
-              {"reachable_domain_share", reach.reached},
-              {"clamped_input_share", reach.clamped},
-              {"max_rounding", bake.loss.max_rounding},
-              {"mean_rounding", bake.loss.mean_rounding}}},
-            {"fitted", filled.fitted},
-            {"viewing", to_json(viewing)},
-            {"absolute_error", to_json(error.absolute)},
-            {"delta_e_2000", to_json(error.delta_e_2000)},
-            {"delta_e_itp", to_json(error.delta_e_itp)}};
+    nlohmann::ordered_json out{{"input", o.input},
+                               {"output", o.output},
+                               {"engine", bake.engine->name},
+                               {"layout", bake.engine->layout},
+                               {"width", bake.picture.width},
+                               {"height", bake.picture.height},
+                               {"size", bake.size},
+                               {"bits", bake.picture.depth.bits},
+                               {"srgb_tag", bake.engine->srgb_tag == lutlib::SrgbTag::present},
+                               {"encodings", to_json(place)},
+                               {"loss",
+                                {{"clamped_values", bake.loss.clamped_values},
+                                 {"most_clamped", bake.loss.most_clamped},
+                                 {"reachable_domain_share", reach.reached},
+                                 {"clamped_input_share", reach.clamped},
+                                 {"max_rounding", bake.loss.max_rounding},
+                                 {"mean_rounding", bake.loss.mean_rounding}}},
+                               {"fitted", filled.fitted},
+                               {"viewing", to_json(viewing)}};
+    if (error) {
+        out["absolute_error"] = to_json(error->absolute);
+        out["delta_e_2000"] = to_json(error->delta_e_2000);
+        out["delta_e_itp"] = to_json(error->delta_e_itp);
+    }
+    return out;
 }
 
 nlohmann::ordered_json fit_json(const FilledBake& filled) {
@@ -187,8 +191,8 @@ struct BakeReport {
     lutlib::Interpolation interpolation; ///< how the look was read
     Domain domain;
     lutlib::LookPlace place;
-    lutlib::Viewing viewing; ///< of what comes out
-    Difference error;
+    lutlib::Viewing viewing;         ///< of what comes out
+    std::optional<Difference> error; ///< unless it was not to be measured
     std::optional<Explanation> explanation;
 
     bool is_kept() const { return !budgeted || budgeted->kept; }
@@ -234,9 +238,11 @@ BakeReport make_report(const Options& o) {
     } else {
         out.filled = fill(o, exact, engine, {breaks, out.viewing});
         const Bake& bake = out.filled.bake;
-        out.error = out.filled.result ? *out.filled.result
-                                      : measure_lookup(bake.picture, engine, bake.size, exact,
-                                                       breaks, out.viewing);
+        if (out.filled.result) {
+            out.error = out.filled.result;
+        } else if (!o.no_measure) {
+            out.error = measure_lookup(bake.picture, engine, bake.size, exact, breaks, out.viewing);
+        }
     }
     if (o.explain) {
         // What changes less than half a code is not seen in the picture.
@@ -303,6 +309,9 @@ void say_that_nothing_was_written(const Options& o, const BudgetBake& found) {
 
 int run(const Options& o) {
     require_png_name(o.output, "bake");
+    if (o.no_measure && (o.fit || promise_of(o))) {
+        throw lutlib::UsageError("a fit and a promise are measured; leave --no-measure out");
+    }
     const BakeReport report = make_report(o);
     if (report.is_kept()) {
         write_picture(o, report);
@@ -344,6 +353,9 @@ Run declare_bake(Verb& verb) {
         .takes(Takes::above_zero)
         .excludes({"--max-delta-e"});
     declare_reference_white(verb, o->reference_white);
+    verb.add_flag("--no-measure", o->no_measure,
+                  "write the picture without measuring what the engine's lookup makes of it: a "
+                  "tenth of the time, for many looks in a row");
     verb.add_flag("--explain", o->explain,
                   "list the parts of the look that a shader could do without a LUT");
     verb.add_flag("--json", o->json, "print the results as JSON");

@@ -98,8 +98,8 @@ std::string figures_text(const Difference& error, const Viewing& viewing,
 }
 
 std::string bake_report(const std::string& input, const std::string& output, const Bake& bake,
-                        const Domain& domain, const LookPlace& place, const Difference& error,
-                        const Viewing& viewing) {
+                        const Domain& domain, const LookPlace& place,
+                        const std::optional<Difference>& error, const Viewing& viewing) {
     const Engine& engine = *bake.engine;
     std::string out = fmt::format(
         "{} -> {}\n  {}x{} pixels, {} nodes per axis, {} bits, layout {}, {} sRGB tag: {}\n", input,
@@ -133,10 +133,12 @@ std::string bake_report(const std::string& input, const std::string& output, con
             fmt::format("  lost: rounding to {} bits, max {:.4g}, mean {:.4g}\n",
                         bake.picture.depth.bits, bake.loss.max_rounding, bake.loss.mean_rounding);
     }
-    out +=
-        fmt::format("  error of {}'s lookup against the look; p99 and mean over {} colours spread "
-                    "evenly:\n{}",
-                    engine.name, error.absolute.count, figures_text(error, viewing, "    "));
+    if (error) {
+        out +=
+            fmt::format("  error of {}'s lookup against the look; p99 and mean over {} colours "
+                        "spread evenly:\n{}",
+                        engine.name, error->absolute.count, figures_text(*error, viewing, "    "));
+    }
     return out;
 }
 

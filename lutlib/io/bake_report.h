@@ -6,6 +6,7 @@
 #include "lutlib/metrics/compare.h"
 #include "lutlib/recipe/placement.h"
 
+#include <optional>
 #include <string>
 
 namespace lutlib::io {
@@ -43,9 +44,9 @@ std::string figures_text(const Difference& error, const Viewing& viewing,
                          const std::string& indent);
 
 /// Lines of text: the picture's shape, the engine's contract, the encodings, what was lost, and the
-/// error.
+/// error where it was measured.
 std::string bake_report(const std::string& input, const std::string& output, const Bake& bake,
-                        const Domain& domain, const LookPlace& place, const Difference& error,
-                        const Viewing& viewing);
+                        const Domain& domain, const LookPlace& place,
+                        const std::optional<Difference>& error, const Viewing& viewing);
 
 } // namespace lutlib::io

@@ -156,6 +156,20 @@ TEST(Bake, says_that_no_combination_keeps_a_promise_and_which_comes_nearest) {
     EXPECT_FALSE(std::filesystem::exists(picture));
 }
 
+TEST(Bake, writes_the_same_picture_without_measuring_it_and_says_no_figures) {
+    const Folder folder;
+    const std::string look = folder.write("look.cube", saturated_cube(9));
+    const Result measured = lutconv({"bake", look, "-o", folder.path("a.png")});
+    const Result unmeasured = lutconv({"bake", look, "-o", folder.path("b.png"), "--no-measure"});
+    EXPECT_EQ(unmeasured.exit_code, 0) << unmeasured.err;
+    EXPECT_EQ(contents(folder.path("a.png")), contents(folder.path("b.png")));
+    EXPECT_NE(measured.out.find("dE2000"), std::string::npos);
+    EXPECT_EQ(unmeasured.out.find("dE2000"), std::string::npos);
+    EXPECT_NE(unmeasured.out.find("rounding"), std::string::npos);
+    EXPECT_EQ(
+        lutconv({"bake", look, "-o", folder.path("c.png"), "--no-measure", "--fit"}).exit_code, 3);
+}
+
 TEST(Bake, reads_standard_input_and_writes_standard_output) {
     const Folder folder;
     const std::string look = saturated_cube(9);

@@ -61,7 +61,7 @@ const std::vector<Part>& parts() {
           "lutlib/interpolation", "lutlib/metrics", "lutlib/verify"},
          no_big_library},
         {"lutlib/health",
-         {"lutlib", "lutlib/color", "lutlib/interpolation", "lutlib/metrics"},
+         {"lutlib", "lutlib/color", "lutlib/interpolation", "lutlib/metrics", "lutlib/resample"},
          no_big_library},
         {"lutlib/survey",
          {"lutlib", "lutlib/bake", "lutlib/color", "lutlib/engine", "lutlib/fit",

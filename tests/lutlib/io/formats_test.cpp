@@ -269,7 +269,7 @@ TEST(FitTo, leaves_a_look_alone_that_the_format_can_hold) {
 // Readers lay a smooth curve through a .csp's prelut, which a steep table bends.
 TEST(WriteLut, measures_what_a_reader_makes_of_a_steep_table_before_a_cube) {
     Lut look;
-    look.shaper = Lut1D{{{0, 0, 0}, {100, 100, 100}}, {}};
+    look.shaper.emplace().domain = {{0, 0, 0}, {100, 100, 100}};
     for (int i = 0; i < 4096; ++i) {
         const auto v = static_cast<float>(std::log1p(1e5 * i / 4095.0) / std::log(1e5 + 1));
         look.shaper->entries.push_back({v, v, v});
@@ -291,7 +291,7 @@ TEST(WriteLut, measures_what_a_reader_makes_of_a_steep_table_before_a_cube) {
 
 TEST(WriteLut, says_what_a_reader_loses_of_a_narrow_domain) {
     Lut look;
-    look.shaper = Lut1D{{{.5F, .5F, .5F}, {.500001F, .500001F, .500001F}}, {}};
+    look.shaper.emplace().domain = {{.5F, .5F, .5F}, {.500001F, .500001F, .500001F}};
     for (int i = 0; i < 64; ++i) {
         const auto v = static_cast<float>(i / 63.0);
         look.shaper->entries.push_back({v, v, v});

@@ -68,7 +68,7 @@ struct Sums {
     std::array<double, 2> signed_volume{};
     std::array<Extreme, 2> deepest{};
     Extreme gain, condition, channel_gain;
-    std::vector<float> gains, conditions; ///< of the sampled tetrahedra
+    std::vector<double> gains, conditions; ///< of the sampled tetrahedra
     std::array<Region, 3> low, high;
     Region plateau;
 
@@ -95,7 +95,7 @@ struct Sums {
 };
 
 // The smallest that at least this share does not exceed.
-double percentile(std::vector<float>& values, double part) {
+double percentile(std::vector<double>& values, double part) {
     if (values.empty()) {
         return 0;
     }
@@ -243,9 +243,9 @@ class CellPass {
             raise(out.condition, s.largest / s.smallest, in);
         }
         if (sampled) {
-            out.gains.push_back(static_cast<float>(s.largest));
+            out.gains.push_back(s.largest);
             if (!flat) {
-                out.conditions.push_back(static_cast<float>(s.largest / s.smallest));
+                out.conditions.push_back(s.largest / s.smallest);
             }
         }
     }

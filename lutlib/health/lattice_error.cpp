@@ -18,14 +18,17 @@ std::array<LatticeError, 2> measure_lattices(const Lut& lut, const Transform& ex
         (lut.shaper && !all_finite(lut.shaper->entries))) {
         return out;
     }
+    // Enough for a maximum within 10 % of the full search's, in a tenth of its time.
+    constexpr SampleLimits limits{
+        .even = 20'000, .grid = std::size_t{1} << 17, .between = std::size_t{1} << 15};
     const Metric eye = codes.results == Results::hdr ? Metric::delta_e_itp : Metric::delta_e_2000;
     for (LatticeError& error : out) {
         Lut lattice;
         lattice.cube = sample_cube(exact, lut.domain(), error.nodes);
-        const Difference difference = measure(
-            exact, Transform::of(lattice),
-            error_samples(lut.domain(), united(breaks_of(lut), breaks_of(lattice)), quick_samples),
-            codes.output);
+        const Difference difference =
+            measure(exact, Transform::of(lattice),
+                    error_samples(lut.domain(), united(breaks_of(lut), breaks_of(lattice)), limits),
+                    codes.output);
         error.measured = true;
         error.code = difference.absolute;
         error.to_eye = difference.by(eye);

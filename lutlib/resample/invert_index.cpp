@@ -5,6 +5,8 @@
 #include "lutlib/limits.h"
 #include "lutlib/resample/invert_tetrahedron.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -184,9 +186,27 @@ OutputIndex::OutputIndex(const Lut3D& cube) : cube_(cube) {
     }
     cells_.resize(cell_start_.back());
     nodes_.resize(node_start_.back());
+    find_flat_tetrahedra();
     std::vector<std::uint32_t> next_cell = cell_start_, next_node = node_start_;
     each_entry([&](std::size_t k, std::uint32_t id) { cells_[next_cell[k]++] = id; },
                [&](std::size_t k, std::uint32_t id) { nodes_[next_node[k]++] = id; });
+}
+
+void OutputIndex::find_flat_tetrahedra() {
+    flat_.assign(cube_.nodes.size(), 0);
+    tbb::parallel_for(0, cube_.size - 1, [&](int b) {
+        for (int g = 0; g + 1 < cube_.size; ++g) {
+            for (int r = 0; r + 1 < cube_.size; ++r) {
+                unsigned bits = 0;
+                for (std::size_t i = 0; i < tetrahedron_walks.size(); ++i) {
+                    const Walk& path = tetrahedron_walks[i];
+                    const Matrix3 m = slope(corners(cube_, {r, g, b}, path), path);
+                    bits |= lutlib::is_flat(m, rounding_) ? 1U << i : 0U;
+                }
+                flat_[cube_.index(r, g, b)] = static_cast<std::uint8_t>(bits);
+            }
+        }
+    });
 }
 
 RgbD OutputIndex::place(const std::array<double, 3>& lattice) const {
@@ -233,32 +253,71 @@ Preimages OutputIndex::preimages(RgbD wanted, RgbD near) const {
     // Points on a face that two tetrahedra share must be inside at least one of them.
     constexpr double slack = 1e-7;
     Preimages out;
+    const double last = cube_.size - 1, tolerance = 1e-6 * std::max(span_, rounding_);
     for (std::size_t c = 0; c < 3; ++c) {
-        const double x = (wanted[c] - low_[c]) * scale_[c];
-        if (x < -slack || x > buckets_ + slack) {
+        const double above = wanted[c] - low_[c], x = above * scale_[c];
+        const bool is_constant = scale_[c] <= 0;
+        if (is_constant ? std::abs(above) > tolerance : x < -slack || x > buckets_ + slack) {
             return out;
         }
     }
-    const double last = cube_.size - 1, tolerance = 1e-6 * std::max(span_, rounding_);
     const RgbD goal = share_of(near);
+    double best = std::numeric_limits<double>::infinity(); // squared distance of out.flat
+    const auto look_at = [&](const Cell& cell, const Walk& path) {
+        const auto corner = corners(cube_, cell, path);
+        const RgbD first = RgbD{1.0 * cell.r, 1.0 * cell.g, 1.0 * cell.b} * (1 / last);
+        std::array<RgbD, 4> input{first, first, first, first};
+        for (std::size_t step = 0; step < 3; ++step) {
+            input[step + 1] = input[step];
+            input[step + 1][path[step]] += 1 / last;
+        }
+        const TetrahedronPoint found = nearest_in_tetrahedron(input, corner, goal, wanted, span_);
+        const double distance = square(found.input - goal);
+        if (largest_magnitude(found.output - wanted) <= tolerance && distance < best) {
+            best = distance;
+            out.flat = place({found.input.r * last, found.input.g * last, found.input.b * last});
+        }
+    };
+    // The goal itself first: where that is it, none can be nearer.
+    if (is_flat(near)) {
+        const RgbD home = place(lattice_of(near));
+        const RgbD there = evaluate_exact(cube_, home, Interpolation::tetrahedral);
+        if (largest_magnitude(there - wanted) <= tolerance) {
+            best = square(share_of(home) - goal);
+            out.flat = home;
+        }
+    }
+    constexpr unsigned all_flat = (1U << tetrahedron_walks.size()) - 1;
     std::vector<FlatCandidate> flat;
     const std::size_t k = bucket_index(bucket_of(wanted));
     const auto n = static_cast<std::uint32_t>(cube_.size);
     for (std::uint32_t i = cell_start_[k]; i < cell_start_[k + 1]; ++i) {
         const std::uint32_t id = cells_[i];
+        const unsigned bits = flat_[id];
+        if (bits == all_flat && best <= 0) {
+            continue;
+        }
         const Cell cell{static_cast<int>(id % n), static_cast<int>(id / n % n),
                         static_cast<int>(id / (n * n))};
-        for (const Walk& path : tetrahedron_walks) {
+        const double away = bits ? away_from(goal, cell, last) : 0;
+        if (bits == all_flat && away >= best) {
+            continue;
+        }
+        for (std::size_t t = 0; t < tetrahedron_walks.size(); ++t) {
+            const Walk& path = tetrahedron_walks[t];
+            const bool is_flat = bits >> t & 1;
+            if (is_flat && away >= best) {
+                continue;
+            }
             const auto corner = corners(cube_, cell, path);
             if (!may_hold(corner, wanted, tolerance)) {
                 continue;
             }
-            const Matrix3 m = slope(corner, path);
-            if (lutlib::is_flat(m, rounding_)) {
-                flat.push_back({cell, &path, away_from(goal, cell, last)});
+            if (is_flat) {
+                flat.push_back({cell, &path, away});
                 continue;
             }
-            const RgbD f = inverse(m) * (wanted - corner[0]);
+            const RgbD f = inverse(slope(corner, path)) * (wanted - corner[0]);
             if (f[path[0]] <= 1 + slack && f[path[0]] >= f[path[1]] - slack &&
                 f[path[1]] >= f[path[2]] - slack && f[path[2]] >= -slack) {
                 out.points.push_back(
@@ -270,25 +329,11 @@ Preimages OutputIndex::preimages(RgbD wanted, RgbD near) const {
     // The nearest first: soon no other can be nearer.
     std::sort(flat.begin(), flat.end(),
               [](const FlatCandidate& a, const FlatCandidate& b) { return a.away < b.away; });
-    double best = std::numeric_limits<double>::infinity(); // squared distance of out.flat
     for (const FlatCandidate& candidate : flat) {
         if (candidate.away >= best) {
             break;
         }
-        const Cell& cell = candidate.cell;
-        const auto corner = corners(cube_, cell, *candidate.path);
-        const RgbD first = RgbD{1.0 * cell.r, 1.0 * cell.g, 1.0 * cell.b} * (1 / last);
-        std::array<RgbD, 4> input{first, first, first, first};
-        for (std::size_t step = 0; step < 3; ++step) {
-            input[step + 1] = input[step];
-            input[step + 1][(*candidate.path)[step]] += 1 / last;
-        }
-        const TetrahedronPoint found = nearest_in_tetrahedron(input, corner, goal, wanted, span_);
-        const double distance = square(found.input - goal);
-        if (largest_magnitude(found.output - wanted) <= tolerance && distance < best) {
-            best = distance;
-            out.flat = place({found.input.r * last, found.input.g * last, found.input.b * last});
-        }
+        look_at(candidate.cell, *candidate.path);
     }
     return out;
 }
@@ -373,7 +418,23 @@ Nearest OutputIndex::nearest(RgbD wanted) const {
         double distance;
         std::uint32_t node;
     };
-    std::vector<Start> starts;
+    constexpr std::size_t tries = 4;
+    std::array<Start, tries> starts; // the nearest, rising
+    std::size_t count = 0;
+    const auto keep = [&](Start start) {
+        const auto before = [](const Start& a, const Start& b) {
+            return a.distance < b.distance || (a.distance == b.distance && a.node < b.node);
+        };
+        if (count == tries && !before(start, starts.back())) {
+            return;
+        }
+        count = std::min(count + 1, tries);
+        std::size_t at = count - 1;
+        for (; at > 0 && before(start, starts[at - 1]); --at) {
+            starts[at] = starts[at - 1];
+        }
+        starts[at] = start;
+    };
     int rings_left = 2;
     for (int ring = 0; ring < buckets_ && rings_left > 0; ++ring) {
         for (int z = centre[2] - ring; z <= centre[2] + ring; ++z) {
@@ -388,20 +449,13 @@ Nearest OutputIndex::nearest(RgbD wanted) const {
                     const std::size_t k = bucket_index({x, y, z});
                     for (std::uint32_t i = node_start_[k]; i < node_start_[k + 1]; ++i) {
                         const std::uint32_t id = nodes_[i];
-                        starts.push_back({square(to_double(cube_.nodes[id]) - wanted), id});
+                        keep({square(to_double(cube_.nodes[id]) - wanted), id});
                     }
                 }
             }
         }
-        rings_left -= starts.empty() ? 0 : 1;
+        rings_left -= count == 0 ? 0 : 1;
     }
-    constexpr std::size_t tries = 4;
-    const std::size_t count = std::min(tries, starts.size());
-    std::partial_sort(starts.begin(), starts.begin() + static_cast<std::ptrdiff_t>(count),
-                      starts.end(), [](const Start& a, const Start& b) {
-                          return a.distance < b.distance ||
-                                 (a.distance == b.distance && a.node < b.node);
-                      });
     const auto n = static_cast<std::uint32_t>(cube_.size);
     Nearest best;
     best.distance = std::numeric_limits<double>::infinity();

@@ -52,6 +52,7 @@ class OutputIndex {
     template <class F>
     void each_cell(F visit) const;
     std::uint64_t cell_entries() const;
+    void find_flat_tetrahedra();
     RgbD place(const std::array<double, 3>& lattice) const;
     std::array<double, 3> lattice_of(RgbD input) const;
     RgbD share_of(RgbD input) const;
@@ -66,6 +67,8 @@ class OutputIndex {
     // starts count entries, which limits.h caps below 2^32.
     std::vector<std::uint32_t> cell_start_, cells_;
     std::vector<std::uint32_t> node_start_, nodes_;
+    // Of each cell, by its lower node's index: a bit for each of its tetrahedra that is flat.
+    std::vector<std::uint8_t> flat_;
 };
 
 } // namespace lutlib

@@ -125,7 +125,10 @@ TEST(Bake, keeps_a_promise_with_the_smallest_lattice_that_can) {
 
 TEST(Bake, says_what_a_fit_takes_from_the_look_instead_of_what_point_samples_would) {
     const Folder folder;
-    const std::string look = std::string(SAMPLE_LOOKS) + "/warm_teal.cube";
+    // One that leaves 0..1.
+    const std::string look = folder.path("look.cube");
+    lutconv(
+        {"edit", std::string(SAMPLE_LOOKS) + "/warm_teal.cube", "--saturation", "1.4", "-o", look});
     const auto baked = [&](const std::vector<std::string>& more) {
         std::vector<std::string> words{"bake", look, "-o", folder.path("x.png"), "--size", "9"};
         words.insert(words.end(), more.begin(), more.end());

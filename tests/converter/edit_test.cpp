@@ -152,7 +152,8 @@ TEST(Resample, compose_blend_and_invert_report_their_errors) {
 
     const json inverse = run({"invert", look, "-o", out, "--size", "9"});
     EXPECT_EQ(inverse["nodes"], 729);
-    EXPECT_LT(inverse["round_trip"]["absolute"]["mean"], 0.05);
+    // A third of its inputs are clipped, and come back as the colours nearest to what they became.
+    EXPECT_LT(inverse["round_trip"]["absolute"]["mean"], 0.1);
 }
 
 TEST(Curves, stay_curves_through_every_verb) {

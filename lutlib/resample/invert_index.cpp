@@ -192,6 +192,15 @@ OutputIndex::OutputIndex(const Lut3D& cube) : cube_(cube) {
                [&](std::size_t k, std::uint32_t id) { nodes_[next_node[k]++] = id; });
 }
 
+double OutputIndex::cells_of_bucket() const {
+    double squares = 0;
+    for (std::size_t k = 0; k + 1 < cell_start_.size(); ++k) {
+        const double cells = cell_start_[k + 1] - cell_start_[k];
+        squares += cells * cells;
+    }
+    return cells_.empty() ? 0 : squares / static_cast<double>(cells_.size());
+}
+
 void OutputIndex::find_flat_tetrahedra() {
     flat_.assign(cube_.nodes.size(), 0);
     tbb::parallel_for(0, cube_.size - 1, [&](int b) {
@@ -326,14 +335,16 @@ Preimages OutputIndex::preimages(RgbD wanted, RgbD near) const {
             }
         }
     }
-    // The nearest first: soon no other can be nearer.
-    std::sort(flat.begin(), flat.end(),
-              [](const FlatCandidate& a, const FlatCandidate& b) { return a.away < b.away; });
-    for (const FlatCandidate& candidate : flat) {
-        if (candidate.away >= best) {
-            break;
-        }
-        look_at(candidate.cell, *candidate.path);
+    // The nearest first: soon no other can be nearer. Of a wild look so many may hold it and do not
+    // that the far ones are left.
+    constexpr std::size_t most_tries = 64;
+    const auto tried =
+        flat.begin() + static_cast<std::ptrdiff_t>(std::min(most_tries, flat.size()));
+    std::partial_sort(
+        flat.begin(), tried, flat.end(),
+        [](const FlatCandidate& a, const FlatCandidate& b) { return a.away < b.away; });
+    for (auto candidate = flat.begin(); candidate != tried && candidate->away < best; ++candidate) {
+        look_at(candidate->cell, *candidate->path);
     }
     return out;
 }

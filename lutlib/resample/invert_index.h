@@ -33,10 +33,8 @@ class OutputIndex {
     /// `near`, each channel in widths of the cube's domain.
     Preimages preimages(RgbD wanted, RgbD near) const;
 
-    /// What a call of preimages() looks at, on average.
-    double cells_of_bucket() const {
-        return static_cast<double>(cells_.size()) / static_cast<double>(cell_start_.size() - 1);
-    }
+    /// How many cells preimages() looks at for the image of an input, on average over the inputs.
+    double cells_of_bucket() const;
 
     /// Whether the tetrahedron that holds this input of the cube is flat.
     bool is_flat(RgbD input) const;

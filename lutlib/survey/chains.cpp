@@ -3,6 +3,7 @@
 #include "lutlib/error.h"
 #include "lutlib/half.h"
 #include "lutlib/resample/invert.h"
+#include "lutlib/resample/invert_index.h"
 #include "lutlib/survey/precision.h"
 
 #include <algorithm>
@@ -75,6 +76,13 @@ std::vector<ChainRow> chains_of(const SurveyReference& reference) {
                 Transform::of(both, Interpolation::tetrahedral));
         }
     }
+    // A look whose cells overlap so much has no inverse worth a minute's search.
+    constexpr double most_work = 1e7; // cells looked at
+    if (OutputIndex(*lattice.cube).cells_of_bucket() *
+            static_cast<double>(lattice.cube->nodes.size()) >
+        most_work) {
+        return out;
+    }
     try {
         const Lut back = invert(lattice).lut;
         std::vector<RgbD> in(reference.inputs.size());
@@ -84,7 +92,7 @@ std::vector<ChainRow> chains_of(const SurveyReference& reference) {
                 in_sequence({read, rounded(between), Transform::of(back)}));
         }
     } catch (const Error&) {
-        // A look without an inverse has no such rows.
+        // Nor has a look that cannot be inverted such rows.
     }
     return out;
 }

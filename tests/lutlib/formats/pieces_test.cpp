@@ -111,15 +111,15 @@ TEST(CubeInPieces, reads_as_the_whole_file_does_and_refuses_what_it_refuses) {
         texts.push_back(cube_text(4, seed));
     }
     const std::string good = texts[0];
-    texts.push_back(good.substr(0, good.size() - 30));                       // truncated
-    texts.push_back(good + "0 0 0\n");                                       // overlong
-    texts.push_back(good.substr(0, good.size() / 2) + "x y z\n");            // damaged
+    texts.push_back(good.substr(0, good.size() - 30));            // truncated
+    texts.push_back(good + "0 0 0\n");                            // overlong
+    texts.push_back(good.substr(0, good.size() / 2) + "x y z\n"); // damaged
     texts.push_back("LUT_3D_SIZE 200\n0 0 0\n");
     texts.push_back("LUT_1D_SIZE 2\n0 0 0\n1 1 1");
     for (const std::string& text : texts) {
         const std::string whole = outcome([&] { return read_cube(text, "x.cube"); });
         for (const std::size_t head : {std::size_t{1}, std::size_t{20}, text.size() / 3}) {
-            for (const std::size_t size : {1, 7, 64, 129, 4096}) {
+            for (const std::size_t size : std::initializer_list<std::size_t>{1, 7, 64, 129, 4096}) {
                 Pieces more(std::string_view(text).substr(head), size);
                 EXPECT_EQ(outcome([&] {
                               return read_cube_in_pieces(std::string_view(text).substr(0, head),

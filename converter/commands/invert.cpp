@@ -72,15 +72,14 @@ std::string cube_text(const lutlib::Inversion& inversion) {
            region_text("outside the look's gamut: no input gives these colours, so the nearest "
                        "reachable one is used",
                        "distance", inversion.out_of_gamut, inversion.nodes) +
-           (inversion.extrapolated > 0
-                ? fmt::format(
-                      "    {} of them go on beyond it, as their cells hold colours that the "
-                      "look gives\n",
-                      inversion.extrapolated)
-                : "") +
            region_text("flat: a range of inputs gives these colours, so the one nearest to the "
                        "colour itself is used",
                        "it lies away by", inversion.flat, inversion.nodes) +
+           (inversion.extrapolated > 0
+                ? fmt::format("  {} nodes of both kinds go on from the colours beside them that "
+                              "can be undone, so that those are right (--outside nearest: none)\n",
+                              inversion.extrapolated)
+                : "") +
            region_text("folded: several inputs give these colours, so the nearest of them is used",
                        "the inputs differ by", inversion.folded, inversion.nodes);
 }

@@ -371,15 +371,17 @@ Inversion invert(const Lut& lut, const InvertOptions& options) {
             answers[i] = solver.solve(to_double(inverse.nodes[i]));
         }
     });
-    std::vector<bool> outside(out.nodes);
+    constexpr double itself = 1e-6; // float nodes
+    std::vector<bool> open(out.nodes);
     for (std::size_t i = 0; i < out.nodes; ++i) {
         const Rgb wanted = inverse.nodes[i];
         const Answer& answer = answers[i];
         if (answer.missing) {
             add(out.out_of_gamut, wanted, answer.distance);
-            outside[i] = true;
+            open[i] = true;
         } else if (answer.moved >= 0) {
             add(out.flat, wanted, answer.moved);
+            open[i] = answer.moved > itself;
         } else if (answer.spread > 0) {
             add(out.folded, wanted, answer.spread);
         }
@@ -390,8 +392,8 @@ Inversion invert(const Lut& lut, const InvertOptions& options) {
                     " nodes of the inverse lie outside what the look can give; choose a smaller "
                     "domain, or how they are filled");
     }
-    if (options.outside == Outside::extrapolate && out.out_of_gamut.count > 0) {
-        out.extrapolated = fit_open_nodes(inverse, outside, samples_of(look, solver, out.lut));
+    if (options.outside == Outside::extrapolate) {
+        out.extrapolated = fit_open_nodes(inverse, open, samples_of(look, solver, out.lut));
     }
     judge_inputs(look, solver, out);
     out.lut.title = inverse_title(lut);

@@ -53,17 +53,20 @@ struct Inversion {
     /// A whole edge, face or volume of inputs does. Extent: the largest channel distance of the one
     /// taken to the colour itself.
     InverseRegion flat;
-    std::size_t extrapolated = 0; ///< nodes outside the gamut that were continued
+    /// Nodes without an input of their own (out of gamut, or flat and not the colour itself) that
+    /// give what is right for the colours between them and the next nodes.
+    std::size_t extrapolated = 0;
     InputShares inputs;
     /// Of the inputs that were looked at for `inputs`, those that can be undone.
     std::vector<Rgb> undoable;
 };
 
-/// What the inverse holds where no input gives the colour.
+/// What the inverse holds where no one input gives the colour: none, or a range of them.
 enum class Outside {
-    nearest,     ///< the input whose output lies nearest
+    nearest,     ///< the input whose output lies nearest; of a range, the nearest to the colour
     extrapolate, ///< the same, but where a cell also holds colours that have an input, what is
-                 ///< right for those: the inverse goes on beyond the look's inputs there
+                 ///< right for those: the inverse goes on from there. A colour that the look leaves
+                 ///< as it is stays itself.
     refuse,      ///< throws Error
 };
 struct OutsideInfo {

@@ -200,6 +200,33 @@ TEST(Invert, of_a_flat_set_takes_the_input_nearest_to_the_colour_itself) {
 }
 
 // A look whose outputs end within the last cell of its inverse.
+// Beside a clipped colour the nearest input of a flat set would be wrong for the cell's own
+// colours.
+TEST(Invert, goes_on_from_what_can_be_undone_into_flat_sets) {
+    const Lut look = cube_look(sampled(
+        [](RgbD c) {
+            const double y = test_luma(c);
+            const auto saturate_more = [y](double v) {
+                return std::clamp(y + 1.6 * (v - y), 0., 1.);
+            };
+            return RgbD{saturate_more(c.r), saturate_more(c.g), saturate_more(c.b)};
+        },
+        9));
+    const auto mean_error = [&](Outside outside) {
+        InvertOptions options;
+        options.outside = outside;
+        const Inversion inversion = invert(look, options);
+        double sum = 0;
+        for (const Rgb& in : inversion.undoable) {
+            const RgbD out = evaluate_exact(look, to_double(in));
+            sum += largest_magnitude(evaluate_exact(inversion.lut, out) - to_double(in));
+        }
+        return sum / static_cast<double>(inversion.undoable.size());
+    };
+    EXPECT_LT(mean_error(Outside::extrapolate), 0.02);
+    EXPECT_GT(mean_error(Outside::nearest), 2 * mean_error(Outside::extrapolate));
+}
+
 TEST(Invert, continues_beyond_the_gamut_where_a_cell_holds_colours_inside) {
     const auto smaller = [](RgbD c) {
         const double y = test_luma(c);

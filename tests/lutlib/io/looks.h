@@ -74,10 +74,10 @@ inline std::vector<NamedLut> looks_of_every_shape(int size = 17) {
     };
 }
 
-/// The corners of a domain and random colours within it.
-inline std::vector<Rgb> colors_in(const Domain& domain, int count = 5000) {
+/// The corners of a domain and random colours within it, and beyond it by a share of its width.
+inline std::vector<Rgb> colors_in(const Domain& domain, int count = 5000, float margin = 0) {
     std::mt19937 random(7);
-    std::uniform_real_distribution<float> position(0, 1);
+    std::uniform_real_distribution<float> position(-margin, 1 + margin);
     std::vector<Rgb> out{domain.min, domain.max};
     for (int i = 0; i < count; ++i) {
         Rgb c;

@@ -9,27 +9,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 
 namespace lutlib::io {
 namespace {
 
-std::vector<Rgb> random_colors(const Domain& domain, int count, float margin = 0.1F) {
-    std::mt19937 random(7);
-    std::uniform_real_distribution<float> position(-margin, 1 + margin);
-    std::vector<Rgb> out;
-    for (int i = 0; i < count; ++i) {
-        Rgb c;
-        for (std::size_t k = 0; k < 3; ++k) {
-            c[k] = domain.min[k] + position(random) * (domain.max[k] - domain.min[k]);
-        }
-        out.push_back(c);
-    }
-    return out;
-}
+// Colours outside the domain too, of its width.
+constexpr float margin = 0.1F;
 
 double largest_difference(const Lut& lut, const Transform& oracle, Interpolation how) {
-    const std::vector<Rgb> in = random_colors(lut.domain(), 100000);
+    const std::vector<Rgb> in = colors_in(lut.domain(), 100000, margin);
     const std::vector<RgbD> expected = images_of(oracle, in);
     double worst = 0;
     for (std::size_t i = 0; i < in.size(); ++i) {
@@ -74,7 +62,7 @@ TEST(Ocio, answers_one_colour_as_it_answers_many_and_says_that_it_computes_in_fl
     for (const auto& [name, lut] : looks_of_every_shape(33)) {
         const Transform oracle = ocio().from_lut(lut, {});
         EXPECT_EQ(oracle.precision(), Precision::float32);
-        const std::vector<Rgb> in = random_colors(lut.domain(), 2500);
+        const std::vector<Rgb> in = colors_in(lut.domain(), 2500, margin);
         const std::vector<RgbD> many = images_of(oracle, in);
         for (std::size_t i = 0; i < in.size(); ++i) {
             ASSERT_EQ(oracle(to_double(in[i])), many[i]) << name << ' ' << i;

@@ -4,6 +4,7 @@
 #include "lutlib/error.h"
 #include "lutlib/interpolation/interpolation.h"
 #include "lutlib/nodes.h"
+#include "lutlib/resample/invert_curve.h"
 #include "lutlib/resample/invert_index.h"
 #include "lutlib/resample/invert_outside.h"
 #include "lutlib/resample/sample_lut.h"
@@ -19,36 +20,6 @@ namespace lutlib {
 namespace {
 
 constexpr int largest_size = 129;
-
-// A curve that rises or falls strictly, read backwards, per channel.
-double inverse_of_curve(const Lut1D& curve, double y, std::size_t c) {
-    const auto entry = [&](int i) {
-        return static_cast<double>(curve.entries[static_cast<std::size_t>(i)][c]);
-    };
-    const int n = curve.size();
-    const double sign = entry(n - 1) > entry(0) ? 1 : -1;
-    int low = 0, high = n - 1;
-    while (high - low > 1) {
-        const int middle = (low + high) / 2;
-        (sign * entry(middle) <= sign * y ? low : high) = middle;
-    }
-    const double t = std::clamp((y - entry(low)) / (entry(low + 1) - entry(low)), 0.0, 1.0);
-    return entry_position(curve, low)[c] * (1 - t) + entry_position(curve, low + 1)[c] * t;
-}
-
-void check_invertible(const Lut1D& curve) {
-    for (std::size_t c = 0; c < 3; ++c) {
-        const bool rises = curve.entries.front()[c] < curve.entries.back()[c];
-        for (std::size_t i = 0; i + 1 < curve.entries.size(); ++i) {
-            const float a = curve.entries[i][c], b = curve.entries[i + 1][c];
-            if (!(rises ? a < b : a > b)) {
-                throw Error(std::string("the 1D table of channel ") + "rgb"[c] +
-                            " is flat or not monotonic at entry " + std::to_string(i + 1) +
-                            ", so it has no inverse");
-            }
-        }
-    }
-}
 
 // How the inverse at one node came about.
 struct Answer {

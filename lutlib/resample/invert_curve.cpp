@@ -153,4 +153,34 @@ CurveInversion invert_curve(const Lut1D& curve, const InvertCurveOptions& option
     return out;
 }
 
+double inverse_of_curve(const Lut1D& curve, double y, std::size_t channel) {
+    const auto entry = [&](int i) {
+        return static_cast<double>(curve.entries[static_cast<std::size_t>(i)][channel]);
+    };
+    const int n = curve.size();
+    const double sign = entry(n - 1) > entry(0) ? 1 : -1;
+    int low = 0, high = n - 1;
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        (sign * entry(middle) <= sign * y ? low : high) = middle;
+    }
+    const double t = std::clamp((y - entry(low)) / (entry(low + 1) - entry(low)), 0.0, 1.0);
+    return entry_position(curve, low)[channel] * (1 - t) +
+           entry_position(curve, low + 1)[channel] * t;
+}
+
+void check_invertible(const Lut1D& curve) {
+    for (std::size_t c = 0; c < 3; ++c) {
+        const bool rises = curve.entries.front()[c] < curve.entries.back()[c];
+        for (std::size_t i = 0; i + 1 < curve.entries.size(); ++i) {
+            const float a = curve.entries[i][c], b = curve.entries[i + 1][c];
+            if (!(rises ? a < b : a > b)) {
+                throw Error(std::string("the 1D table of channel ") + "rgb"[c] +
+                            " is flat or not monotonic at entry " + std::to_string(i + 1) +
+                            ", so it has no inverse");
+            }
+        }
+    }
+}
+
 } // namespace lutlib

@@ -36,4 +36,10 @@ struct InvertCurveOptions {
 /// Throws Error for a channel that begins and ends at one value: it has no inverse.
 CurveInversion invert_curve(const Lut1D& curve, const InvertCurveOptions& options = {});
 
+/// The input at which a channel of a table that rises or falls strictly gives `y`, held to its
+/// ends.
+double inverse_of_curve(const Lut1D& curve, double y, std::size_t channel);
+/// Throws Error for a table that does not rise or fall strictly in every channel.
+void check_invertible(const Lut1D& curve);
+
 } // namespace lutlib

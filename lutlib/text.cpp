@@ -14,7 +14,8 @@ bool continues_a_letter(std::string_view text, std::size_t i) {
     for (std::size_t back = 1; back <= 3 && back <= i; ++back) {
         const auto byte = static_cast<unsigned char>(text[i - back]);
         if (byte < 0x80 || byte >= 0xC0) {
-            return byte >= 0xC0;
+            const std::size_t length = byte < 0xC0 ? 1 : byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;
+            return back < length;
         }
     }
     return false;

@@ -217,7 +217,9 @@ class CubeReader {
         if (row || (table_ && rows_begun())) {
             fail("neither a row of 3 numbers nor a keyword", line);
         }
-        (keyword ? lut_.keywords : lut_.comments).emplace_back(line);
+        // Written first into a file, such a line would make it another thing's.
+        const bool kept = keyword && !begins_as_mistaken(line);
+        (kept ? lut_.keywords : lut_.comments).emplace_back(line);
     }
 
     int read_size(std::optional<int> before, const Words& words, std::string_view line,

@@ -42,6 +42,13 @@ constexpr std::array<Mistaken, 14> table{{
     {"\xFF\xFE\0\0"sv, "UTF-32 text", "save it as UTF-8"},
 }};
 
+const Mistaken* row_of(std::string_view bytes) {
+    const auto* const row = std::find_if(table.begin(), table.end(), [&](const Mistaken& each) {
+        return bytes.starts_with(each.begins);
+    });
+    return row == table.end() ? nullptr : row;
+}
+
 // A page may begin with blanks, a byte order mark, comments or an XML declaration.
 bool is_web_page(std::string_view bytes) {
     constexpr std::size_t head = 1024;
@@ -63,11 +70,13 @@ bool is_web_page(std::string_view bytes) {
 
 } // namespace
 
+bool begins_as_mistaken(std::string_view bytes) {
+    return row_of(bytes) != nullptr || is_web_page(bytes);
+}
+
 void refuse_mistaken_file(std::string_view bytes, const std::string& file) {
-    for (const Mistaken& row : table) {
-        if (bytes.starts_with(row.begins)) {
-            refuse(row.what, row.remedy, file);
-        }
+    if (const Mistaken* row = row_of(bytes)) {
+        refuse(row->what, row->remedy, file);
     }
     if (is_web_page(bytes)) {
         refuse("a web page (HTML)",

@@ -7,6 +7,9 @@
 
 namespace lutlib {
 
+/// Whether these bytes begin as one of these does.
+bool begins_as_mistaken(std::string_view bytes);
+
 /// Throws Error, with the remedy, for bytes that begin as one of these does.
 void refuse_mistaken_file(std::string_view bytes, const std::string& file);
 

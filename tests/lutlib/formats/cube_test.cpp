@@ -370,6 +370,12 @@ TEST(ReadCube, takes_no_break_and_typographic_spaces_for_blanks) {
                                  blank + blank + "0 \n1" + blank + " 1 0.5" + blank + "\n";
         EXPECT_EQ(read_cube(text, "a.cube").shaper, meant.shaper) << blank.size();
     }
+    // A line of nothing but blanks is empty, however they follow one another.
+    for (const std::string blanks : {"\xC2\xA0\xA0", "\xA0\xC2\xA0", "\xE2\x80\x8A\xA0\xA0"}) {
+        EXPECT_EQ(trimmed(blanks), "");
+        const std::string text = "LUT_1D_SIZE 2\n" + blanks + "\n0 0.25 0\n1 1 0.5\n";
+        EXPECT_EQ(read_cube(text, "a.cube").shaper, meant.shaper);
+    }
     // The second byte of a letter is none.
     EXPECT_EQ(words_of("d\xC3\xA0 voil\xC3\xA0").count, 2U);
 }
@@ -379,6 +385,22 @@ TEST(Cube, keeps_a_line_of_binary_bytes_as_a_comment_so_that_what_it_writes_is_a
     EXPECT_TRUE(lut.keywords.empty());
     EXPECT_EQ(lut.comments.size(), 1U);
     EXPECT_EQ(read_cube(write_cube(lut, CubeDialect::adobe), "y.cube").shaper, lut.shaper);
+}
+
+TEST(Cube,
+     keeps_a_line_that_begins_another_things_file_as_a_comment_so_that_what_it_writes_is_a_cube) {
+    for (const std::string line :
+         {"version https://git-lfs.github.com/spec/v1", "BZh91AY 1 2", "VERSION-less"}) {
+        const bool another = line.front() != 'V';
+        const Lut lut = read_cube("LUT_1D_SIZE 2\n" + line + "\n0 0 0\n1 1 1\n", "x.cube");
+        EXPECT_EQ(lut.keywords.size(), another ? 0U : 1U) << line;
+        EXPECT_EQ(lut.comments.size(), another ? 1U : 0U) << line;
+        for (const CubeDialect dialect : {CubeDialect::adobe, CubeDialect::resolve}) {
+            const Lut again = read_cube(write_cube(lut, dialect), "y.cube");
+            EXPECT_EQ(again.shaper, lut.shaper) << line;
+            EXPECT_EQ(again.comments, lut.comments) << line;
+        }
+    }
 }
 
 TEST(CubeEncodings, are_two_comments_that_reader_and_writer_share) {

@@ -213,7 +213,7 @@ std::vector<Rgb> inputs_of(const Domain& domain, int cells) {
 void judge_inputs(const Lut& lut, const Solver& solver, Inversion& out) {
     // Fewer of a wild look, of which each takes long.
     constexpr int usual_cells = 32, least_cells = 4;
-    constexpr double most_work = 2e7; // cells of the look
+    constexpr double most_work = 5e6; // cells of the look
     const int cells = std::clamp(static_cast<int>(std::cbrt(most_work / solver.work())),
                                  least_cells, usual_cells);
     const std::vector<Rgb> inputs = inputs_of(lut.domain(), cells);

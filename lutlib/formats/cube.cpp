@@ -125,6 +125,9 @@ class CubeReader {
             comment.size() <= limits::max_title_bytes) {
             read_title(comment.substr(title_keyword.size()));
         } else if (!take_encoding(comment, lut_.encodings)) {
+            if (std::string note = encoding_contradiction(comment, lut_.encodings); !note.empty()) {
+                lut_.notes.push_back(std::move(note));
+            }
             lut_.comments.emplace_back(comment);
         }
     }

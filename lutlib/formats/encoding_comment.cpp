@@ -9,13 +9,13 @@ namespace lutlib {
 namespace {
 
 struct Row {
-    std::string_view words;
+    std::string_view words, option;
     std::string EncodingNames::*name;
 };
 
 constexpr std::array<Row, 2> rows{{
-    {"Input encoding:", &EncodingNames::input},
-    {"Output encoding:", &EncodingNames::output},
+    {"Input encoding:", "--look-input", &EncodingNames::input},
+    {"Output encoding:", "--look-output", &EncodingNames::output},
 }};
 
 bool begins_with(std::string_view text, std::string_view words) {
@@ -37,6 +37,23 @@ bool take_encoding(std::string_view comment, EncodingNames& names) {
         }
     }
     return false;
+}
+
+std::string encoding_contradiction(std::string_view comment, const EncodingNames& names) {
+    for (const Row& row : rows) {
+        const std::string& taken = names.*row.name;
+        if (!begins_with(comment, row.words) || taken.empty()) {
+            continue;
+        }
+        const std::string_view other = trimmed(comment.substr(row.words.size()));
+        if (!other.empty() && upper(other) != upper(taken)) {
+            return "its comments name two encodings, '" + taken + "' and '" + std::string(other) +
+                   "', as \"" + std::string(row.words) +
+                   "\"; the first is taken: delete the wrong " + "comment, or say it with " +
+                   std::string(row.option);
+        }
+    }
+    return {};
 }
 
 std::vector<std::string> encoding_comments(const EncodingNames& names) {

@@ -19,6 +19,10 @@ namespace lutlib {
 /// one has been taken before.
 bool take_encoding(std::string_view comment, EncodingNames& names);
 
+/// What to do where a comment names another encoding than the one taken before; empty where it does
+/// not.
+std::string encoding_contradiction(std::string_view comment, const EncodingNames& names);
+
 /// The comments that say them, without markers; none for what is not known.
 std::vector<std::string> encoding_comments(const EncodingNames& names);
 

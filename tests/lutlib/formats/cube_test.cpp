@@ -410,6 +410,9 @@ TEST(CubeEncodings, are_two_comments_that_reader_and_writer_share) {
     EXPECT_EQ(lut.encodings, (EncodingNames{"slog3/sgamut3.cine", "gamma24/rec709"}));
     // A second one decides nothing and is kept as what it is, a comment.
     EXPECT_EQ(lut.comments, (std::vector<std::string>{"by hand", "Input encoding: logc3"}));
+    ASSERT_EQ(lut.notes.size(), 1U);
+    EXPECT_NE(lut.notes[0].find("'slog3/sgamut3.cine' and 'logc3'"), std::string::npos);
+    EXPECT_NE(lut.notes[0].find("--look-input"), std::string::npos);
     lut.comments.pop_back();
     for (const CubeDialect dialect : {CubeDialect::adobe, CubeDialect::resolve}) {
         const std::string text = write_cube(lut, dialect);
@@ -417,6 +420,7 @@ TEST(CubeEncodings, are_two_comments_that_reader_and_writer_share) {
         const Lut again = read_cube(text, "y.cube");
         EXPECT_EQ(again.encodings, lut.encodings);
         EXPECT_EQ(again.comments, lut.comments);
+        EXPECT_TRUE(again.notes.empty());
     }
 }
 

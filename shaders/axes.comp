@@ -10,12 +10,12 @@ const int light_steps = 1024, dial_steps = 512;
 const float hue_unit = 64.0;
 const float srgb_chroma = 0.3225;
 
-layout(std430, binding = 15) readonly buffer Tables {
+layout(std430, binding = 16) readonly buffer Tables {
     vec4 cones[3];
     float light[light_steps + 1];
     float dial[dial_steps + 1];
 } tables;
-layout(std430, binding = 16) buffer Counts { uint counts[]; };
+layout(std430, binding = 17) buffer Counts { uint counts[]; };
 
 shared uint bins[axes * bins_each];
 
@@ -77,7 +77,7 @@ void main() {
     uvec2 size = uvec2(textureSize(picture, 0));
     for (uint i = gl_GlobalInvocationID.x; i < size.x * size.y; i += threads * gl_NumWorkGroups.x) {
         ivec2 at = ivec2(i % size.x, i / size.x);
-        count(display_encoded(at, picture_at(at)));
+        count(stages_of(at, picture_at(at)).codes);
     }
     barrier();
     for (uint i = gl_LocalInvocationIndex; i < axes * bins_each; i += threads) {

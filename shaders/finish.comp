@@ -15,7 +15,7 @@ void main() {
     for (int i = 0; i < texels_each; ++i) {
         ivec2 at = tile_texel(i);
         if (all(lessThan(at, size))) {
-            store_texel(at, size, display_encoded(at, texels[i]));
+            store_texel(at, size, stages_of(at, texels[i]));
         }
     }
 }

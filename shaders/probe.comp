@@ -4,12 +4,12 @@
 #include "common/finish.glsl"
 #include "common/graded.glsl"
 layout(local_size_x = 1) in;
-layout(binding = 15) uniform Place { ivec2 at; } place;
-layout(binding = 16) writeonly buffer Probed { vec4 before, a, b; } probed;
+layout(binding = 16) uniform Place { ivec2 at; } place;
+layout(binding = 17) writeonly buffer Probed { vec4 before, a, b; } probed;
 
 void main() {
-    vec3 c = display_encoded(place.at, picture_at(place.at));
-    probed.before = vec4(c, 0.0);
-    probed.a = vec4(graded_a(c), 0.0);
-    probed.b = vec4(graded_b(c), 0.0);
+    Stages texel = stages_of(place.at, picture_at(place.at));
+    probed.before = vec4(texel.codes, 0.0);
+    probed.a = vec4(graded_a(texel), 0.0);
+    probed.b = vec4(graded_b(texel), 0.0);
 }

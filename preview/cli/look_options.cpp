@@ -19,11 +19,11 @@ std::optional<lutlib::Encoding> if_named(const std::string& name, const std::str
     return name.empty() ? std::nullopt : std::optional(encoding_of(name, flag));
 }
 
-LookUse use_of(const Options& options, const std::string& engine, const std::string& input,
-               const std::string& output) {
+LookUse use_of(const Options& options, bool has_light, const std::string& engine,
+               const std::string& input, const std::string& output) {
     return {.lookup = lookup_of(engine),
             .encodings = {if_named(input, "--look-input"), if_named(output, "--look-output")},
-            .picture = picture_codes(options)};
+            .picture = picture_codes(options, has_light)};
 }
 
 bool is_look(const std::string& path) {
@@ -36,34 +36,30 @@ const GpuLookup* lookup_of(const std::string& name) {
     if (name.empty()) {
         return nullptr;
     }
-    const GpuLookup& lookup = lutlib::require_named(gpu_lookups(), "lookup", name);
-    if (lookup.engine != nullptr && !lutlib::is_fed_display_codes(*lookup.engine)) {
-        throw lutlib::UsageError(
-            std::string(lookup.engine->label) +
-            " grades scene light before the tone map, and looks stand behind it here: preview the "
-            "look itself (without --engine)");
-    }
-    return &lookup;
+    return &lutlib::require_named(gpu_lookups(), "lookup", name);
 }
 
-PictureCodes picture_codes(const Options& options) {
-    return {encoding_of(options.picture_encoding, "--picture-encoding"), !options.no_convert};
+PictureCodes picture_codes(const Options& options, bool has_light) {
+    return {encoding_of(options.picture_encoding, "--picture-encoding"), !options.no_convert,
+            has_light, options.look_at};
 }
 
-LookUse use_a(const Options& options) {
+LookUse use_a(const Options& options, bool has_light) {
     if (!options.engine_a.empty() && !is_look(options.look_a) && is_look(options.look_b)) {
         throw lutlib::UsageError("side A, which --engine-a is for, has no look: use --engine-b for "
                                  "side B");
     }
-    return use_of(options, options.engine_a, options.look_input_a, options.look_output_a);
+    return use_of(options, has_light, options.engine_a, options.look_input_a,
+                  options.look_output_a);
 }
 
-LookUse use_b(const Options& options) {
+LookUse use_b(const Options& options, bool has_light) {
     if (!options.engine_b.empty() && !is_look(options.look_b) && is_look(options.look_a)) {
         throw lutlib::UsageError("side B, which --engine is for, has no look: use --engine-a for "
                                  "side A");
     }
-    return use_of(options, options.engine_b, options.look_input_b, options.look_output_b);
+    return use_of(options, has_light, options.engine_b, options.look_input_b,
+                  options.look_output_b);
 }
 
 } // namespace preview

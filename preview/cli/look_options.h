@@ -9,12 +9,13 @@ namespace preview {
 /// The lookup that `name` names; null for an empty name. Throws lutlib::UsageError.
 const GpuLookup* lookup_of(const std::string& name);
 
-/// What the looks of both sides get. Throws lutlib::UsageError for an encoding that is not known.
-PictureCodes picture_codes(const Options& options);
+/// What the looks of both sides get of a picture that has scene light or not. Throws
+/// lutlib::UsageError for an encoding that is not known.
+PictureCodes picture_codes(const Options& options, bool has_light);
 
 /// How each side's look is used. Throws lutlib::UsageError for names that no table has, and for an
 /// engine of a side that has no look while the other has one.
-LookUse use_a(const Options& options);
-LookUse use_b(const Options& options);
+LookUse use_a(const Options& options, bool has_light);
+LookUse use_b(const Options& options, bool has_light);
 
 } // namespace preview

@@ -76,9 +76,9 @@ Rendering::Rendering(const Options& options)
     }
     settings.raster = options.raster->on(device, picture_size(settings.output, *settings.compare));
     settings.keep_hdr = holds_light(options.output);
-    const bool force = options.frame.force_all;
-    look_a = load_side(device, options.look_a, use_a(options), force, notes, "A");
-    look_b = load_side(device, options.look_b, use_b(options), force, notes, "B");
+    const bool force = options.frame.force_all, has_light = !shown->display_encoded();
+    look_a = load_side(device, options.look_a, use_a(options, has_light), force, notes, "A");
+    look_b = load_side(device, options.look_b, use_b(options, has_light), force, notes, "B");
 }
 
 FrameInputs Rendering::inputs() const {
@@ -146,8 +146,9 @@ void render_cube(const Options& options) {
     if (options.output.empty()) {
         throw lutlib::UsageError("--cube-view needs -o FILE");
     }
-    const LoadedLook look = options.cube_view == "a" ? load_look(options.look_a, use_a(options))
-                                                     : load_look(options.look_b, use_b(options));
+    const LoadedLook look = options.cube_view == "a"
+                                ? load_look(options.look_a, use_a(options, true))
+                                : load_look(options.look_b, use_b(options, true));
     Rendered out;
     out.size = settings_of(options, {}).output;
     CubeDrawing drawing;

@@ -137,6 +137,10 @@ std::span<const Scope> scope_rows() {
     return scopes;
 }
 
+std::span<const LookAt> look_at_rows() {
+    return look_ats;
+}
+
 std::span<const ScopeSide> scope_side_rows() {
     return scope_sides;
 }
@@ -159,6 +163,13 @@ void choose(const Row*& member, std::span<const Row> table, std::size_t option) 
 }
 
 constexpr ChoiceRow<Options> choices[] = {
+    {.flag = "look-at",
+     .label = "Place of the looks",
+     .kind = "place of a look",
+     .title = "Places of the looks",
+     .help = "auto, before or after: on which side of the tone map the looks stand, see --list",
+     .options = [] { return options_of(look_at_rows()); },
+     .choose = [](O& o, std::size_t i) { choose(o.look_at, look_at_rows(), i); }},
     {.flag = "raster",
      .label = "Rasteriser",
      .kind = "rasteriser",

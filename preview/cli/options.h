@@ -3,6 +3,7 @@
 
 #include "preview/frame/settings.h"
 #include "preview/look/cube_view.h"
+#include "preview/look/look_standing.h"
 #include "preview/scene/camera_settings.h"
 
 #include <optional>
@@ -24,6 +25,7 @@ struct Options {
     std::string look_input_b, look_output_b;
     std::string picture_encoding = "srgb"; ///< of the codes that the looks get
     bool no_convert = false;               ///< whatever the looks are made for
+    const LookAt* look_at = &look_at_auto;
     /// What the frame is asked for; settings_of() completes it.
     FrameSettings frame;
     bool is_compare_given = false;

@@ -11,8 +11,8 @@ namespace preview {
 namespace {
 
 void open_looks(editor::State& state, const Options& options) {
-    const lutlib::io::LookOptions a{.encodings = use_a(options).encodings};
-    const lutlib::io::LookOptions b{.encodings = use_b(options).encodings};
+    const lutlib::io::LookOptions a{.encodings = use_a(options, true).encodings};
+    const lutlib::io::LookOptions b{.encodings = use_b(options, true).encodings};
     const bool only_a = options.look_b.empty();
     const std::string& on_recipe = only_a ? options.look_a : options.look_b;
     if (on_recipe != "none") {
@@ -48,7 +48,7 @@ editor::State opening_state(const Options& options, const FrameSettings& given,
             state.sides[i].engine = lookup;
         }
     }
-    state.picture = picture_codes(options);
+    state.picture = picture_codes(options, !shown->display_encoded());
     open_looks(state, options);
     return state;
 }

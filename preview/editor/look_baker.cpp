@@ -28,15 +28,20 @@ const GpuLookup& float_table() {
     return row;
 }
 
-lutlib::Placement placement_of(const lutlib::LookEncodings& look, const PictureCodes& picture) {
-    return place_of(look, picture).applied();
+LoadedLook standing(LoadedLook look, const LookStanding& where) {
+    set_standing(look, where);
+    look.encodings = where.sentence;
+    return look;
 }
 
 LoadedLook table_look(const std::shared_ptr<const lutlib::Lut>& lut, const PictureCodes& picture) {
-    const lutlib::Placement placement = placement_of(lutlib::encodings_of(lut->encodings), picture);
-    return placement.converts()
-               ? look_for(quick_table(placement.around(lutlib::Transform::of(lut))), float_table())
-               : look_for(lut, table_lookup(*lut));
+    const LookStanding where = standing_of(lutlib::encodings_of(lut->encodings), nullptr, picture);
+    const lutlib::Placement placement = where.place.applied();
+    return standing(
+        placement.converts()
+            ? look_for(quick_table(placement.around(lutlib::Transform::of(lut))), float_table())
+            : look_for(lut, table_lookup(*lut)),
+        where);
 }
 
 } // namespace
@@ -61,20 +66,23 @@ LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side, const Picture
         }
         break;
     case SideSource::recipe: {
-        const lutlib::Placement placement = placement_of(encodings_of(recipe), picture);
-        return look_for(placement.converts()
-                            ? quick_table(placement.around(lutlib::Transform::of(recipe)))
-                            : quick_table(recipe),
-                        float_table());
+        const LookStanding where = standing_of(encodings_of(recipe), nullptr, picture);
+        const lutlib::Placement placement = where.place.applied();
+        return standing(look_for(placement.converts()
+                                     ? quick_table(placement.around(lutlib::Transform::of(recipe)))
+                                     : quick_table(recipe),
+                                 float_table()),
+                        where);
     }
     case SideSource::baked: {
         const lutlib::Engine& engine = *side.engine->engine;
-        const lutlib::Placement placement = placement_of(encodings_of(recipe), picture);
+        const LookStanding where = standing_of(encodings_of(recipe), side.engine, picture);
         const lutlib::Bake baked =
-            lutlib::bake(placement.around(lutlib::Transform::of(recipe)), engine,
+            lutlib::bake(where.place.applied().around(lutlib::Transform::of(recipe)), engine,
                          side.size > 0 ? side.size : engine.default_size,
                          side.bits > 0 ? side.bits : engine.default_bits);
-        return {look_data(baked.picture, baked.size, *side.engine), {}, {}, table_of(baked)};
+        return standing(
+            {look_data(baked.picture, baked.size, *side.engine), {}, {}, table_of(baked)}, where);
     }
     }
     return {no_look(), "there is none", {}, nullptr};
@@ -128,7 +136,8 @@ void LookBaker::publish(BakedLooks baked, bool is_last) {
 
 void LookBaker::refine(const LookRequest& request, BakedLooks baked) {
     const auto stop = [this] { return is_outdated(); };
-    const lutlib::Placement placement = placement_of(encodings_of(request.recipe), request.picture);
+    const LookStanding where = standing_of(encodings_of(request.recipe), nullptr, request.picture);
+    const lutlib::Placement placement = where.place.applied();
     const std::optional<RecipeTable> table =
         placement.converts()
             ? measured_table(placement.around(lutlib::Transform::of(request.recipe)), stop)
@@ -138,7 +147,7 @@ void LookBaker::refine(const LookRequest& request, BakedLooks baked) {
     }
     for (std::size_t i = 0; i < baked.sides.size(); ++i) {
         if (shows_recipe(request.sides[i])) {
-            baked.sides[i] = measured_look(*table, float_table());
+            baked.sides[i] = standing(measured_look(*table, float_table()), where);
         }
     }
     publish(std::move(baked), true);

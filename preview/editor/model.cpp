@@ -94,7 +94,7 @@ void move_operation(lutlib::Recipe& recipe, std::size_t at, std::size_t to) {
 std::vector<const GpuLookup*> engine_lookups() {
     std::vector<const GpuLookup*> rows;
     for (const GpuLookup& lookup : gpu_lookups()) {
-        if (lookup.engine != nullptr && lutlib::is_fed_display_codes(*lookup.engine)) {
+        if (lookup.engine != nullptr) {
             rows.push_back(&lookup);
         }
     }

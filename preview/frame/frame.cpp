@@ -4,6 +4,7 @@
 #include "lutlib/named.h"
 #include "preview/effects/fusion.h"
 #include "preview/frame/instruments.h"
+#include "preview/look/gpu_look.h"
 #include "preview/passes/bloom_composite.h"
 #include "preview/passes/finish.h"
 #include "preview/passes/lighting.h"
@@ -259,6 +260,13 @@ Finishing finishing_of(Graph& graph, const FrameInputs& inputs, const FrameSetti
     }
     out.look_a = inputs.look_a;
     out.look_b = inputs.look_b;
+    const auto is_tone_mapped = [](bool is_shown, const GpuLook* look) {
+        return is_shown && (look == nullptr || (look->place & PlaceBits::is_picture) == 0);
+    };
+    if (!is_display_encoded(inputs) && !is_tone_mapped(settings.compare->shows_a, inputs.look_a) &&
+        !is_tone_mapped(settings.compare->shows_b, inputs.look_b)) {
+        graph.withhold("tone map", "the look gives the picture itself");
+    }
     return out;
 }
 

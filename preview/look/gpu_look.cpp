@@ -22,6 +22,12 @@ GpuLook::GpuLook(const gpu::Device& device, const LookData& data)
     if (!data.nodes.empty()) {
         nodes = gpu::make_buffer(device, std::as_bytes(std::span(data.nodes)));
     }
+    stand(data);
+}
+
+void GpuLook::stand(const LookData& data) {
+    place = data.scene ? place_bits(*data.scene) : 0;
+    conversions = data.scene ? conversion_rows(*data.scene) : std::vector<std::array<float, 4>>();
 }
 
 } // namespace preview

@@ -81,6 +81,13 @@ CodeImage general_codes(const lutlib::Transform& exact, int size, const GpuLooku
 
 } // namespace
 
+void set_standing(LoadedLook& look, const LookStanding& standing) {
+    look.data.scene = standing.scene;
+    if (standing.scene && look.table) {
+        look.skip_reason.clear();
+    }
+}
+
 std::shared_ptr<const Lut> table_of(const lutlib::Bake& baked) {
     Lut look;
     look.cube = lutlib::from_picture(lutlib::decoded(baked.picture),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lutlib/lut.h"
+#include "preview/look/look_standing.h"
 #include "preview/look/look_texels.h"
 
 #include <memory>
@@ -22,6 +23,9 @@ struct LoadedLook {
     std::vector<std::string> told{};
     std::string encodings{}; ///< what of its encodings is known and follows, a sentence
 };
+
+/// Puts the look where it stands; one before the tone map is never left out, as it ends the light.
+void set_standing(LoadedLook& look, const LookStanding& standing);
 
 /// The lattice that a baked picture holds, of values as its engine's sampler sees them.
 std::shared_ptr<const lutlib::Lut> table_of(const lutlib::Bake& baked);

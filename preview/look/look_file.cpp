@@ -57,23 +57,24 @@ LoadedLook own_look(const lutlib::io::Look& look, const GpuLookup* wanted) {
 
 } // namespace
 
-lutlib::LookPlace place_of(const lutlib::LookEncodings& look, const PictureCodes& picture) {
-    return {look, picture.encoding, lutlib::srgb(), picture.convert};
-}
-
 LoadedLook look_for(const lutlib::io::Look& look, const LookUse& use) {
+    LookStanding standing = standing_of(look.encodings(), use.lookup, use.picture);
     // An engine reads a picture's texels as they are, right or wrong.
-    PictureCodes picture = use.picture;
-    picture.convert = picture.convert && look.kind().layout == nullptr;
-    const lutlib::LookPlace place = place_of(look.encodings(), picture);
-    const lutlib::Placement placement = place.applied();
+    if (look.kind().layout != nullptr && !standing.scene && use.picture.convert) {
+        PictureCodes picture = use.picture;
+        picture.convert = false;
+        standing = standing_of(look.encodings(), use.lookup, picture);
+    }
+    standing.place.convert = standing.place.convert && look.kind().layout == nullptr;
+    const lutlib::Placement placement = standing.place.applied();
     LoadedLook out = placement.converts() ? placed_look(placement.around(look.exact()), use.lookup)
                                           : own_look(look, use.lookup);
     out.told = told_of(look);
-    out.encodings = sentence_of(place, "the picture");
-    if (placement.converts() || place.is_wrong() || place.is_unknown()) {
-        out.told.push_back(out.encodings);
+    out.encodings = standing.sentence;
+    if (standing.is_told) {
+        out.told.push_back(standing.sentence);
     }
+    set_standing(out, standing);
     return out;
 }
 

@@ -43,6 +43,7 @@ void LookSlot::set(const LoadedLook& look) {
         same_shape(data.volume, shape_.volume) && same_shape(data.shaper, shape_.shaper)) {
         copy(data);
         look_->block = data.block;
+        look_->stand(data);
         return;
     }
     device_.vk().waitIdle();

@@ -143,6 +143,24 @@ void encoding_choice(Ui& ui, const std::string& label, const std::string& place,
     }
 }
 
+void where_looks_stand(Ui& ui, PictureCodes& picture) {
+    const bool open = ImGui::BeginCombo("Place", std::string(picture.at->name).c_str());
+    mark(ui, "look.at");
+    if (!open) {
+        return;
+    }
+    for (const LookAt& row : look_ats) {
+        if (ImGui::Selectable(std::string(row.name).c_str(), &row == picture.at)) {
+            picture.at = &row;
+        }
+        mark(ui, "look.at." + std::string(row.name));
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("%s", std::string(row.help).c_str());
+        }
+    }
+    ImGui::EndCombo();
+}
+
 void encodings_of_look(Ui& ui, State& state) {
     lutlib::Recipe& recipe = state.recipe;
     encoding_choice(ui, "Picture", "look.picture", state.picture.encoding);
@@ -155,10 +173,7 @@ void encodings_of_look(Ui& ui, State& state) {
     ImGui::Checkbox("Convert between the picture's encoding and the look's",
                     &state.picture.convert);
     mark(ui, "look.convert");
-    const lutlib::LookPlace place = place_of(encodings_of(recipe), state.picture);
-    if (place.needed().converts()) {
-        ImGui::TextWrapped("%s", sentence_of(place, "the picture").c_str());
-    }
+    where_looks_stand(ui, state.picture);
 }
 
 } // namespace

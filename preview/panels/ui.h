@@ -43,7 +43,8 @@ struct Facts {
     bool display_encoded = false; ///< there is nothing to tone map
     double bake_milliseconds = 0;
     Measured measured;
-    std::array<std::string, 2> look_notes; ///< how exactly each side stands for the recipe
+    std::array<std::string, 2> look_notes;     ///< how exactly each side stands for the recipe
+    std::array<std::string, 2> look_standings; ///< where each stands and what it is fed
     std::array<std::shared_ptr<const lutlib::Lut>, 2> tables; ///< of the sides; null: no look
     std::vector<PassTime> passes;
     std::string explanation; ///< a line for each pass, kept or left out, and why

@@ -96,7 +96,8 @@ void effect_controls(Ui& ui) {
     }
 }
 
-void side_controls(Ui& ui, Side& side, const std::string& name, const std::string& note) {
+void side_controls(Ui& ui, Side& side, const std::string& name, const std::string& note,
+                   const std::string& standing) {
     ImGui::PushID(name.c_str());
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(("Side " + name).c_str());
@@ -115,6 +116,9 @@ void side_controls(Ui& ui, Side& side, const std::string& name, const std::strin
     if (side.source == SideSource::recipe) {
         ImGui::TextDisabled("%s",
                             note.empty() ? "being measured against the recipe ..." : note.c_str());
+    }
+    if (!standing.empty()) {
+        ImGui::TextWrapped("%s", standing.c_str());
     }
     if (side.source == SideSource::file) {
         ImGui::TextDisabled("%s", side.path.c_str());
@@ -145,8 +149,8 @@ void side_controls(Ui& ui, Side& side, const std::string& name, const std::strin
 void view_panel(Ui& ui) {
     State& state = ui.history.draft();
     choice(ui, "compare");
-    side_controls(ui, state.sides[0], "A", ui.facts.look_notes[0]);
-    side_controls(ui, state.sides[1], "B", ui.facts.look_notes[1]);
+    side_controls(ui, state.sides[0], "A", ui.facts.look_notes[0], ui.facts.look_standings[0]);
+    side_controls(ui, state.sides[1], "B", ui.facts.look_notes[1], ui.facts.look_standings[1]);
     if (state.compare == &compare_difference) {
         number(ui, "heat-scale");
         if (ui.facts.measured.figures) {

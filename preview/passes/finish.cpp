@@ -62,6 +62,26 @@ BufferHandle curve_of(Graph& graph, const Tonemap* tonemap) {
     return graph.data("tone curve", std::as_bytes(tabulated_curve(*tonemap)));
 }
 
+/// The rows of common/scene_look.glsl for the sides whose looks stand before the tone map.
+BufferHandle conversions_of(Graph& graph, const GpuLook* a, const GpuLook* b) {
+    std::vector<std::array<float, 4>> rows;
+    std::string name = "conversions for look";
+    const auto add = [&](const GpuLook* look, const char* side, std::size_t first) {
+        if (look != nullptr && !look->conversions.empty()) {
+            rows.resize(first);
+            rows.insert(rows.end(), look->conversions.begin(), look->conversions.end());
+            name += side;
+        }
+    };
+    add(a, " A", 0);
+    add(b, " B", conversion_row_count);
+    return rows.empty() ? BufferHandle{} : graph.data(name, std::as_bytes(std::span(rows)));
+}
+
+std::uint32_t place_of(const GpuLook* look) {
+    return look != nullptr ? look->place : 0;
+}
+
 std::uint32_t shader_of(const GpuLook* look) {
     return look ? static_cast<std::uint32_t>(index_of(*look->lookup)) : 0;
 }
@@ -85,6 +105,7 @@ void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing) {
     bind_look(graph, pass, "A", a);
     bind_look(graph, pass, "B", b);
     pass.storage(curve_of(graph, settings.tonemap));
+    pass.storage(conversions_of(graph, a, b));
 
     const auto layers = static_cast<std::uint32_t>(plan.layers.size());
     const auto taps =
@@ -96,7 +117,7 @@ void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing) {
     pass.constants({static_cast<std::uint32_t>(tonemap), layers, taps, plan.threshold > 0,
                     shader_of(a), shader_of(b),
                     static_cast<std::uint32_t>(index_of(*settings.compare)), unit,
-                    settings.has_line});
+                    settings.has_line, place_of(a), place_of(b)});
     pass.push(Push{std::exp2(settings.exposure), plan.strength, plan.threshold, plan.knee,
                    settings.split, settings.heat_scale});
 }

@@ -39,7 +39,7 @@ struct Finishing {
 Finished add_finish(Graph& graph, const Finishing& finishing);
 
 /// For a pass that finishes texels to count or tell them: binds what shaders/common/finish.glsl
-/// reads (bindings 0 to 14) and sets its constants and push constants.
+/// reads (bindings 0 to 15) and sets its constants and push constants.
 void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing);
 
 } // namespace preview

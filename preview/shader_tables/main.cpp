@@ -113,7 +113,7 @@ std::string shared_lookup_choice() {
 std::string compare_choice() {
     std::string cases;
     for (const Compare& row : compares) {
-        cases += fmt::format("    case {}: // {}\n        {}(target, at, size, c, how);\n"
+        cases += fmt::format("    case {}: // {}\n        {}(target, at, size, texel, how);\n"
                              "        break;\n",
                              index_of(row), row.name, row.shader);
     }
@@ -123,8 +123,8 @@ std::string compare_choice() {
                        "const float difference_bins_per_unit = {:.1f};\n\n"
                        "/// `row` is a specialisation constant wherever this is called, so one "
                        "branch remains.\n"
-                       "void show(int row, writeonly image2D target, ivec2 at, ivec2 size, vec3 c, "
-                       "Shown how) {{\n    switch (row) {{\n",
+                       "void show(int row, writeonly image2D target, ivec2 at, ivec2 size, "
+                       "Stages texel, Shown how) {{\n    switch (row) {{\n",
                        DifferenceBins::count, DifferenceBins::per_unit) +
            cases + "    }\n}\n";
 }

@@ -221,6 +221,7 @@ void App::take_looks() {
     for (std::size_t i = 0; i < screen_->looks.size(); ++i) {
         screen_->looks[i].set(baked->sides[i]);
         ui_.facts.look_notes[i] = baked->sides[i].note;
+        ui_.facts.look_standings[i] = baked->sides[i].encodings;
         ui_.facts.tables[i] = baked->sides[i].table;
     }
     drawn_.reset();

@@ -12,6 +12,7 @@ void take_shown(editor::State& state, std::shared_ptr<const Shown> shown) {
         state.orbit = shown->scene->orbit;
         state.lights = shown->scene->lights;
     }
+    state.picture.has_light = !shown->display_encoded();
     state.shown = std::move(shown);
 }
 

@@ -1,6 +1,6 @@
 // How two looks are shown together: the functions that rows of preview/finish/compare.h name, each
-// for one texel `at` of a picture of that size with the display-encoded colour `c`. The build
-// writes the choice among the rows (rows/compares.glsl).
+// for one texel `at` of a picture of that size. The build writes the choice among the rows
+// (rows/compares.glsl).
 #include "common/difference.glsl"
 #include "common/heat_map.glsl"
 #include "common/sanitise.glsl"
@@ -12,33 +12,33 @@ struct Shown {
     float heat_scale; // dE2000
 };
 
-// Whoever includes this has the looks of both sides and counts differences.
-vec3 graded_a(vec3 c);
-vec3 graded_b(vec3 c);
+// Whoever includes this has Stages and the looks of both sides, and counts differences.
+vec3 graded_a(Stages texel);
+vec3 graded_b(Stages texel);
 void count_difference(float difference);
 
-void show_a(writeonly image2D target, ivec2 at, ivec2 size, vec3 c, Shown how) {
-    imageStore(target, at, vec4(graded_a(c), 1.0));
+void show_a(writeonly image2D target, ivec2 at, ivec2 size, Stages texel, Shown how) {
+    imageStore(target, at, vec4(graded_a(texel), 1.0));
 }
 
-void show_b(writeonly image2D target, ivec2 at, ivec2 size, vec3 c, Shown how) {
-    imageStore(target, at, vec4(graded_b(c), 1.0));
+void show_b(writeonly image2D target, ivec2 at, ivec2 size, Stages texel, Shown how) {
+    imageStore(target, at, vec4(graded_b(texel), 1.0));
 }
 
-void show_split(writeonly image2D target, ivec2 at, ivec2 size, vec3 c, Shown how) {
-    vec3 side = float(at.x) + 0.5 < how.split * float(size.x) ? graded_a(c) : graded_b(c);
+void show_split(writeonly image2D target, ivec2 at, ivec2 size, Stages texel, Shown how) {
+    vec3 side = float(at.x) + 0.5 < how.split * float(size.x) ? graded_a(texel) : graded_b(texel);
     bool is_line = how.has_line && on_line(at.x, size, how.split);
     imageStore(target, at, vec4(is_line ? vec3(1.0) : side, 1.0));
 }
 
 /// The target is twice as wide.
-void show_side(writeonly image2D target, ivec2 at, ivec2 size, vec3 c, Shown how) {
-    imageStore(target, at, vec4(graded_a(c), 1.0));
-    imageStore(target, at + ivec2(size.x, 0), vec4(graded_b(c), 1.0));
+void show_side(writeonly image2D target, ivec2 at, ivec2 size, Stages texel, Shown how) {
+    imageStore(target, at, vec4(graded_a(texel), 1.0));
+    imageStore(target, at + ivec2(size.x, 0), vec4(graded_b(texel), 1.0));
 }
 
-void show_difference(writeonly image2D target, ivec2 at, ivec2 size, vec3 c, Shown how) {
-    float difference = delta_e_2000(saturate(graded_a(c)), saturate(graded_b(c)));
+void show_difference(writeonly image2D target, ivec2 at, ivec2 size, Stages texel, Shown how) {
+    float difference = delta_e_2000(saturate(graded_a(texel)), saturate(graded_b(texel)));
     count_difference(difference);
     vec3 color = with_scale(heat(difference / how.heat_scale), at, size, how.heat_scale);
     imageStore(target, at, vec4(color, 1.0));

@@ -1,5 +1,5 @@
 // All that a pass which finishes texels is given: preview/passes/finish.h, bind_finish(), binds it,
-// and the passes' own bindings follow from 15 on. Only the functions here, those of
+// and the passes' own bindings follow from 16 on. Only the functions here, those of
 // common/graded.glsl and the shaders themselves read it; every other function takes what it uses.
 #ifndef FINISH_GLSL
 #define FINISH_GLSL
@@ -7,6 +7,7 @@
 #include "common/sanitise.glsl"
 #include "rows/lookups.glsl"
 #include "rows/tonemaps.glsl"
+#include "common/scene_look.glsl"
 
 layout(constant_id = 0) const int tonemap_row = 0; // -1: the picture is display-encoded already
 layout(constant_id = 1) const int bloom_layers = 0;
@@ -17,6 +18,8 @@ layout(constant_id = 5) const int lookup_b = 0;
 layout(constant_id = 6) const int compare = 0;
 layout(constant_id = 7) const bool unit_picture = false; // its format holds 0..1 only
 layout(constant_id = 8) const bool has_line = true;      // else shaders/split_line.comp draws it
+layout(constant_id = 9) const int place_a = 0;           // bits of common/scene_look.glsl
+layout(constant_id = 10) const int place_b = 0;
 
 layout(binding = 0) uniform sampler2D picture;
 layout(binding = 1) uniform sampler2D layer_0;
@@ -84,10 +87,18 @@ vec3 bloomed(ivec2 at, vec3 light) {
     return with_bloom(light, own, glow_at(at), push.strength);
 }
 
-/// The same after exposure and tone map.
-vec3 display_encoded(ivec2 at, vec3 texel) {
-    return tonemap_row < 0 ? texel
-                           : tonemap(tonemap_row, sanitise(bloomed(at, texel) * push.exposure));
+/// A texel where looks may stand: before the tone map and after it.
+struct Stages {
+    vec3 light, codes;
+};
+
+/// A picture that is display-encoded already has no light.
+Stages stages_of(ivec2 at, vec3 texel) {
+    if (tonemap_row < 0) {
+        return Stages(vec3(0.0), texel);
+    }
+    vec3 light = sanitise(bloomed(at, texel) * push.exposure);
+    return Stages(light, tonemap(tonemap_row, light));
 }
 
 #endif

@@ -6,22 +6,35 @@ layout(local_size_x = 8, local_size_y = 128) in;
 #include "common/finish.glsl"
 #include "rows/shared_lookups.glsl"
 
-// A tone map's result, and what an integer format holds, lies within 0..1.
-const bool is_unit = tonemap_row >= 0 || unit_picture;
+/// What a look at this place gets lies within 0..1: a tone map's result, and what an integer format
+/// holds.
+bool is_unit(int place) {
+    return (place & stands_before) == 0 && (tonemap_row >= 0 || unit_picture);
+}
 
-vec3 graded_a(vec3 c) {
+vec3 looked_up_a(vec3 c) {
     if (is_shared(lookup_a)) {
-        return shared_lookup(lookup_a, is_unit ? c : saturate(c));
+        return shared_lookup(lookup_a, is_unit(place_a) ? c : saturate(c));
     }
     return apply_lookup(lookup_a, picture_a, volume_a, shaper_a, look_a, c);
 }
 
 // There is shared memory for one lattice only; the second is read from its picture.
-vec3 graded_b(vec3 c) {
+vec3 looked_up_b(vec3 c) {
     if (is_shared(lookup_b) && !is_shared(lookup_a)) {
-        return shared_lookup(lookup_b, is_unit ? c : saturate(c));
+        return shared_lookup(lookup_b, is_unit(place_b) ? c : saturate(c));
     }
     return apply_lookup(lookup_b, picture_b, volume_b, shaper_b, look_b, c);
+}
+
+vec3 graded_a(Stages texel) {
+    return shown_of_look(place_a, 0, tonemap_row,
+                         looked_up_a(fed_to_look(place_a, 0, texel.light, texel.codes)));
+}
+
+vec3 graded_b(Stages texel) {
+    return shown_of_look(place_b, 1, tonemap_row,
+                         looked_up_b(fed_to_look(place_b, 1, texel.light, texel.codes)));
 }
 
 #include "common/finish_target.glsl"
@@ -40,7 +53,7 @@ void finish_tile(ivec2 corner, ivec2 size, bool whole) {
     for (int k = 0; k < texels_each; ++k) {
         ivec2 at = first + ivec2(8 * k, 0);
         if (whole || all(lessThan(at, size))) {
-            store_texel(at, size, display_encoded(at, texels[k]));
+            store_texel(at, size, stages_of(at, texels[k]));
         }
     }
 }

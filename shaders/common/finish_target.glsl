@@ -2,8 +2,8 @@
 #include "common/finish.glsl"
 #include "rows/compares.glsl"
 
-layout(binding = 15) writeonly uniform image2D target;
-layout(binding = 16) buffer Figures {
+layout(binding = 16) writeonly uniform image2D target;
+layout(binding = 17) buffer Figures {
     uint largest; // bits of the largest difference
     uint bins[];  // counts of differences; the first is left out
 } figures_out;
@@ -18,7 +18,6 @@ void count_difference(float difference) {
     }
 }
 
-/// Shows the looks of the display-encoded colour `c`.
-void store_texel(ivec2 at, ivec2 size, vec3 c) {
-    show(compare, target, at, size, c, Shown(push.split, has_line, push.heat_scale));
+void store_texel(ivec2 at, ivec2 size, Stages texel) {
+    show(compare, target, at, size, texel, Shown(push.split, has_line, push.heat_scale));
 }

@@ -1,10 +1,13 @@
 // What displays show, and linear light itself. Every curve is an odd function (a negative code is
 // the negative light), so that a wide-gamut colour survives the round trip, and has no end.
+#include "lutlib/color/display_curve.h"
 #include "lutlib/color/powers.h"
 #include "lutlib/color/rows/all.h"
 #include "lutlib/color/rows/log_line.h"
 #include "lutlib/color/transfer.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace lutlib {
@@ -155,5 +158,11 @@ constinit const TransferCurve curve::linear{.name = "linear",
                                             .encode = unchanged,
                                             .decode_all = [](std::span<RgbD>) {},
                                             .encode_all = [](std::span<RgbD>) {}};
+
+bool is_display_curve(const TransferCurve& curve) {
+    constexpr std::array display{&curve::srgb, &curve::rec709, &curve::gamma22, &curve::gamma24,
+                                 &curve::gamma26};
+    return std::find(display.begin(), display.end(), &curve) != display.end();
+}
 
 } // namespace lutlib

@@ -240,26 +240,26 @@ TEST(Listing, names_every_row_of_every_table) {
 
 TEST(EngineOptions, are_for_the_side_that_they_name_and_engine_alone_for_b) {
     const Options one = parsed("--b look.cube --engine unity");
-    EXPECT_EQ(use_b(one).lookup, gpu_lookup_named("unity"));
-    EXPECT_EQ(use_a(one).lookup, nullptr);
+    EXPECT_EQ(use_b(one, true).lookup, gpu_lookup_named("unity"));
+    EXPECT_EQ(use_a(one, true).lookup, nullptr);
     const Options two = parsed("--a a.cube --b b.cube --engine-a godot --engine-b obs");
-    EXPECT_EQ(use_a(two).lookup, gpu_lookup_named("godot"));
-    EXPECT_EQ(use_b(two).lookup, gpu_lookup_named("obs"));
+    EXPECT_EQ(use_a(two, true).lookup, gpu_lookup_named("godot"));
+    EXPECT_EQ(use_b(two, true).lookup, gpu_lookup_named("obs"));
 }
 
 TEST(EngineOptions, of_a_side_without_a_look_name_the_other) {
-    EXPECT_THROW(use_b(parsed("--a look.cube --engine unity")), lutlib::UsageError);
-    EXPECT_THROW(use_a(parsed("--b look.cube --engine-a unity")), lutlib::UsageError);
-    EXPECT_THROW(use_b(parsed("--b look.cube --engine unify")), lutlib::UsageError);
+    EXPECT_THROW(use_b(parsed("--a look.cube --engine unity"), true), lutlib::UsageError);
+    EXPECT_THROW(use_a(parsed("--b look.cube --engine-a unity"), true), lutlib::UsageError);
+    EXPECT_THROW(use_b(parsed("--b look.cube --engine unify"), true), lutlib::UsageError);
 }
 
 TEST(EncodingOptions, are_refused_by_name) {
     const Options one = parsed("--look-input slog3 --look-input-a logc3");
-    EXPECT_EQ(use_b(one).encodings.input, lutlib::encoding_named("slog3"));
-    EXPECT_EQ(use_a(one).encodings.input, lutlib::encoding_named("logc3"));
-    EXPECT_FALSE(use_b(parsed("--no-convert")).picture.convert);
-    EXPECT_THROW(use_b(parsed("--look-output slog9")), lutlib::UsageError);
-    EXPECT_THROW(use_b(parsed("--picture-encoding p9")), lutlib::UsageError);
+    EXPECT_EQ(use_b(one, true).encodings.input, lutlib::encoding_named("slog3"));
+    EXPECT_EQ(use_a(one, true).encodings.input, lutlib::encoding_named("logc3"));
+    EXPECT_FALSE(use_b(parsed("--no-convert"), true).picture.convert);
+    EXPECT_THROW(use_b(parsed("--look-output slog9"), true), lutlib::UsageError);
+    EXPECT_THROW(use_b(parsed("--picture-encoding p9"), true), lutlib::UsageError);
 }
 
 } // namespace

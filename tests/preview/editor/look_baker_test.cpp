@@ -21,7 +21,7 @@ TEST(Side, is_baked_for_every_engine_and_every_source) {
             Side side;
             side.source = info.source;
             side.engine = engine;
-            const LoadedLook look = look_of(state.recipe, side);
+            const LoadedLook look = look_of(state.recipe, side, {.has_light = true});
             const bool shows =
                 info.source == SideSource::recipe || info.source == SideSource::baked;
             EXPECT_EQ(look.skip_reason.empty(), shows) << info.name;

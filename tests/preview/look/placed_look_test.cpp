@@ -42,7 +42,11 @@ TEST(PlacedLook, gets_its_own_codes_and_gives_the_pictures) {
         EXPECT_NEAR(lutlib::evaluate_exact(*half.table, in).g, log_code_of_srgb(v) / 2, 2e-3);
     }
     ASSERT_EQ(half.told.size(), 1U);
-    EXPECT_EQ(half.told[0], "srgb is converted to logc3/rec709 before the look");
+    EXPECT_EQ(
+        half.told[0],
+        "srgb is converted to logc3/rec709 before the look; the look is made for scene light, "
+        "and this picture's codes end at white: if they are not a display's, name "
+        "--picture-encoding");
     EXPECT_NE(half.note.find("of the look itself"), std::string::npos);
 }
 
@@ -104,9 +108,8 @@ TEST(PlacedLook, gets_the_pictures_codes_on_every_side_of_the_window) {
     editor::Side side;
     side.lut = half.table().lut;
     side.engine = gpu_lookup_named("unreal");
-    for (const editor::SideSource source :
-         {editor::SideSource::source, editor::SideSource::recipe, editor::SideSource::baked,
-          editor::SideSource::file}) {
+    for (const editor::SideSource source : {editor::SideSource::source, editor::SideSource::recipe,
+                                            editor::SideSource::baked, editor::SideSource::file}) {
         side.source = source;
         const double v = 8.0 / 15; // a node of the engine's strip
         const auto shown = [&](const PictureCodes& picture) {

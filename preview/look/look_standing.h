@@ -1,0 +1,54 @@
+// Where a look stands, before the tone map or behind it, and what is converted for it there.
+#pragma once
+
+#include "lutlib/recipe/placement.h"
+#include "preview/look/gpu_lookups.h"
+#include "preview/look/scene_look.h"
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace preview {
+
+/// What a person may say of that.
+struct LookAt {
+    std::string_view name;
+    std::string_view help;
+};
+inline constexpr std::array<LookAt, 3> look_ats{{
+    {"auto",
+     "where the look's or the engine's input encoding says: log and linear light before the "
+     "tone map, a display's codes behind it"},
+    {"before", "before the tone map: scene light, encoded as the look takes it"},
+    {"after", "behind the tone map: the display's codes"},
+}};
+inline constexpr const LookAt& look_at_auto = look_ats[0];
+inline constexpr const LookAt& look_at_before = look_ats[1];
+inline constexpr const LookAt& look_at_after = look_ats[2];
+
+/// The picture that looks are laid over; what they give is shown as sRGB.
+struct PictureCodes {
+    lutlib::Encoding encoding = lutlib::srgb(); ///< of the codes behind the tone map
+    bool convert = true;                        ///< for looks that are made for other codes
+    bool has_light = false;                     ///< there is a tone map, and scene light before it
+    const LookAt* at = &look_at_auto;
+    friend bool operator==(const PictureCodes&, const PictureCodes&) = default;
+};
+
+struct LookStanding {
+    /// Before the tone map; else behind it.
+    std::optional<SceneLook> scene;
+    /// Among what codes the look's table stands: what must be converted in the table itself.
+    lutlib::LookPlace place;
+    /// What follows, a sentence without its full stop.
+    std::string sentence;
+    /// The look is not fed what it is made for, or that is not known, or something is converted.
+    bool is_told = false;
+};
+
+/// `lookup` may be null. Throws lutlib::UsageError for an engine's lookup where it cannot stand.
+LookStanding standing_of(const lutlib::LookEncodings& look, const GpuLookup* lookup,
+                         const PictureCodes& picture);
+
+} // namespace preview

@@ -38,13 +38,19 @@ Transform in_sequence(std::vector<Transform> steps) {
 }
 
 void apply_in_parallel(const Transform& transform, std::span<RgbD> colours) {
+    const auto apply = [&](std::size_t begin, std::size_t end) {
+        for (std::size_t at = begin; at < end; at += block) {
+            transform(colours.subspan(at, std::min(block, end - at)));
+        }
+    };
+    // Threads take longer to start than the nodes of a usual strip to compute.
+    constexpr std::size_t few = 4096;
+    if (colours.size() <= few) {
+        apply(0, colours.size());
+        return;
+    }
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, colours.size(), 4 * block),
-                      [&](const auto& range) {
-                          for (std::size_t at = range.begin(); at < range.end(); at += block) {
-                              const std::size_t count = std::min(block, range.end() - at);
-                              transform(colours.subspan(at, count));
-                          }
-                      });
+                      [&](const auto& range) { apply(range.begin(), range.end()); });
 }
 
 std::vector<RgbD> images_of(const Transform& transform, std::span<const Rgb> inputs) {

@@ -103,6 +103,19 @@ bool is_ascii(const std::string& text) {
 }
 
 // Text beyond ASCII is taken as UTF-8, which only iTXt can say.
+// zlib clears tables for 32 KB of text, which takes longer than compressing a small picture.
+// Smaller ones find the same repeats within `bytes`.
+void compress_within(spng_ctx* context, std::size_t bytes) {
+    constexpr int least = 9, most = 15, usual_memory = 8;
+    int window = least;
+    while (window < most && std::size_t{1} << window < bytes) {
+        ++window;
+    }
+    check_write(spng_set_option(context, SPNG_IMG_WINDOW_BITS, window));
+    check_write(
+        spng_set_option(context, SPNG_IMG_MEM_LEVEL, std::max(1, usual_memory - (most - window))));
+}
+
 void set_text(spng_ctx* context, const PngImage& image) {
     std::vector<spng_text> chunks;
     std::string empty;
@@ -230,6 +243,7 @@ std::string write_png(const PngImage& image) {
     const void* pixels = image.depth.bits == 8 ? static_cast<const void*>(narrow.data())
                                                : static_cast<const void*>(image.samples.data());
     const std::size_t length = count * (image.depth.bits == 8 ? 1 : 2);
+    compress_within(context.get(), length + static_cast<std::size_t>(image.height));
     check_write(
         spng_encode_image(context.get(), pixels, length, SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE));
     std::size_t size = 0;

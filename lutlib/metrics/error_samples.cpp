@@ -108,19 +108,47 @@ void append_part(std::vector<Rgb>& out, const Axes& axis, std::size_t most) {
     append_chosen(out, axis, most - 2 * share);
 }
 
+bool is_middle(std::size_t r, std::size_t g, std::size_t b) {
+    return (r | g | b) & 1;
+}
+
+// Those of a grid of breaks and middles on the domain's faces, where looks are strongest.
+void append_middles_of_faces(std::vector<Rgb>& out, const Axes& fine, std::size_t most) {
+    const auto append = [&](std::size_t c, std::size_t end, std::size_t i, std::size_t j) {
+        std::array<std::size_t, 3> at{};
+        at[c] = end;
+        at[(c + 1) % 3] = i;
+        at[(c + 2) % 3] = j;
+        if (is_middle(at[0], at[1], at[2])) {
+            out.push_back({fine[0][at[0]], fine[1][at[1]], fine[2][at[2]]});
+        }
+    };
+    for (std::size_t c = 0; c < 3; ++c) {
+        const std::size_t wide = fine[(c + 1) % 3].size(), high = fine[(c + 2) % 3].size();
+        const bool fits = 6 * wide * high <= most;
+        for (const std::size_t end : {std::size_t{0}, fine[c].size() - 1}) {
+            for (std::size_t j = 0; fits && j < high; ++j) {
+                for (std::size_t i = 0; i < wide; ++i) {
+                    append(c, end, i, j);
+                }
+            }
+            for (const Rgb& place : spread(fits ? 0 : most / 6)) {
+                append(c, end, chosen(place.r, wide), chosen(place.g, high));
+            }
+        }
+    }
+}
+
 // Each channel's breaks and the middles between them; a colour has one middle at least.
 void append_between(std::vector<Rgb>& out, const Axes& axis, std::size_t most) {
-    Axes fine;
+    Axes fine, middles;
     for (std::size_t c = 0; c < 3; ++c) {
         for (std::size_t i = 0; i + 1 < axis[c].size(); ++i) {
-            fine[c].push_back(axis[c][i]);
-            fine[c].push_back(std::midpoint(axis[c][i], axis[c][i + 1]));
+            middles[c].push_back(std::midpoint(axis[c][i], axis[c][i + 1]));
+            fine[c].insert(fine[c].end(), {axis[c][i], middles[c].back()});
         }
         fine[c].push_back(axis[c].back());
     }
-    const auto is_middle = [](std::size_t r, std::size_t g, std::size_t b) {
-        return (r | g | b) & 1;
-    };
     if (product(fine) - product(axis) <= most) {
         for (std::size_t b = 0; b < fine[2].size(); ++b) {
             for (std::size_t g = 0; g < fine[1].size(); ++g) {
@@ -134,20 +162,12 @@ void append_between(std::vector<Rgb>& out, const Axes& axis, std::size_t most) {
         return;
     }
     // Interpolations that agree on nodes, edges and faces differ most within a cell.
-    const Axes middles = [&] {
-        Axes out_axis;
-        for (std::size_t c = 0; c < 3; ++c) {
-            for (std::size_t i = 1; i < fine[c].size(); i += 2) {
-                out_axis[c].push_back(fine[c][i]);
-            }
-        }
-        return out_axis;
-    }();
     if (product(middles) <= most) {
         append_grid(out, middles);
     } else {
         append_chosen(out, middles, most);
     }
+    append_middles_of_faces(out, fine, most / 2);
     for (const Rgb& place : spread(most / 8)) {
         const std::size_t r = chosen(place.r, fine[0].size()), g = chosen(place.g, fine[1].size()),
                           b = chosen(place.b, fine[2].size());

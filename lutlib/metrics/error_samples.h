@@ -12,9 +12,9 @@
 namespace lutlib {
 
 struct SampleLimits {
-    std::size_t even = 100'000;    ///< ErrorSamples::even
+    std::size_t even = 50'000;     ///< ErrorSamples::even
     std::size_t grid = 1 << 19;    ///< of the union grid; of a larger one, a part
-    std::size_t between = 1 << 19; ///< of the middles between its colours
+    std::size_t between = 1 << 17; ///< of the middles between its colours
 };
 /// For what has to follow a hand.
 inline constexpr SampleLimits quick_samples{
@@ -38,7 +38,8 @@ struct ErrorSamples {
 /// domain. Two piecewise linear maps differ most on it; what is linear between diagonals, or not
 /// linear to the eye, between. `hiding` is that grid; 256 neutrals and those of the grid; and the
 /// middles of its cells, faces and edges: all where they are no more than `limits.between`, else
-/// those of cells up to that number and an eighth of it of any kind, spread evenly.
+/// those of cells up to that number, those on the domain's faces up to half of it, and an eighth of
+/// it of any kind, spread evenly.
 ///
 /// Of a grid with more colours than `limits.grid`: its corners, its edges and faces up to a
 /// quarter of that number each, and the rest from within, spread evenly (the R3 sequence).

@@ -15,11 +15,17 @@ class Fitted : public testing::Test {
     static constexpr int n = 9;
     const Engine& engine = *engine_named("piccolo");
     const Transform look = test_looks()[3].transform();
-    FilledBake baked = bake_fitted(look, engine, n, 8);
+    const FilledBake& baked = baked_once();
     CodeImage picture = baked.bake.picture;
 
     FittedCheck check() const {
         return check_fitted(picture, engine, n, look, sample_colors(n, {.random = 2000}));
+    }
+
+    static const FilledBake& baked_once() {
+        static const FilledBake once =
+            bake_fitted(test_looks()[3].transform(), *engine_named("piccolo"), n, 8);
+        return once;
     }
 
     template <class F>

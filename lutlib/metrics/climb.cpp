@@ -56,10 +56,11 @@ std::vector<std::size_t> seeds_of(std::span<const Rgb> colours, std::span<const 
     std::vector<std::uint32_t> order(colours.size());
     std::iota(order.begin(), order.end(), 0U);
     const auto count = static_cast<std::ptrdiff_t>(std::min<std::size_t>(candidates, order.size()));
-    std::partial_sort(order.begin(), order.begin() + count, order.end(),
-                      [&](std::uint32_t a, std::uint32_t b) {
-                          return errors[a] != errors[b] ? errors[a] > errors[b] : a < b;
-                      });
+    const auto worse = [&](std::uint32_t a, std::uint32_t b) {
+        return errors[a] != errors[b] ? errors[a] > errors[b] : a < b;
+    };
+    std::nth_element(order.begin(), order.begin() + count, order.end(), worse);
+    std::sort(order.begin(), order.begin() + count, worse);
     std::vector<std::size_t> out;
     std::set<Cell> taken;
     for (std::ptrdiff_t i = 0; i < count && out.size() < rounds[0].climbers; ++i) {

@@ -5,6 +5,7 @@
 #include "common/sanitise.glsl"
 #include "common/tile.glsl"
 layout(constant_id = 0) const bool resized = false;
+layout(constant_id = 1) const bool is_half = true; // the target
 layout(binding = 0) uniform sampler2D source;
 layout(binding = 1) writeonly uniform image2D target;
 layout(std430, binding = 2) buffer Maximum { uint maximum; };
@@ -54,7 +55,8 @@ void main() {
     float brightest = 0.0;
     for (int i = 0; i < texels_each; ++i) {
         ivec2 at = min(tile_texel(i), size - 1);
-        light[i] = round_to_half(resized ? filtered(at - corner) : light_at(at));
+        light[i] = resized ? filtered(at - corner) : light_at(at);
+        light[i] = is_half ? round_to_half(light[i]) : light[i];
         brightest = max(brightest, max(light[i].r, max(light[i].g, light[i].b)));
     }
     for (int i = 0; i < texels_each; ++i) {

@@ -5,5 +5,6 @@
 #include "common/view_material.glsl"
 
 vec3 shown_material(Material material) {
-    return srgb_encode(saturate(material.albedo_roughness.rgb));
+    vec3 albedo = material.albedo_roughness.rgb;
+    return as_numbers ? albedo : srgb_encode(saturate(albedo));
 }

@@ -5,5 +5,6 @@
 #include "common/view_material.glsl"
 
 vec3 shown_material(Material material) {
-    return srgb_encode(saturate(material.emission_metalness.rgb));
+    vec3 light = material.emission_metalness.rgb;
+    return as_numbers ? light : srgb_encode(saturate(light));
 }

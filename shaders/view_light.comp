@@ -5,5 +5,5 @@
 #include "common/view.glsl"
 
 vec3 shown(vec4 texel) {
-    return srgb_encode(saturate(texel.rgb));
+    return as_numbers ? texel.rgb : srgb_encode(saturate(texel.rgb));
 }

@@ -6,6 +6,7 @@
 #include "common/view.glsl"
 
 vec3 shown(uvec4 texel) {
-    vec3 normal = texel.xy == uvec2(0) ? vec3(-1.0) : decode_octahedral(from_bits(texel.xy));
-    return normal * 0.5 + 0.5;
+    bool is_empty = texel.xy == uvec2(0);
+    vec3 normal = is_empty ? vec3(0.0) : decode_octahedral(from_bits(texel.xy));
+    return as_numbers ? normal : is_empty ? vec3(0.0) : normal * 0.5 + 0.5;
 }

@@ -30,6 +30,7 @@ FloatImage to_float_image(const PngImage& codes) {
     out.alpha = codes.channels == 4;
     out.channels = (codes.grey ? 1 : 3) + (out.alpha ? 1 : 0);
     out.srgb_tag = codes.srgb_tag;
+    out.profile_tag = codes.profile_tag;
     out.depth = codes.depth.bits == 16 ? Depth::uint16 : Depth::uint8;
     const auto pixels =
         static_cast<std::size_t>(codes.width) * static_cast<std::size_t>(codes.height);

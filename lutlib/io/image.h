@@ -35,6 +35,7 @@ struct FloatImage {
     bool alpha = false;           ///< the file stores alpha
     Depth depth = Depth::float32; ///< the file's own
     bool srgb_tag = false;        ///< a PNG with the chunk sRGB
+    bool profile_tag = false;     ///< a PNG with a colour profile, the chunk iCCP
     bool holds_light = false;     ///< its file type is defined to hold linear light (EXR, HDR)
     /// Red, green, blue and white, x and y each, where the file says them.
     std::optional<std::array<float, 8>> chromaticities{};

@@ -3,6 +3,7 @@
 #include "lutlib/half.h"
 #include "preview/frame/frame.h"
 #include "preview/passes/pass.h"
+#include "preview/scene/gpu_scene.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -28,11 +29,16 @@ std::vector<T> values_of(const std::vector<std::byte>& bytes) {
 
 /// The inputs with the HDR maximum measured, where the frame has one.
 FrameInputs measured(Executor& executor, FrameInputs inputs, const FrameSettings& settings) {
-    if (settings.shows_intermediate() || settings.force_all) {
+    // Only bloom asks for it, and only where some light would not bloom.
+    if (settings.shows_intermediate() || settings.force_all || settings.bloom == nullptr ||
+        settings.without.has(Effect::bloom) || bloom_onset(settings.bloom_settings) <= 0 ||
+        (inputs.picture != nullptr && inputs.picture->display_encoded)) {
         return inputs;
     }
+    FrameSettings measuring = settings;
+    measuring.only_maximum = true;
     Graph graph;
-    const FrameHandles handles = build_frame(graph, inputs, settings);
+    const FrameHandles handles = build_frame(graph, inputs, measuring);
     executor.render(graph);
     inputs.hdr_maximum = values_of<float>(executor.read_buffer(handles.hdr_maximum)).front();
     return inputs;
@@ -66,7 +72,11 @@ Rendered render_frame(Executor& executor, const FrameInputs& inputs,
     Rendered out;
     out.explanation = explain(graph, executor.plan());
     out.size = size_of(graph, handles.output);
-    out.rgba = values_of<std::uint8_t>(executor.read_image(handles.output));
+    if (graph.image_desc(handles.output).format == Format::rgba32f) {
+        out.values = values_of<float>(executor.read_image(handles.output));
+    } else {
+        out.rgba = values_of<std::uint8_t>(executor.read_image(handles.output));
+    }
     if (settings.shows_intermediate()) {
         return out;
     }

@@ -12,6 +12,7 @@ namespace preview {
 struct Rendered {
     Size size;
     std::vector<std::uint8_t> rgba; ///< the output, rows from the top
+    std::vector<float> values;      ///< the same in floats, where its format has them
     std::vector<float> hdr;         ///< four a pixel, when the settings keep it
     Size hdr_size;
     std::optional<DifferenceFigures> figures; ///< of a difference

@@ -47,6 +47,7 @@ struct Rendering {
     std::shared_ptr<const Shown> shown;
     FrameSettings settings;
     std::vector<PointLight> lights;
+    FileFormat file;
     std::string notes; ///< lines of --explain: what the files have and the frame has not
     std::optional<GpuLook> look_a, look_b;
     GpuShown on_gpu;
@@ -75,7 +76,18 @@ Rendering::Rendering(const Options& options)
         settings.orbit = orbit_of(options, *shown->scene);
     }
     settings.raster = options.raster->on(device, picture_size(settings.output, *settings.compare));
-    settings.keep_hdr = holds_light(options.output);
+    for (const std::string& line : shown->told) {
+        notes += shown->name + ": " + line + "\n";
+        std::fprintf(stderr, "lutpreview: %s: %s\n", shown->name.c_str(), line.c_str());
+    }
+    if (!options.output.empty()) {
+        file = file_format(options.output, options.depth);
+    }
+    const bool shows_picture = !settings.shows_intermediate() && settings.scope == nullptr;
+    settings.keep_hdr =
+        file.holds_light && options.exr_light && shows_picture && !shown->display_encoded();
+    settings.format = file.frame_format();
+    settings.shows_numbers = file.holds_light && settings.shows_intermediate();
     const bool force = options.frame.force_all, has_light = !shown->display_encoded();
     look_a = load_side(device, options.look_a, use_a(options, has_light), force, notes, "A");
     look_b = load_side(device, options.look_b, use_b(options, has_light), force, notes, "B");
@@ -89,12 +101,19 @@ FrameInputs Rendering::inputs() const {
     return out;
 }
 
-void write(const Options& options, const FrameSettings& settings, const Rendered& rendered) {
-    if (settings.keep_hdr && !settings.shows_intermediate() && settings.scope == nullptr) {
-        write_light(options.output, rendered);
-    } else {
-        write_picture(options.output, rendered);
+void write(const Options& options, const Rendering& rendering, const Rendered& rendered) {
+    const FrameSettings& settings = rendering.settings;
+    if (settings.keep_hdr) {
+        write_light(options.output, rendered, rendering.file);
+        return;
     }
+    std::vector<float> alpha;
+    if (rendering.shown->picture && !settings.shows_intermediate() && settings.scope == nullptr &&
+        settings.compare != &compare_difference) {
+        alpha = alpha_for(*rendering.shown->picture, rendered.size);
+    }
+    write_picture(options.output, rendered, rendering.file,
+                  settings.shows_numbers ? Content::numbers : Content::codes, alpha);
 }
 
 void render_once(const Options& options, const Rendering& rendering, Executor& executor) {
@@ -116,7 +135,7 @@ void render_once(const Options& options, const Rendering& rendering, Executor& e
                     rendered.figures->p95, rendered.figures->p99, rendered.figures->max);
     }
     if (!options.output.empty()) {
-        write(options, settings, rendered);
+        write(options, rendering, rendered);
     }
 }
 
@@ -157,7 +176,7 @@ void render_cube(const Options& options) {
               drawing);
     out.rgba =
         rasterised(drawing, static_cast<int>(out.size.width), static_cast<int>(out.size.height));
-    write_picture(options.output, out);
+    write_picture(options.output, out, file_format(options.output, options.depth));
 }
 
 void render(const Options& options) {

@@ -78,8 +78,14 @@ constexpr OptionRow rows[] = {
      .of = [](O& o) -> std::string& { return o.size; },
      .type = "WxH"},
     {.flag = "-o,--output",
-     .help = "Picture file; .exr and .hdr get the light before tone mapping",
+     .help = "Picture file: PNG with the codes, or any that OpenImageIO writes; .exr and .hdr hold "
+             "light (--exr)",
      .of = [](O& o) -> std::string& { return o.output; }},
+    {.flag = "--depth",
+     .help =
+         "How the file keeps a number: uint8, uint16, half or float; by default 8 bits, or half "
+         "in .exr",
+     .of = [](O& o) -> std::string& { return o.depth; }},
     {.flag = "--cube-view",
      .help = "Draw the look of side a or b as the cube of its nodes, without a GPU",
      .of = [](O& o) -> std::string& { return o.cube_view; },
@@ -163,6 +169,19 @@ void choose(const Row*& member, std::span<const Row> table, std::size_t option) 
 }
 
 constexpr ChoiceRow<Options> choices[] = {
+    {.flag = "exr",
+     .label = "What .exr holds",
+     .kind = "content of .exr",
+     .title = "Contents of .exr and .hdr",
+     .help = "light or picture: what .exr and .hdr hold; by default light, of a picture that holds "
+             "codes the picture",
+     .options =
+         [] {
+             return std::vector<Option>{
+                 {"light", "the exposed light before bloom and tone map"},
+                 {"picture", "the finished picture, decoded from sRGB to light"}};
+         },
+     .choose = [](O& o, std::size_t i) { o.exr_light = i == 0; }},
     {.flag = "look-at",
      .label = "Place of the looks",
      .kind = "place of a look",

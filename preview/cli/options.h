@@ -45,6 +45,8 @@ struct Options {
     bool validate = false;
     int frames = 50;
     std::string output, device;
+    std::string depth;     ///< of the output; empty: as files of its name usually have
+    bool exr_light = true; ///< files that hold light get that before the tone map
     std::string font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"; ///< of the window
     std::string places; ///< file that tells where the window's controls are
 };

@@ -1,48 +1,152 @@
 #include "preview/cli/picture_file.h"
 
+#include "lutlib/color/encoding.h"
+#include "lutlib/error.h"
 #include "lutlib/io/file.h"
-#include "lutlib/io/image.h"
+#include "lutlib/named.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace preview {
 
-lutlib::io::PngImage code_image(const Rendered& rendered) {
-    lutlib::io::PngImage image;
-    image.width = static_cast<int>(rendered.size.width);
-    image.height = static_cast<int>(rendered.size.height);
-    image.srgb_tag = true;
-    for (std::size_t at = 0; at < rendered.rgba.size(); at += 4) {
-        image.samples.insert(image.samples.end(), rendered.rgba.begin() + static_cast<long>(at),
-                             rendered.rgba.begin() + static_cast<long>(at) + 3);
-    }
-    return image;
+namespace io = lutlib::io;
+
+namespace {
+
+bool is_png(const std::string& path) {
+    return path == io::standard_stream || io::extension_of(path) == "png";
 }
 
-void write_picture(const std::string& path, const Rendered& rendered) {
-    const lutlib::io::PngImage image = code_image(rendered);
-    if (path == lutlib::io::standard_stream || lutlib::io::extension_of(path) == "png") {
-        lutlib::io::write_file(path, lutlib::io::write_png(image));
+io::PngImage png_of(const io::FloatImage& image, int bits) {
+    io::PngImage out;
+    out.width = image.width;
+    out.height = image.height;
+    out.channels = image.channels;
+    out.depth = {bits};
+    out.srgb_tag = true;
+    for (std::size_t at = 0; at < image.rgba.size(); at += 4) {
+        for (std::size_t c = 0; c < static_cast<std::size_t>(image.channels); ++c) {
+            out.samples.push_back(out.depth.code(image.rgba[at + c]));
+        }
+    }
+    return out;
+}
+
+io::FloatImage float_image(const Rendered& rendered) {
+    io::FloatImage out;
+    out.width = static_cast<int>(rendered.size.width);
+    out.height = static_cast<int>(rendered.size.height);
+    out.channels = 3;
+    out.rgba = rendered.values;
+    for (const std::uint8_t code : rendered.rgba) {
+        out.rgba.push_back(static_cast<float>(code) / 255);
+    }
+    return out;
+}
+
+void decode(std::vector<float>& rgba) {
+    for (std::size_t at = 0; at < rgba.size(); ++at) {
+        if (at % 4 != 3) {
+            rgba[at] = static_cast<float>(lutlib::srgb().decode(static_cast<double>(rgba[at])));
+        }
+    }
+}
+
+/// The mean of a picture's alpha over one texel's area of `size`.
+float mean_alpha(const ShownPicture& picture, Size size, std::uint32_t x, std::uint32_t y) {
+    const auto ends = [](std::uint32_t at, std::uint32_t texels, std::uint32_t length) {
+        const double scale = static_cast<double>(length) / texels;
+        return std::pair{at * scale, (at + 1) * scale};
+    };
+    const auto [left, right] = ends(x, size.width, picture.size.width);
+    const auto [top, bottom] = ends(y, size.height, picture.size.height);
+    const auto share = [](double low, double high, std::uint32_t at) {
+        return std::min(high, at + 1.0) - std::max(low, static_cast<double>(at));
+    };
+    double sum = 0, area = 0;
+    for (auto v = static_cast<std::uint32_t>(top); v < bottom && v < picture.size.height; ++v) {
+        for (auto u = static_cast<std::uint32_t>(left); u < right && u < picture.size.width; ++u) {
+            const double weight = share(left, right, u) * share(top, bottom, v);
+            const std::size_t texel = std::size_t{v} * picture.size.width + u;
+            sum += weight * static_cast<double>(picture.rgba[4 * texel + 3]);
+            area += weight;
+        }
+    }
+    return static_cast<float>(area > 0 ? sum / area : 1);
+}
+
+} // namespace
+
+FileFormat file_format(const std::string& path, const std::string& depth) {
+    FileFormat out;
+    const std::string extension = io::extension_of(path);
+    out.holds_light = extension == "exr" || extension == "hdr";
+    if (depth.empty()) {
+        out.depth = out.holds_light ? io::Depth::half : io::Depth::uint8;
+        return out;
+    }
+    const io::DepthInfo& row = lutlib::require_named(io::depths(), "depth", depth);
+    const std::vector<io::Depth> held = io::depths_of(path);
+    if (std::find(held.begin(), held.end(), row.depth) == held.end()) {
+        std::string names;
+        for (const io::Depth one : held) {
+            names += (names.empty() ? "" : ", ") + std::string(io::info_of(one).name);
+        }
+        throw lutlib::UsageError("--depth " + depth + ": '" + path + "' can have " + names);
+    }
+    out.depth = row.depth;
+    return out;
+}
+
+std::vector<float> alpha_for(const ShownPicture& picture, Size rendered) {
+    std::vector<float> out;
+    if (!picture.has_alpha) {
+        return out;
+    }
+    const bool is_doubled =
+        rendered.width / 2 >= 1 && static_cast<double>(rendered.width) / rendered.height >
+                                       1.5 * picture.size.width / picture.size.height;
+    const Size side{is_doubled ? rendered.width / 2 : rendered.width, rendered.height};
+    for (std::uint32_t y = 0; y < rendered.height; ++y) {
+        for (std::uint32_t x = 0; x < rendered.width; ++x) {
+            out.push_back(mean_alpha(picture, side, x % side.width, y));
+        }
+    }
+    return out;
+}
+
+io::PngImage code_image(const Rendered& rendered) {
+    return png_of(float_image(rendered), 8);
+}
+
+void write_picture(const std::string& path, const Rendered& rendered, const FileFormat& format,
+                   Content content, const std::vector<float>& alpha) {
+    io::FloatImage image = float_image(rendered);
+    if (format.holds_light && content == Content::codes) {
+        decode(image.rgba);
+    }
+    for (std::size_t i = 0; i < alpha.size(); ++i) {
+        image.rgba[4 * i + 3] = alpha[i];
+    }
+    image.channels = alpha.empty() ? 3 : 4;
+    image.alpha = !alpha.empty();
+    if (is_png(path)) {
+        io::write_file(path,
+                       io::write_png(png_of(image, format.depth == io::Depth::uint8 ? 8 : 16)));
         return;
     }
-    lutlib::io::FloatImage floats{image.width, image.height, {}, 3, false, {}};
-    for (const std::uint8_t code : rendered.rgba) {
-        floats.rgba.push_back(static_cast<float>(code) / 255);
-    }
-    lutlib::io::write_image(path, floats, {lutlib::io::Depth::uint8, false, {}});
+    io::write_image(path, image, {format.depth, image.alpha, {}});
 }
 
-bool holds_light(const std::string& path) {
-    const std::string extension = lutlib::io::extension_of(path);
-    return extension == "exr" || extension == "hdr";
-}
-
-void write_light(const std::string& path, const Rendered& rendered) {
-    const lutlib::io::FloatImage image{static_cast<int>(rendered.hdr_size.width),
-                                       static_cast<int>(rendered.hdr_size.height),
-                                       rendered.hdr,
-                                       3,
-                                       false,
-                                       lutlib::io::Depth::half};
-    lutlib::io::write_image(path, image, {lutlib::io::Depth::half, false, {}});
+void write_light(const std::string& path, const Rendered& rendered, const FileFormat& format) {
+    io::FloatImage image;
+    image.width = static_cast<int>(rendered.hdr_size.width);
+    image.height = static_cast<int>(rendered.hdr_size.height);
+    image.rgba = rendered.hdr;
+    image.channels = 3;
+    image.depth = format.depth;
+    io::write_image(path, image, {format.depth, false, {}});
 }
 
 } // namespace preview

@@ -122,6 +122,23 @@ bool is_display_encoded(const FrameInputs& inputs) {
     return inputs.picture != nullptr && inputs.picture->display_encoded;
 }
 
+/// Exposes and measures handles.lit into handles.hdr. The codes of a picture that needs neither
+/// reach the looks as they are.
+void resolve(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings, Size size,
+             FrameHandles& handles) {
+    const float stops = settings.exposure + (inputs.scene != nullptr ? inputs.scene->exposure : 0);
+    const bool has_codes = is_display_encoded(inputs);
+    if (has_codes && stops == 0 && size_of(graph, handles.lit) == size) {
+        graph.withhold("hdr resolve", "the picture's codes reach the looks as they are");
+        handles.hdr = handles.lit;
+        return;
+    }
+    const Resolved resolved = add_resolve(graph, handles.lit, size, std::exp2(stops),
+                                          has_codes ? Format::rgba32f : Format::rgba16f);
+    handles.hdr = resolved.hdr;
+    handles.hdr_maximum = resolved.maximum;
+}
+
 /// The effects in use that this frame draws; says why it leaves out the others.
 EffectUses drawn_effects(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings) {
     EffectUses drawn;
@@ -246,6 +263,7 @@ Finishing finishing_of(Graph& graph, const FrameInputs& inputs, const FrameSetti
         out.settings.tonemap =
             settings.without.has(Effect::tonemap) ? tonemap_named("none") : settings.tonemap;
     }
+    out.settings.format = settings.format;
     out.settings.compare = settings.compare;
     out.settings.split = settings.split;
     out.settings.heat_scale = settings.heat_scale;
@@ -301,7 +319,12 @@ void show(Graph& graph, const FrameSettings& settings, std::string_view name, Im
         throw lutlib::UsageError("this frame has no '" + std::string(name) +
                                  "' to show; --explain says why");
     }
-    handles.output = add_view(graph, shown, view, settings.output, handles.materials);
+    handles.output = add_view(graph, shown, view,
+                              {.size = settings.output,
+                               .format = settings.format,
+                               .as_numbers = settings.shows_numbers,
+                               .near_plane = settings.orbit.near_plane},
+                              handles.materials);
     graph.present(handles.output);
 }
 
@@ -341,11 +364,13 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
     }
 
     const EffectUses drawn = drawn_effects(graph, inputs, settings);
-    const float stops = settings.exposure + (inputs.scene != nullptr ? inputs.scene->exposure : 0);
-    const Resolved resolved = add_resolve(graph, handles.lit, size, std::exp2(stops));
-    handles.hdr_maximum = resolved.maximum;
-    handles.hdr = with_effects(graph, Stage::hdr, drawn, resolved.hdr,
-                               size_of(graph, resolved.hdr).width, handles);
+    resolve(graph, inputs, settings, size, handles);
+    if (settings.only_maximum && handles.hdr_maximum) {
+        graph.present(handles.hdr_maximum);
+        return handles;
+    }
+    handles.hdr = with_effects(graph, Stage::hdr, drawn, handles.hdr,
+                               size_of(graph, handles.hdr).width, handles);
 
     Finishing finishing = finishing_of(graph, inputs, settings);
     finishing.picture = handles.hdr;
@@ -364,7 +389,9 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
     }
     add_instruments(graph, settings, finishing, handles);
     graph.present(handles.output);
-    graph.present(handles.hdr_maximum);
+    if (handles.hdr_maximum) {
+        graph.present(handles.hdr_maximum);
+    }
     if (settings.keep_hdr) {
         graph.present(handles.hdr);
     }

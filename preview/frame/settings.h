@@ -44,8 +44,14 @@ struct FrameSettings : PictureSettings {
     /// Count the colours before the looks along the curves' axes, their codes read in this
     /// encoding.
     const lutlib::Encoding* axes = nullptr;
+    /// Of the finished picture and of intermediates: rgba8, or rgba32f for files of more bits.
+    Format format = Format::rgba8;
+    /// An intermediate's own numbers in place of colours that stand for them.
+    bool shows_numbers = false;
     /// Present the HDR result before tone mapping too.
     bool keep_hdr = false;
+    /// Present the HDR maximum and nothing else.
+    bool only_maximum = false;
     /// Run every pass, even those that this scene does not need: every skip that measures or looks
     /// at the scene is off, and nothing is kept from an earlier frame.
     bool force_all = false;
@@ -77,11 +83,11 @@ struct FrameHandles {
     GBuffer surfaces;
     BufferHandle materials; ///< the scene's buffer
     ImageHandle shadow_maps, lit, hdr, bloom, graded;
-    BufferHandle hdr_maximum, figures;
+    BufferHandle hdr_maximum, figures; ///< a picture that no resolve changes has no maximum
     std::array<ImageHandle, scopes.size()> scope_pictures; ///< of those looked at, presented
     BufferHandle probe, axis_counts;
     std::vector<EffectPicture> effects; ///< of those drawn, in the order of the frame
-    ImageHandle output;                 ///< rgba8, presented
+    ImageHandle output;                 ///< presented
 };
 
 } // namespace preview

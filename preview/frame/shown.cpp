@@ -1,5 +1,6 @@
 #include "preview/frame/shown.h"
 
+#include "lutlib/color/matrix.h"
 #include "lutlib/error.h"
 #include "lutlib/io/image.h"
 #include "preview/scene/import.h"
@@ -10,11 +11,41 @@ namespace preview {
 
 namespace {
 
-ShownPicture load_picture(const std::string& path) {
+/// Light of other primaries becomes that of Rec.709, which the tone maps take.
+void to_rec709(std::vector<float>& rgba, const lutlib::Encoding& from) {
+    const lutlib::Matrix3 matrix = lutlib::light_to_light(from, *lutlib::encoding_named("linear"));
+    for (std::size_t at = 0; at + 3 < rgba.size(); at += 4) {
+        const lutlib::Rgb c = lutlib::to_float(
+            matrix * lutlib::to_double(lutlib::Rgb{rgba[at], rgba[at + 1], rgba[at + 2]}));
+        rgba[at] = c.r;
+        rgba[at + 1] = c.g;
+        rgba[at + 2] = c.b;
+    }
+}
+
+void load_picture(Shown& shown, const std::string& path) {
     lutlib::io::FloatImage image = lutlib::io::read_image(path);
-    return {{static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height)},
-            std::move(image.rgba),
-            lutlib::io::info_of(image.depth).integer};
+    const std::optional<lutlib::Encoding> encoding = encoding_of(image);
+    ShownPicture picture;
+    picture.display_encoded = lutlib::io::info_of(image.depth).integer;
+    if (image.profile_tag) {
+        shown.told.push_back(
+            "its colour profile is not applied and not written: the codes are taken "
+            "for those of --picture-encoding");
+    }
+    if (!picture.display_encoded && image.chromaticities && !encoding) {
+        shown.told.push_back("its primaries are of no known gamut and taken for Rec.709's");
+    } else if (!picture.display_encoded && encoding &&
+               *encoding != *lutlib::encoding_named("linear")) {
+        to_rec709(image.rgba, *encoding);
+        shown.told.push_back("its light is converted from " + std::string(encoding->gamut->label) +
+                             " to Rec.709");
+    }
+    picture.size = {static_cast<std::uint32_t>(image.width),
+                    static_cast<std::uint32_t>(image.height)};
+    picture.has_alpha = image.alpha;
+    picture.rgba = std::move(image.rgba);
+    shown.picture = std::move(picture);
 }
 
 } // namespace
@@ -39,7 +70,7 @@ Shown load_shown(const std::string& input, double seconds) {
         shown.scene = std::move(imported.scene);
         shown.left_out = std::move(imported.left_out);
     } else {
-        shown.picture = load_picture(input);
+        load_picture(shown, input);
     }
     return shown;
 }

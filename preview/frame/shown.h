@@ -18,6 +18,7 @@ struct ShownPicture {
     Size size;
     std::vector<float> rgba;      ///< rows from the top
     bool display_encoded = false; ///< its codes are for a display already
+    bool has_alpha = false;       ///< the file stores it
 };
 
 /// One of both.
@@ -26,6 +27,7 @@ struct Shown {
     std::optional<Scene> scene;
     std::optional<ShownPicture> picture;
     std::vector<std::string> left_out; ///< what its file has and the scene has not, with counts
+    std::vector<std::string> told;     ///< what was made of a picture's colours, a line each
 
     bool display_encoded() const { return picture && picture->display_encoded; }
     Size picture_size() const { return picture ? picture->size : Size{}; }

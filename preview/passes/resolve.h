@@ -6,13 +6,15 @@
 namespace preview {
 
 struct [[nodiscard]] Resolved {
-    ImageHandle hdr;      ///< rgba16f in 0..65504, alpha 1
+    ImageHandle hdr;      ///< in 0..65504, alpha 1
     BufferHandle maximum; ///< buffer of one float: the largest value of any channel
 };
 
 /// `exposure` multiplies. A source of another size than `size` is filtered by area and keeps its
-/// proportions: it stands in the middle, between black bars.
-Resolved add_resolve(Graph& graph, ImageHandle source, Size size, float exposure);
+/// proportions: it stands in the middle, between black bars. `format` is rgba16f, or rgba32f for
+/// codes, which a half float does not hold.
+Resolved add_resolve(Graph& graph, ImageHandle source, Size size, float exposure,
+                     Format format = Format::rgba16f);
 
 /// The largest size of the picture's proportions within the box, at least 1x1.
 Size fitted(Size picture, Size box);

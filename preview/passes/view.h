@@ -13,9 +13,19 @@ struct View {
     bool shows_material = false; ///< the image holds numbers of materials
 };
 
-/// rgba8 of `size`. `source` may be of another size; then the nearest texel shows. `materials` is
-/// the scene's buffer, for views that show a material.
-ImageHandle add_view(Graph& graph, ImageHandle source, const View& view, Size size,
+/// What a view is made for.
+struct ViewOutput {
+    Size size;
+    Format format = Format::rgba8;
+    /// The numbers themselves in place of colours that stand for them: light, metres of depth,
+    /// components of normals.
+    bool as_numbers = false;
+    float near_plane = 1; ///< of the camera, in metres
+};
+
+/// `source` may be of another size; then the nearest texel shows. `materials` is the scene's
+/// buffer, for views that show a material.
+ImageHandle add_view(Graph& graph, ImageHandle source, const View& view, const ViewOutput& output,
                      BufferHandle materials = {});
 
 } // namespace preview

@@ -11,8 +11,13 @@ layout(local_size_x = 16, local_size_y = 16) in;
 #endif
 layout(binding = 0) uniform VIEWED source;
 layout(binding = 1) writeonly uniform image2D target;
+layout(constant_id = 0) const bool as_numbers = false;
+layout(push_constant) uniform Push {
+    float near_plane; // of the camera, in metres
+} view_push;
 
-/// The colour that stands for a texel, as display codes.
+/// The colour that stands for a texel, as display codes; the texel's own numbers where these are
+/// asked for.
 vec3 shown(VIEWED_TEXEL texel);
 
 void main() {
@@ -22,5 +27,5 @@ void main() {
         return;
     }
     vec3 color = shown(texelFetch(source, at * textureSize(source, 0) / size, 0));
-    imageStore(target, at, vec4(saturate(color), 1.0));
+    imageStore(target, at, vec4(as_numbers ? color : saturate(color), 1.0));
 }

@@ -1,6 +1,8 @@
 // The whole frame on a device: what it leaves out, that leaving out changes nothing, and that a
 // steady frame costs nothing but its passes.
 #include "lutlib/error.h"
+#include "lutlib/interpolation/interpolation.h"
+#include "lutlib/transform.h"
 #include "preview/effects/effect.h"
 #include "preview/frame/frame.h"
 #include "preview/look/gpu_look.h"
@@ -58,6 +60,58 @@ TEST_F(FrameTest, the_sample_scene_keeps_its_shadows_and_blooms) {
     for (const char* pass : {"g-buffer", "lighting", "hdr resolve", "bloom 0", "finish", "fxaa"}) {
         EXPECT_TRUE(kept(rendered, pass)) << pass << "\n" << rendered.explanation;
     }
+}
+
+TEST_F(FrameTest, codes_of_a_picture_reach_the_look_unrounded) {
+    std::vector<float> texels;
+    for (std::uint32_t i = 0; i < size.width * size.height; ++i) {
+        for (const std::uint32_t code : {i, 7 * i + i / 256, 31 * i}) {
+            texels.push_back(static_cast<float>(code % 256) / 255);
+        }
+        texels.push_back(1);
+    }
+    const GpuPicture picture(device(), size, texels, true);
+    lutlib::Lut steep; // as far as codes go: a rounding before it shows after it
+    steep.cube = lutlib::identity_cube(17);
+    for (lutlib::Rgb& node : steep.cube->nodes) {
+        node = {std::sqrt(node.r), 1 - node.g * node.g, std::sqrt(node.b * node.r)};
+    }
+    const GpuLook look(device(), look_data(steep, *gpu_lookup_named("trilinear")));
+    FrameInputs inputs;
+    inputs.picture = &picture;
+    inputs.look_a = &look;
+    FrameSettings settings = settings_for({});
+    settings.effects.clear();
+    Executor executor(device());
+    const Rendered rendered = render_frame(executor, inputs, settings);
+    EXPECT_EQ(executor.plan().steps.size(), 1U) << rendered.explanation; // finish
+    double worst = 0;
+    for (std::size_t at = 0; at < texels.size(); at += 4) {
+        const lutlib::RgbD exact = lutlib::Transform::of(steep, lutlib::Interpolation::trilinear)(
+            {static_cast<double>(texels[at]), static_cast<double>(texels[at + 1]),
+             static_cast<double>(texels[at + 2])});
+        for (std::size_t c = 0; c < 3; ++c) {
+            worst = std::max(worst, std::abs(rendered.rgba[at + c] - 255 * exact[c]));
+        }
+    }
+    EXPECT_LE(worst, 0.501);
+}
+
+TEST_F(FrameTest, shows_the_numbers_of_intermediates_where_they_are_asked_for) {
+    const Loaded loaded(scene_at(*scene_named("plain"), 0));
+    FrameSettings settings = settings_for(loaded.scene);
+    settings.format = Format::rgba32f;
+    settings.shows_numbers = true;
+    settings.view = debug_view_named("depth");
+    Executor executor(device());
+    const std::size_t centre = 4 * (std::size_t{size.width} * (size.height / 2) + size.width / 2);
+    const Rendered depth = render_frame(executor, loaded.inputs(), settings);
+    EXPECT_NEAR(depth.values[centre] / loaded.scene.orbit.distance, 1, 0.5); // in metres
+    settings.view = debug_view_named("normal");
+    const Rendered normal = render_frame(executor, loaded.inputs(), settings);
+    EXPECT_NEAR(
+        std::hypot(normal.values[centre], normal.values[centre + 1], normal.values[centre + 2]), 1,
+        1e-3);
 }
 
 TEST_F(FrameTest, a_picture_leaves_out_all_that_comes_before_the_resolve) {

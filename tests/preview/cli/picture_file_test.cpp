@@ -1,0 +1,74 @@
+// Rendered pictures in files: what numbers they hold, at which depth, with which alpha.
+#include "lutlib/color/encoding.h"
+#include "lutlib/error.h"
+#include "preview/cli/picture_file.h"
+#include "tests/lutlib/io/scratch.h"
+
+#include <gtest/gtest.h>
+
+namespace preview {
+namespace {
+
+using lutlib::io::Depth;
+
+/// One texel that 8 bits do not hold, and one of them white.
+Rendered two_texels() {
+    Rendered out;
+    out.size = {2, 1};
+    out.values = {0.5F, 0.1234F, 0.25F, 1, 1, 1, 1, 1};
+    return out;
+}
+
+TEST(PictureFile, of_16_bits_holds_codes_of_16_bits) {
+    const lutlib::ScratchFolder folder;
+    const std::string path = folder.file("x.png");
+    write_picture(path, two_texels(), file_format(path, "uint16"));
+    const lutlib::io::FloatImage back = lutlib::io::read_image(path);
+    EXPECT_EQ(back.depth, Depth::uint16);
+    EXPECT_TRUE(back.srgb_tag);
+    EXPECT_FALSE(back.alpha);
+    EXPECT_NEAR(back.rgba[1], 0.1234F, 0.5F / 65535 + 1e-7F);
+}
+
+TEST(PictureFile, that_holds_light_gets_light_and_numbers_as_they_are) {
+    const lutlib::ScratchFolder folder;
+    const std::string path = folder.file("x.exr");
+    const FileFormat format = file_format(path, "float");
+    write_picture(path, two_texels(), format);
+    const double light = lutlib::srgb().decode(0.5);
+    EXPECT_NEAR(static_cast<double>(lutlib::io::read_image(path).rgba[0]), light, 1e-6);
+    write_picture(path, two_texels(), format, Content::numbers);
+    EXPECT_EQ(lutlib::io::read_image(path).rgba[0], 0.5F);
+}
+
+TEST(PictureFile, is_refused_a_depth_that_its_type_has_not) {
+    const lutlib::ScratchFolder folder;
+    EXPECT_THROW(file_format(folder.file("x.png"), "half"), lutlib::UsageError);
+    EXPECT_THROW(file_format(folder.file("x.png"), "uint9"), lutlib::UsageError);
+    EXPECT_EQ(file_format(folder.file("x.exr"), "").frame_format(), Format::rgba32f);
+    EXPECT_EQ(file_format(folder.file("x.png"), "").frame_format(), Format::rgba8);
+}
+
+TEST(PictureFile, keeps_the_alpha_of_the_picture) {
+    ShownPicture picture;
+    picture.size = {4, 2};
+    picture.has_alpha = true;
+    for (const float alpha : {0.0F, 0.5F, 1.0F, 1.0F, 0.25F, 0.25F, 0.0F, 1.0F}) {
+        picture.rgba.insert(picture.rgba.end(), {0, 0, 0, alpha});
+    }
+    EXPECT_EQ(alpha_for(picture, {4, 2}), (std::vector<float>{0, 0.5F, 1, 1, 0.25F, 0.25F, 0, 1}));
+    EXPECT_EQ(alpha_for(picture, {2, 1}), (std::vector<float>{0.25F, 0.75F}));
+    EXPECT_EQ(alpha_for(picture, {4, 1}), (std::vector<float>{0.25F, 0.75F, 0.25F, 0.75F}));
+
+    const lutlib::ScratchFolder folder;
+    const std::string path = folder.file("x.png");
+    write_picture(path, two_texels(), file_format(path, ""), Content::codes, {0.2F, 1});
+    const lutlib::io::FloatImage back = lutlib::io::read_image(path);
+    EXPECT_TRUE(back.alpha);
+    EXPECT_NEAR(back.rgba[3], 0.2F, 1e-6F);
+    picture.has_alpha = false;
+    EXPECT_TRUE(alpha_for(picture, {4, 2}).empty());
+}
+
+} // namespace
+} // namespace preview

@@ -14,8 +14,8 @@ using O = Options;
 constexpr OptionRow rows[] = {
     {.flag = "input",
      .help =
-         "A built-in scene (--list), a glTF 2.0 file (a texture is replaced by its mean colour), "
-         "or a picture file, shown in place of a scene",
+         "A built-in scene (--list), a model (glTF 2.0, OBJ), or a picture file, shown in place of "
+         "a scene",
      .of = [](O& o) -> std::string& { return o.input; }},
     {.flag = "--a",
      .help = "Look of side A: none, or any LUT file or picture",
@@ -64,6 +64,10 @@ constexpr OptionRow rows[] = {
      .of = [](O& o) -> double& { return o.seconds; },
      .min = -1e6,
      .max = 1e6},
+    {.flag = "--camera",
+     .help = "A model's camera by its name; by default the first",
+     .of = [](O& o) -> std::string& { return o.camera_name; },
+     .type = "NAME"},
     {.flag = "--shadow-size",
      .help = "Width and height of a shadow map, in texels",
      .of = [](O& o) -> std::uint32_t& { return o.frame.shadow_size; },

@@ -323,8 +323,26 @@ std::vector<PointLight> lights_of(const Options& options, const std::optional<Sc
     return lights;
 }
 
+namespace {
+
+Orbit named_camera(const Options& options, const Scene& scene) {
+    std::vector<std::string_view> names;
+    for (const NamedCamera& camera : scene.cameras) {
+        if (camera.name == options.camera_name) {
+            return camera.orbit;
+        }
+        names.push_back(camera.name);
+    }
+    if (names.empty()) {
+        throw lutlib::UsageError("--camera: '" + options.input + "' has no cameras");
+    }
+    lutlib::refuse_name("camera", options.camera_name, names);
+}
+
+} // namespace
+
 Orbit orbit_of(const Options& options, const Scene& scene) {
-    Orbit orbit = scene.orbit;
+    Orbit orbit = options.camera_name.empty() ? scene.orbit : named_camera(options, scene);
     for (std::size_t i = 0; i < options.camera.size(); ++i) {
         camera_numbers()[i].of(orbit) += options.camera[i];
     }

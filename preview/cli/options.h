@@ -36,6 +36,7 @@ struct Options {
     const RasterChoice* raster = &rasters().front();
     std::string size, probe, scope_size;
     double seconds = 0;
+    std::string camera_name; ///< of the file's cameras; empty: the first
     /// Of each row of camera_numbers(): added to the scene's.
     std::vector<float> camera = std::vector<float>(camera_numbers().size());
     std::string cube_view; ///< the side whose look is drawn as a cube; empty: none
@@ -61,7 +62,8 @@ FrameSettings settings_of(const Options& options, Size input_size);
 /// The scene's lights, changed as the options say. Throws lutlib::UsageError.
 std::vector<PointLight> lights_of(const Options& options, const std::optional<Scene>& scene);
 
-/// The scene's camera, moved as the options say.
+/// The scene's camera, or the one of its cameras that is named, moved as the options say. Throws
+/// lutlib::UsageError when none has the name.
 Orbit orbit_of(const Options& options, const Scene& scene);
 
 /// WIDTHxHEIGHT with sides of 1 to 16384. Throws lutlib::UsageError that names the option.

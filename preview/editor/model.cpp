@@ -13,7 +13,7 @@ auto values_of(const lutlib::Recipe& r) {
 
 auto values_of(const Orbit& o) {
     return std::tie(o.target.x, o.target.y, o.target.z, o.distance, o.azimuth, o.elevation,
-                    o.field_of_view, o.near_plane);
+                    o.field_of_view, o.near_plane, o.roll);
 }
 
 auto values_of(const State& s) {

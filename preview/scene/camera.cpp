@@ -16,9 +16,13 @@ Camera camera_of(const Orbit& orbit, float aspect) {
     Camera camera;
     camera.position = orbit.target + distance * away;
     camera.view = glm::lookAt(camera.position, orbit.target, glm::vec3{0, 1, 0});
+    if (orbit.roll != 0) {
+        camera.view =
+            glm::rotate(glm::mat4(1), glm::radians(-orbit.roll), glm::vec3{0, 0, 1}) * camera.view;
+    }
 
     constexpr float framed_aspect = 16.0f / 9;
-    const float half = glm::radians(std::clamp(orbit.field_of_view, 1.0f, 170.0f)) / 2;
+    const float half = glm::radians(std::clamp(orbit.field_of_view, 0.01f, 170.0f)) / 2;
     const float focal = std::min(1.0f, aspect / framed_aspect) / std::tan(half);
     camera.projection = glm::mat4{0};
     camera.projection[0][0] = focal / aspect;

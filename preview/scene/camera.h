@@ -15,6 +15,7 @@ struct Orbit {
     float elevation = 15;
     float field_of_view = 40; ///< vertical at 16:9 and wider; narrower pictures keep the width
     float near_plane = 0.1f;  ///< the far plane is at infinity
+    float roll = 0;           ///< turns the camera about its axis, its top to the left
 };
 
 /// Depth runs from 0 at the near plane to 1 at infinity, y points down in clip space as Vulkan has
@@ -25,7 +26,8 @@ struct Camera {
     glm::vec3 position{0};
 };
 
-/// Elevation is held within +-89 degrees, distance above the near plane, field of view in 1..170.
+/// Elevation is held within +-89 degrees, distance above the near plane, field of view in
+/// 0.01..170.
 Camera camera_of(const Orbit& orbit, float aspect);
 
 } // namespace preview

@@ -38,6 +38,13 @@ constexpr NumberRow<Orbit> numbers[] = {
      .slider_min = 10,
      .slider_max = 120,
      .of = [](Orbit& o) -> float& { return o.field_of_view; }},
+    {.flag = "roll",
+     .label = "Roll",
+     .unit = "degrees",
+     .help = "Turns the camera about its axis, degrees",
+     .min = -180,
+     .max = 180,
+     .of = [](Orbit& o) -> float& { return o.roll; }},
 };
 
 } // namespace

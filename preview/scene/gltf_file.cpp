@@ -1,17 +1,18 @@
 #include "preview/scene/gltf_file.h"
 
 #include "lutlib/error.h"
+#include "preview/scene/import_parts.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
-#include <string_view>
 
 namespace preview {
 
 namespace {
 
-using lutlib::Error;
 using nlohmann::json;
 
 constexpr std::size_t header_bytes = 12, chunk_header_bytes = 8;
@@ -23,94 +24,150 @@ std::uint32_t word(std::string_view bytes, std::size_t at) {
     return value;
 }
 
-void append(std::string& bytes, std::size_t value) {
-    const auto small = static_cast<std::uint32_t>(value);
-    bytes.append(reinterpret_cast<const char*>(&small), sizeof small);
-}
-
-json parsed(std::string_view text, const std::string& path) {
-    const auto limit_depth = [&](int depth, json::parse_event_t, json&) {
-        if (depth > import_limits.depth) {
-            throw Error("its JSON is nested too deeply", {path, 0, {}});
-        }
-        return true;
-    };
-    try {
-        return json::parse(text, limit_depth);
-    } catch (const json::exception& error) {
-        throw Error(fmt::format("not a glTF file: its JSON cannot be read: {}", error.what()),
-                    {path, 0, {}});
+/// The chunk at `at`, if it is whole and of that type.
+std::optional<std::string_view> chunk(std::string_view bytes, std::size_t at, std::uint32_t type) {
+    if (at > bytes.size() || bytes.size() - at < chunk_header_bytes ||
+        word(bytes, at + 4) != type || word(bytes, at) > bytes.size() - at - chunk_header_bytes) {
+        return std::nullopt;
     }
-}
-
-void check_version(const json& root, const std::string& path) {
-    const json::json_pointer at("/asset/version");
-    if (!root.is_object() || !root.contains(at) || !root[at].is_string()) {
-        throw Error("not a glTF file: asset.version is missing", {path, 0, {}});
-    }
-    const std::string version = root[at].get<std::string>();
-    if (version.compare(0, 2, "2.") != 0) {
-        throw Error("it is glTF " + version + "; convert it to glTF 2.0", {path, 0, {}});
-    }
+    return bytes.substr(at + chunk_header_bytes, word(bytes, at));
 }
 
 } // namespace
 
-GltfFile::GltfFile(const std::string& bytes, const std::string& path)
-    : is_binary(bytes.compare(0, 4, "glTF") == 0) {
-    std::string_view text = bytes;
-    if (is_binary) {
-        constexpr std::size_t start = header_bytes + chunk_header_bytes;
-        const bool has_json = bytes.size() >= start && word(bytes, 16) == json_chunk &&
-                              word(bytes, 12) <= bytes.size() - start;
-        if (!has_json) {
-            throw Error("not a binary glTF file, or cut short", {path, 0, {}});
+GltfFile::GltfFile(std::string_view bytes, std::string path, ReadFile read)
+    : path_(std::move(path)), read_(std::move(read)), is_binary_(bytes.starts_with("glTF")) {
+    if (is_binary_) {
+        if (bytes.size() >= header_bytes && word(bytes, 4) != 2) {
+            refuse(fmt::format("it is glTF {}; convert it to glTF 2.0", word(bytes, 4)));
         }
-        text = std::string_view(bytes).substr(start, word(bytes, 12));
-        body = bytes.substr(start + text.size());
+        const auto text = chunk(bytes, header_bytes, json_chunk);
+        if (!text) {
+            refuse("not a binary glTF file, or cut short");
+        }
+        const std::size_t end = header_bytes + chunk_header_bytes + text->size();
+        body_ = chunk(bytes, end, body_chunk).value_or(std::string_view{});
+        bytes = *text;
     }
-    root = parsed(text, path);
-    check_version(root, path);
+    const auto limit_depth = [&](int depth, json::parse_event_t, json&) {
+        if (depth > import_limits.depth) {
+            refuse("its JSON is nested too deeply");
+        }
+        return true;
+    };
+    try {
+        root_ = json::parse(bytes, limit_depth);
+    } catch (const json::exception& error) {
+        refuse("not a glTF file: its JSON cannot be read: " + printable(error.what()));
+    }
+    const std::string version = root_.is_object() && root_.contains("asset")
+                                    ? gltf_text(root_["asset"], "version")
+                                    : std::string();
+    if (version.empty()) {
+        refuse("not a glTF file: asset.version is missing");
+    }
+    if (!version.starts_with("2.")) {
+        refuse("it is glTF " + printable(version) + "; convert it to glTF 2.0");
+    }
+    for (const char* key : {"accessors", "bufferViews", "buffers", "cameras", "images", "materials",
+                            "meshes", "nodes", "samplers", "scenes", "skins", "textures"}) {
+        list(root_, key);
+    }
+    buffers_.resize(list("buffers").size());
 }
 
-std::string GltfFile::to_bytes() const {
-    std::string text = root.dump(-1, ' ', false, json::error_handler_t::replace);
-    if (!is_binary) {
-        return text;
-    }
-    text.append((4 - text.size() % 4) % 4, ' ');
-    std::string bytes = "glTF";
-    append(bytes, 2);
-    append(bytes, header_bytes + chunk_header_bytes + text.size() + body.size());
-    append(bytes, text.size());
-    append(bytes, json_chunk);
-    return bytes + text + body;
+void GltfFile::refuse(const std::string& message, const std::string& text) const {
+    throw lutlib::Error(message, {path_, 0, text});
 }
 
-std::size_t GltfFile::body_bytes() const {
-    if (body.size() < chunk_header_bytes || word(body, 4) != body_chunk) {
-        return 0;
-    }
-    const std::size_t length = word(body, 0);
-    return length <= body.size() - chunk_header_bytes ? length : 0;
-}
-
-const json& gltf_list(const json& object, const char* key, const std::string& path) {
+const json& GltfFile::list(const json& object, const char* key) const {
     static const json none = json::array();
     const auto found = object.find(key);
     if (found == object.end()) {
         return none;
     }
     if (!found->is_array()) {
-        throw Error(fmt::format("'{}' is not a list", key), {path, 0, {}});
+        refuse(fmt::format("'{}' is not a list", key));
     }
     for (const json& row : *found) {
         if (!row.is_object()) {
-            throw Error(fmt::format("'{}' holds something that is not an object", key),
-                        {path, 0, {}});
+            refuse(fmt::format("'{}' holds something that is not an object", key));
         }
     }
     return *found;
+}
+
+const json& GltfFile::list(const char* key) const {
+    static const json none = json::array();
+    const auto found = root_.find(key);
+    return found != root_.end() ? *found : none;
+}
+
+void GltfFile::spend(std::size_t elements) const {
+    spent_ += std::min(elements, import_limits.elements + 1);
+    if (spent_ > import_limits.elements) {
+        refuse(fmt::format("its accessors hold more than {} elements, which is the limit",
+                           import_limits.elements));
+    }
+}
+
+std::size_t GltfFile::count(const json& object, const char* key, std::size_t usual) const {
+    const auto found = object.find(key);
+    if (found == object.end()) {
+        return usual;
+    }
+    if (!found->is_number_unsigned()) {
+        refuse(fmt::format("'{}' is not a valid count or index", key), found->dump().substr(0, 80));
+    }
+    return found->get<std::size_t>();
+}
+
+std::optional<std::size_t> GltfFile::index(const json& object, const char* key,
+                                           const char* rows) const {
+    if (!object.contains(key)) {
+        return std::nullopt;
+    }
+    const std::size_t at = count(object, key, 0);
+    if (at >= list(rows).size()) {
+        refuse(fmt::format("'{}' names something that does not exist", key), std::to_string(at));
+    }
+    return at;
+}
+
+float gltf_number(const json& object, const char* key, float usual) {
+    const auto found = object.find(key);
+    if (found == object.end() || !found->is_number()) {
+        return usual;
+    }
+    const auto value = found->get<float>();
+    return std::isfinite(value) ? value : usual;
+}
+
+bool gltf_numbers(const json& object, const char* key, float* to, std::size_t count) {
+    const auto found = object.find(key);
+    if (found == object.end() || !found->is_array() || found->size() != count) {
+        return false;
+    }
+    std::vector<float> values;
+    for (const json& value : *found) {
+        if (!value.is_number() || !std::isfinite(value.get<float>())) {
+            return false;
+        }
+        values.push_back(value.get<float>());
+    }
+    std::copy(values.begin(), values.end(), to);
+    return true;
+}
+
+const json& gltf_object(const json& object, const char* key) {
+    static const json none = json::object();
+    const auto found = object.find(key);
+    return found != object.end() && found->is_object() ? *found : none;
+}
+
+std::string gltf_text(const json& object, const char* key) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 } // namespace preview

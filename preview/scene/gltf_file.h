@@ -1,43 +1,80 @@
-// A glTF file as JSON and what follows it, before a parser of scenes gets it.
+// A glTF 2.0 file as JSON and bytes, of which everything that is asked is checked when it is asked.
 //
 // A .gltf is JSON. A .glb is the word "glTF", a version and the whole length, then chunks of a
 // length, a type and that many bytes: the JSON, then the contents of the first buffer; words are
 // little-endian, chunks padded to four bytes.
 #pragma once
 
-#include "preview/scene/import_parts.h"
+#include "preview/scene/import.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
+#include <initializer_list>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace preview {
 
-struct GltfFile {
-    nlohmann::json root;
-    bool is_binary = false;
-    std::string body; ///< chunks of a .glb after the JSON, with their headers
+/// Every function throws lutlib::Error, which names the file, for what is broken or beyond
+/// import_limits.
+class GltfFile {
+  public:
+    using json = nlohmann::json;
 
-    /// Throws lutlib::Error for what is no glTF 2.0.
-    GltfFile(const std::string& bytes, const std::string& path);
-    /// As bytes that the constructor would take.
-    std::string to_bytes() const;
-    /// Of the first buffer in a .glb.
-    std::size_t body_bytes() const;
+    /// `bytes` of the file at `path`; others beside it are read by `read` when they are needed.
+    GltfFile(std::string_view bytes, std::string path, ReadFile read);
+
+    const json& root() const { return root_; }
+    const std::string& path() const { return path_; }
+    [[noreturn]] void refuse(const std::string& message, const std::string& text = {}) const;
+
+    /// A list of objects, or an empty one where there is none.
+    const json& list(const json& object, const char* key) const;
+    /// The same of the root, checked once.
+    const json& list(const char* key) const;
+    /// The number of the row of the root's list `rows` that the member names, if there is a member.
+    std::optional<std::size_t> index(const json& object, const char* key, const char* rows) const;
+    /// A count; `usual` where there is none.
+    std::size_t count(const json& object, const char* key, std::size_t usual) const;
+
+    /// Refuses the file when what is read of it is more than the limit in all: many meshes may
+    /// share few bytes.
+    void spend(std::size_t elements) const;
+    std::string_view view_bytes(std::size_t view) const;
+    /// Of a data URI, or of a file beside this one. URIs may be percent-encoded.
+    std::string uri_bytes(const std::string& uri, std::size_t most) const;
+
+  private:
+    const std::string& buffer(std::size_t index) const;
+    std::string loaded(std::size_t index) const;
+
+    std::string path_;
+    ReadFile read_;
+    json root_;
+    bool is_binary_ = false;
+    std::string body_; ///< the chunk after the JSON
+    mutable std::vector<std::optional<std::string>> buffers_;
+    mutable std::size_t spent_ = 0; ///< elements
 };
 
-/// Refuses what a parser should not be trusted with: types that are none, cycles and depth of
-/// nodes, ranges beyond their buffers, counts beyond import_limits. Throws lutlib::Error.
-void check_gltf(const GltfFile& file, const std::string& path);
+/// A member that is a number; `usual` where there is none or it is not finite.
+float gltf_number(const nlohmann::json& object, const char* key, float usual);
+/// `count` numbers; false where there are others or none.
+bool gltf_numbers(const nlohmann::json& object, const char* key, float* to, std::size_t count);
+/// A member that is an object, or an empty one.
+const nlohmann::json& gltf_object(const nlohmann::json& object, const char* key);
+std::string gltf_text(const nlohmann::json& object, const char* key);
 
-/// Leaves in the JSON only what this import takes over, and counts the rest.
-void reduce_gltf(nlohmann::json& root, LeftOut& left_out);
-
-GltfFacts facts_of(const nlohmann::json& root);
-
-/// An array of objects, or nothing. Throws lutlib::Error for anything else.
-const nlohmann::json& gltf_list(const nlohmann::json& object, const char* key,
-                                const std::string& path);
+/// An accessor's elements as floats, `components` each, whole numbers as they are or, if the
+/// accessor is normalized, over 0..1 or -1..1. Refuses accessors of other shapes.
+std::vector<float> gltf_floats(const GltfFile& file, std::size_t accessor, std::size_t components);
+/// Whole numbers, `components` an element.
+std::vector<std::uint32_t> gltf_words(const GltfFile& file, std::size_t accessor,
+                                      std::size_t components);
+/// Components of the accessor's type: 1, 2, 3, 4, 9 or 16.
+std::size_t gltf_components(const GltfFile& file, std::size_t accessor);
 
 } // namespace preview

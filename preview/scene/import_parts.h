@@ -3,15 +3,18 @@
 
 #include "preview/scene/import.h"
 
-#include <assimp/material.h>
-#include <assimp/matrix4x4.h>
-
 #include <glm/mat4x4.hpp>
-#include <map>
 
-struct aiScene;
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace preview {
+
+/// The first bytes of a file's text, without control characters: it may go to a terminal.
+std::string printable(std::string_view text, std::size_t longest = 80);
 
 /// What is left out, counted.
 class LeftOut {
@@ -27,22 +30,55 @@ class LeftOut {
     std::map<std::string, std::size_t> counts_;
 };
 
-/// What Assimp 5.2 does not read, or not as glTF means it.
-struct GltfFacts {
-    std::vector<float> emissive_strengths; ///< of materials
-    std::vector<float> vertical_fields;    ///< of view of cameras, radians; 0: not perspective
+/// A mesh as files have it: an attribute is empty or as long as `positions`.
+struct GivenMesh {
+    std::string name;
+    std::vector<glm::vec3> positions, normals;
+    std::vector<glm::vec2> uv[2];
+    std::vector<glm::vec4> colors, tangents;
+    std::vector<std::uint32_t> indices; ///< three a triangle; may point anywhere
+    bool is_double_sided = false;
+    bool needs_tangents = false;  ///< made from `tangent_uv` where they are not given
+    std::uint32_t tangent_uv = 0; ///< 0 or 1
 };
 
-/// Its factors, and the means of its textures. Emission is of strength 1.
-Material import_material(const aiScene& scene, const aiMaterial& material,
-                         const std::string& folder, LeftOut& left_out);
+/// Triangles without an area, or with a vertex that is no place, are left out; normals that are
+/// missing or no direction become the triangle's own. Double-sided ones get a back.
+Mesh mesh_of(const GivenMesh& given, LeftOut& left_out);
 
-/// A named place in the file's world.
-using Places = std::map<std::string, glm::mat4>;
+/// Throws lutlib::Error for what is no PNG or JPEG within import_limits. `file` is for messages.
+Picture picture_of(std::string_view bytes, const std::string& file);
 
-/// Camera and lights of the file, or stand-ins, with surroundings and exposure; `fit` carries the
-/// file's world to the scene's.
-void import_view(const aiScene& file, const GltfFacts& facts, const Places& nodes,
-                 const glm::mat4& fit, Scene& scene, LeftOut& left_out);
+/// In the file's world; it looks along its -z.
+struct FileCamera {
+    std::string name;
+    glm::mat4 place{1};
+    float vertical_field = 0; ///< of view, radians; 0: orthographic
+    float half_height = 1;    ///< of an orthographic view
+};
+
+struct FileLight {
+    enum class Kind : std::uint8_t { point, spot, sun };
+    std::string name;
+    Kind kind = Kind::point;
+    glm::mat4 place{1};     ///< it shines along its -z
+    glm::vec3 intensity{1}; ///< candela, or lux of a sun; taken as radiance times m^2 and radiance
+    float inner_angle = 0, outer_angle = 0; ///< half angles of a spot's cone, radians
+};
+
+/// A file's scene in its own world.
+struct FileScene {
+    Scene scene;
+    std::vector<FileCamera> cameras;
+    std::vector<FileLight> lights;
+};
+
+/// Carries it to where the built-in scene stands, with camera, lights, surroundings and exposure.
+/// Throws lutlib::Error when there is nothing to show; `path` is for messages.
+Scene settled(FileScene file, const std::string& path, LeftOut& left_out);
+
+/// An OBJ file, whose bytes these are.
+FileScene obj_scene(const std::string& bytes, const std::string& path, const ReadFile& read,
+                    LeftOut& left_out);
 
 } // namespace preview

@@ -1,10 +1,6 @@
-#include "preview/scene/import_parts.h"
-
+#include "lutlib/error.h"
 #include "preview/scene/builtin.h"
-
-#include <assimp/camera.h>
-#include <assimp/light.h>
-#include <assimp/scene.h>
+#include "preview/scene/import_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,43 +38,50 @@ Orbit framing(const Ball& ball) {
     return orbit;
 }
 
-/// A camera at `place`, which looks along its -z, as glTF has it; Assimp 5.2 adds the node's
-/// translation once more. Its target lies as far away as the ball.
-Orbit orbit_of(const glm::mat4& place, float vertical_field, const Ball& ball, LeftOut& left_out) {
-    const glm::vec3 position(place[3]);
+/// The camera's view of the file, carried by `fit`, with its target as far away as the ball. An
+/// orthographic one stands so far away that its rays are parallel to a quarter of a degree.
+Orbit orbit_of(const FileCamera& camera, const glm::mat4& fit, const Ball& ball) {
+    constexpr float far_away = 200; // in radii
+    const glm::mat4 place = fit * camera.place;
     const glm::vec3 forward = -glm::normalize(glm::vec3(place[2]));
     const glm::vec3 up = glm::normalize(glm::vec3(place[1]));
+    glm::vec3 position(place[3]);
     Orbit orbit;
     orbit.distance = std::max(glm::dot(ball.centre - position, forward), 2 * orbit.near_plane);
     orbit.target = position + orbit.distance * forward;
+    orbit.field_of_view = glm::degrees(camera.vertical_field);
+    if (camera.vertical_field == 0) {
+        const float scale = glm::length(glm::vec3(fit[0]));
+        orbit.distance = far_away * ball.radius;
+        orbit.near_plane = orbit.distance / 2;
+        orbit.field_of_view =
+            glm::degrees(2 * std::atan(std::abs(camera.half_height) * scale / orbit.distance));
+    }
     orbit.elevation = glm::degrees(std::asin(std::clamp(-forward.y, -1.0F, 1.0F)));
     orbit.azimuth = glm::degrees(std::atan2(-forward.x, -forward.z));
-    orbit.field_of_view = glm::degrees(vertical_field);
-    const glm::vec3 level = glm::cross(forward, glm::vec3(0, 1, 0));
-    constexpr float least_roll = 0.02F; // about a degree
-    if (std::abs(glm::dot(up, level)) > least_roll) {
-        left_out.add("roll of the camera");
+    const glm::vec3 across = glm::cross(forward, glm::vec3(0, 1, 0));
+    if (const float length = glm::length(across); length > 1e-4F) {
+        const glm::vec3 right = across / length;
+        orbit.roll = glm::degrees(
+            std::atan2(-glm::dot(up, right), glm::dot(up, glm::cross(right, forward))));
     }
     return orbit;
 }
 
-void import_camera(const aiScene& file, const GltfFacts& facts, const Places& nodes,
-                   const glm::mat4& fit, const Ball& ball, Scene& scene, LeftOut& left_out) {
+void import_cameras(const std::vector<FileCamera>& cameras, const glm::mat4& fit, const Ball& ball,
+                    Scene& scene, LeftOut& left_out) {
     scene.orbit = framing(ball);
-    bool has_camera = false;
-    for (unsigned i = 0; i < file.mNumCameras; ++i) {
-        const aiCamera& camera = *file.mCameras[i];
-        const auto node = nodes.find(camera.mName.C_Str());
-        const float field = i < facts.vertical_fields.size() ? facts.vertical_fields[i] : 0;
-        if (node == nodes.end() || has_camera || !(field > 0)) {
-            left_out.add("cameras (the first perspective one is taken)");
-            continue;
+    for (const FileCamera& camera : cameras) {
+        const Orbit orbit = orbit_of(camera, fit, ball);
+        if (is_finite(orbit.target) && std::isfinite(orbit.field_of_view) &&
+            std::isfinite(orbit.azimuth + orbit.elevation + orbit.roll + orbit.distance)) {
+            scene.cameras.push_back({camera.name, orbit});
+        } else {
+            left_out.add("cameras with numbers that are not finite");
         }
-        const Orbit orbit = orbit_of(fit * node->second, field, ball, left_out);
-        has_camera = is_finite(orbit.target) && std::isfinite(orbit.field_of_view);
-        if (has_camera) {
-            scene.orbit = orbit;
-        }
+    }
+    if (!scene.cameras.empty()) {
+        scene.orbit = scene.cameras.front().orbit;
     }
 }
 
@@ -96,26 +99,30 @@ void aim_shadow(PointLight& light, const Ball& ball) {
     light.shadow_far = (distance + ball.radius) * 1.01F;
 }
 
-/// Lights shine in candela and lux, taken as radiance times m^2 and radiance.
-PointLight import_light(const aiLight& given, const glm::mat4& place, const Ball& ball, float scale,
-                        LeftOut& left_out) {
+PointLight light_of(const FileLight& given, const glm::mat4& fit, const Ball& ball) {
     constexpr float sun_distance = 100; // in radii: its rays are parallel to half a degree
+    const glm::mat4 place = fit * given.place;
+    const glm::vec3 along = -glm::normalize(glm::vec3(place[2]));
     PointLight light;
-    light.name = given.mName.C_Str();
-    light.intensity = {given.mColorDiffuse.r, given.mColorDiffuse.g, given.mColorDiffuse.b};
-    if (given.mType == aiLightSource_DIRECTIONAL) {
-        const glm::vec3 along = -glm::normalize(glm::vec3(place[2]));
+    light.name = given.name;
+    light.intensity = given.intensity;
+    if (given.kind == FileLight::Kind::sun) {
         const float distance = sun_distance * ball.radius;
         light.position = ball.centre - distance * along;
         light.intensity *= distance * distance;
     } else {
+        const float scale = glm::length(glm::vec3(fit[0]));
         light.position = glm::vec3(place[3]);
         light.intensity *= scale * scale;
-        if (given.mType == aiLightSource_SPOT) {
-            left_out.add("cones of spot lights (they shine in all directions)");
-        }
     }
     aim_shadow(light, ball);
+    if (given.kind == FileLight::Kind::spot) {
+        light.axis = along;
+        light.inner_angle = glm::degrees(given.inner_angle);
+        light.outer_angle = glm::degrees(given.outer_angle);
+        light.aim = light.position + along;
+        light.shadow_angle = std::clamp(2 * light.outer_angle + 1, 1.0F, 170.0F);
+    }
     return light;
 }
 
@@ -128,18 +135,12 @@ void dim(Environment& environment, float factor) {
     }
 }
 
-void import_lights(const aiScene& file, const Places& nodes, const glm::mat4& fit, const Ball& ball,
+void import_lights(const std::vector<FileLight>& lights, const glm::mat4& fit, const Ball& ball,
                    Scene& scene, LeftOut& left_out) {
-    const float scale = glm::length(glm::vec3(fit[0]));
-    for (unsigned i = 0; i < file.mNumLights; ++i) {
-        const auto node = nodes.find(file.mLights[i]->mName.C_Str());
-        if (node == nodes.end() || scene.lights.size() == import_limits.lights) {
-            left_out.add("lights beyond the first " + std::to_string(import_limits.lights));
-            continue;
-        }
-        PointLight light =
-            import_light(*file.mLights[i], fit * node->second, ball, scale, left_out);
-        if (is_finite(light.position) && is_finite(light.intensity)) {
+    for (const FileLight& given : lights) {
+        PointLight light = light_of(given, fit, ball);
+        if (is_finite(light.position) && is_finite(light.intensity) && is_finite(light.axis) &&
+            is_finite(light.aim)) {
             scene.lights.push_back(std::move(light));
         } else {
             left_out.add("lights with numbers that are not finite");
@@ -166,13 +167,39 @@ void import_lights(const aiScene& file, const Places& nodes, const glm::mat4& fi
     dim(scene.environment, std::exp2(-scene.exposure)); // exposed, they look as the sample's do
 }
 
+/// Carries the file's world to where the built-in scene stands.
+glm::mat4 fit_of(const Scene& scene, const std::string& path, const LeftOut& left_out) {
+    constexpr glm::vec3 fit_centre{0.26F, 0.62F, -0.1F}; // where the sample's camera looks
+    constexpr float fit_radius = 1.5F;
+    constexpr float most_radius = 1e9F;
+    const Bounds box = scene.bounds();
+    const glm::vec3 size = box.max - box.min;
+    const float radius = glm::length(size) / 2;
+    if (box.empty() || !(radius > 0) || !(radius < most_radius)) {
+        std::string message = "it holds no triangles to show";
+        for (const std::string& line : left_out.lines()) {
+            message += "; left out: " + line;
+        }
+        throw lutlib::Error(message, {path, 0, {}});
+    }
+    const float scale = fit_radius / radius;
+    glm::mat4 fit(scale);
+    fit[3] = glm::vec4(fit_centre - scale * (box.min + size / 2.0F), 1);
+    return fit;
+}
+
 } // namespace
 
-void import_view(const aiScene& file, const GltfFacts& facts, const Places& nodes,
-                 const glm::mat4& fit, Scene& scene, LeftOut& left_out) {
+Scene settled(FileScene file, const std::string& path, LeftOut& left_out) {
+    Scene scene = std::move(file.scene);
+    const glm::mat4 fit = fit_of(scene, path, left_out);
+    for (Object& object : scene.objects) {
+        object.transform = fit * object.transform;
+    }
     const Ball ball = ball_about(scene);
-    import_camera(file, facts, nodes, fit, ball, scene, left_out);
-    import_lights(file, nodes, fit, ball, scene, left_out);
+    import_cameras(file.cameras, fit, ball, scene, left_out);
+    import_lights(file.lights, fit, ball, scene, left_out);
+    return scene;
 }
 
 } // namespace preview

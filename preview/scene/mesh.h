@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,10 +19,18 @@ struct Vertex {
     glm::vec3 normal{0, 1, 0};
 };
 
+/// What textures and vertex colours need besides.
+struct VertexDetail {
+    glm::vec2 uv[2]{};    ///< (0, 0) is a picture's upper left corner; the material says which set
+    glm::vec4 color{1};   ///< linear, 0..1; times the base colour
+    glm::vec4 tangent{0}; ///< unit, towards growing u; w: -1 where v grows along normal x tangent
+};
+
 struct Mesh {
     std::string name;
     std::vector<Vertex> vertices;
-    std::vector<std::uint32_t> indices; ///< three a triangle
+    std::vector<VertexDetail> details{}; ///< empty, or one a vertex
+    std::vector<std::uint32_t> indices;  ///< three a triangle
 };
 
 /// An axis-aligned box; empty while min exceeds max.

@@ -17,6 +17,14 @@ bool Scene::has_casting_light() const {
     });
 }
 
+bool Scene::has_detail() const {
+    return std::any_of(meshes.begin(), meshes.end(),
+                       [](const Mesh& mesh) { return !mesh.details.empty(); }) ||
+           std::any_of(materials.begin(), materials.end(), [](const Material& material) {
+               return !(material.detail == MaterialDetail{});
+           });
+}
+
 bool Scene::has_emitter() const {
     return std::any_of(objects.begin(), objects.end(), [&](const Object& object) {
         return materials[object.material].emission != glm::vec3{0};

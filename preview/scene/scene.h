@@ -9,6 +9,7 @@
 #include "preview/scene/camera.h"
 #include "preview/scene/environment.h"
 #include "preview/scene/mesh.h"
+#include "preview/scene/texture.h"
 
 #include <glm/mat4x4.hpp>
 #include <string>
@@ -21,6 +22,7 @@ struct Material {
     float roughness = 0.5f; ///< perceptual, 0..1; alpha = roughness^2
     float metalness = 0;    ///< 0..1
     glm::vec3 emission{0};  ///< radiance, >= 0
+    MaterialDetail detail{};
 };
 
 struct Object {
@@ -29,8 +31,8 @@ struct Object {
     bool casts_shadow = true;
 };
 
-/// A point that shines in all directions. Its shadow, if it casts one, falls inside the cone-like
-/// frustum from `position` towards `aim`; outside of it the light is unshadowed.
+/// A point that shines in all directions, or a spot. Its shadow, if it casts one, falls inside the
+/// cone-like frustum from `position` towards `aim`; outside of it the light is unshadowed.
 struct PointLight {
     glm::vec3 position{0};
     glm::vec3 intensity{0};
@@ -40,7 +42,17 @@ struct PointLight {
     float shadow_near = 0.1f, shadow_far = 20;
     std::string name; ///< for people
     bool is_on = true;
+    /// A spot shines along `axis`, fully up to the half angle `inner_angle`, not at all from
+    /// `outer_angle` on, in degrees. 180: it is no spot.
+    glm::vec3 axis{0, -1, 0};
+    float inner_angle = 0, outer_angle = 180;
+    bool is_spot() const { return outer_angle < 180; }
     friend bool operator==(const PointLight&, const PointLight&) = default;
+};
+
+struct NamedCamera {
+    std::string name;
+    Orbit orbit;
 };
 
 struct Scene {
@@ -50,8 +62,14 @@ struct Scene {
     std::vector<PointLight> lights;
     Environment environment;
     Orbit orbit;
-    float exposure = 0; ///< stops, added to the command line's
+    std::vector<NamedCamera> cameras; ///< of the file that it comes from
+    float exposure = 0;               ///< stops, added to the command line's
+    std::vector<Picture> pictures;
+    std::vector<Texture> textures; ///< of the pictures
 
+    /// Whether a surface differs from its material's numbers: by textures, colours of vertices,
+    /// cut-outs, or because no light changes it.
+    bool has_detail() const;
     bool has_casting_light() const;
     bool has_emitter() const;
     Bounds bounds() const; ///< of every object, in world space

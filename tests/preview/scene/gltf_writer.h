@@ -34,6 +34,17 @@ class GltfWriter {
         return index;
     }
 
+    /// An accessor of the numbers as they stand in memory.
+    template <class T>
+    std::size_t add_accessor(const std::vector<T>& numbers, const char* type,
+                             std::size_t components, int component_type) {
+        const std::size_t view = add_view(numbers.data(), numbers.size() * sizeof(T));
+        return add("accessors", {{"bufferView", view},
+                                 {"componentType", component_type},
+                                 {"type", type},
+                                 {"count", numbers.size() / components}});
+    }
+
     /// A mesh of these corners, three a triangle.
     std::size_t add_mesh(const std::vector<float>& positions, std::size_t material = 0) {
         const std::size_t view = add_view(positions.data(), positions.size() * sizeof(float));
@@ -60,10 +71,27 @@ class GltfWriter {
         std::ofstream(bin, std::ios::binary) << bytes;
     }
 
+    /// The buffer as a data URI.
+    std::string data_uri() const {
+        constexpr const char* digits =
+            "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+        std::string padded = bytes + std::string((3 - bytes.size() % 3) % 3, '\0');
+        std::string text = "data:application/octet-stream;base64,";
+        for (std::size_t at = 0; at < padded.size(); at += 3) {
+            std::uint32_t bits = 0;
+            for (std::size_t i = 0; i < 3; ++i) {
+                bits = bits << 8U | static_cast<unsigned char>(padded[at + i]);
+            }
+            for (const unsigned shift : {18U, 12U, 6U, 0U}) {
+                text += digits[bits >> shift & 63U];
+            }
+        }
+        return text;
+    }
+
     json root;
     std::string bytes;
 
-  private:
     std::size_t add_view(const void* data, std::size_t size) {
         const std::size_t at = bytes.size();
         bytes.append(static_cast<const char*>(data), size);

@@ -1,0 +1,121 @@
+#include "preview/scene/gltf_parts.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace preview {
+
+namespace {
+
+using nlohmann::json;
+
+FileCamera camera_of(const json& given, const glm::mat4& place) {
+    FileCamera out;
+    out.name = printable(gltf_text(given, "name"));
+    out.place = place;
+    if (gltf_text(given, "type") == "orthographic") {
+        out.half_height = gltf_number(gltf_object(given, "orthographic"), "ymag", 1);
+    } else {
+        constexpr float usual = 0.7F, least = 0.01F, most = 3;
+        out.vertical_field =
+            std::clamp(gltf_number(gltf_object(given, "perspective"), "yfov", usual), least, most);
+    }
+    return out;
+}
+
+FileLight light_of(const json& given, const glm::mat4& place) {
+    FileLight out;
+    out.name = printable(gltf_text(given, "name"));
+    out.place = place;
+    const std::string type = gltf_text(given, "type");
+    out.kind = type == "directional" ? FileLight::Kind::sun
+               : type == "spot"      ? FileLight::Kind::spot
+                                     : FileLight::Kind::point;
+    float color[3] = {1, 1, 1};
+    gltf_numbers(given, "color", color, 3);
+    const float intensity = std::max(gltf_number(given, "intensity", 1), 0.0F);
+    for (int c = 0; c < 3; ++c) {
+        out.intensity[c] = std::max(color[c], 0.0F) * intensity;
+    }
+    const json& spot = gltf_object(given, "spot");
+    constexpr float widest = std::numbers::pi_v<float> / 2;
+    out.outer_angle = std::clamp(gltf_number(spot, "outerConeAngle", widest / 2), 0.0F, widest);
+    out.inner_angle = std::clamp(gltf_number(spot, "innerConeAngle", 0), 0.0F, out.outer_angle);
+    return out;
+}
+
+/// Cameras and lights of the nodes that are shown.
+void read_view(const GltfFile& file, const std::vector<glm::mat4>& places, FileScene& out,
+               LeftOut& left_out) {
+    constexpr const char* punctual = "KHR_lights_punctual";
+    const json& lights =
+        file.list(gltf_object(gltf_object(file.root(), "extensions"), punctual), "lights");
+    for (const std::size_t node : gltf_shown_nodes(file)) {
+        const json& row = file.list("nodes")[node];
+        if (const auto camera = file.index(row, "camera", "cameras")) {
+            out.cameras.push_back(camera_of(file.list("cameras")[*camera], places[node]));
+            if (out.cameras.back().name.empty()) {
+                out.cameras.back().name = printable(gltf_text(row, "name"));
+            }
+        }
+        const json& light = gltf_object(gltf_object(row, "extensions"), punctual);
+        if (!light.contains("light")) {
+            continue;
+        }
+        const std::size_t number = file.count(light, "light", 0);
+        if (number >= lights.size()) {
+            file.refuse("a node names a light that does not exist");
+        }
+        if (out.lights.size() == import_limits.lights) {
+            left_out.add("lights beyond the first " + std::to_string(import_limits.lights));
+            continue;
+        }
+        out.lights.push_back(light_of(lights[number], places[node]));
+    }
+}
+
+/// Without these a file has no triangles; others that it requires are told where they are used.
+void check_compression(const GltfFile& file) {
+    const auto required = file.root().find("extensionsRequired");
+    if (required == file.root().end() || !required->is_array()) {
+        return;
+    }
+    for (const char* name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
+        if (std::find(required->begin(), required->end(), name) != required->end()) {
+            file.refuse(std::string("its meshes are compressed (") + name +
+                        "); convert it to plain glTF 2.0");
+        }
+    }
+}
+
+void tell_extensions(const GltfFile& file, LeftOut& left_out) {
+    gltf_extensions(file.root(), "the file's", {"KHR_lights_punctual"}, left_out);
+    left_out.add("animations (the rest pose is shown)", file.list("animations").size());
+}
+
+} // namespace
+
+ImportedScene import_gltf(std::string_view bytes, const std::string& path, const ReadFile& read) {
+    LeftOut left_out;
+    const GltfFile file(bytes, path, read);
+    FileScene out;
+    try {
+        check_compression(file);
+        tell_extensions(file, left_out);
+        const std::vector<GltfMaterial> materials = gltf_materials(file, out.scene, left_out);
+        const std::vector<glm::mat4> places = gltf_places(file, left_out);
+        gltf_meshes(file, materials, places, out.scene, left_out);
+        for (const GltfMaterial& material : materials) {
+            out.scene.materials.push_back(material.material);
+        }
+        read_view(file, places, out, left_out);
+    } catch (const json::exception& error) {
+        file.refuse("not a usable glTF file: " + printable(error.what()));
+    }
+    ImportedScene imported;
+    imported.scene = settled(std::move(out), path, left_out);
+    imported.left_out = left_out.lines();
+    return imported;
+}
+
+} // namespace preview

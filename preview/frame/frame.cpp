@@ -92,6 +92,26 @@ DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const Frame
     handles.environment = graph.data_of("environment", environment_block(scene.environment));
     handles.view = graph.data_of("view", view);
     handles.light_count = static_cast<std::uint32_t>(lights.size());
+    handles.has_spots =
+        settings.force_all || std::any_of(lights.begin(), lights.end(),
+                                          [](const PointLight& light) { return light.is_spot(); });
+    if (gpu_scene.detail) {
+        const GpuDetail& detail = *gpu_scene.detail;
+        handles.detail.vertices =
+            graph.import("vertex details", detail.vertices, detail.vertices.bytes());
+        handles.detail.materials =
+            data_or_nothing(graph, "material details", material_detail_blocks(scene));
+        handles.detail.textures =
+            graph.import("textures", detail.textures, detail.textures.bytes());
+        handles.detail.texels = graph.import("texels", detail.texels, detail.texels.bytes());
+        handles.detail.has_cutouts = detail.has_cutouts;
+        if (detail.halvings > 0) {
+            graph.withhold("the textures' largest " + std::to_string(detail.halvings) + " levels",
+                           "the device's buffers have no room for them");
+        }
+    } else {
+        graph.withhold("textures", "no surface has any");
+    }
     return out;
 }
 
@@ -324,7 +344,7 @@ void show(Graph& graph, const FrameSettings& settings, std::string_view name, Im
                                .format = settings.format,
                                .as_numbers = settings.shows_numbers,
                                .near_plane = settings.orbit.near_plane},
-                              handles.materials);
+                              handles.materials, handles.surfaces);
     graph.present(handles.output);
 }
 

@@ -2,19 +2,36 @@
 
 namespace preview {
 
+void read_detail(Pass& pass, const SceneHandles& scene) {
+    pass.storage(scene.detail.vertices);
+    pass.storage(scene.materials);
+    pass.storage(scene.detail.materials);
+    pass.storage(scene.detail.textures);
+    pass.storage(scene.detail.texels);
+}
+
 GBuffer add_gbuffer(Graph& graph, const SceneHandles& scene, Size size, std::vector<Draw> draws) {
     const auto target = [&](std::string_view name, Format format) {
         return graph.image(name, {format, size.width, size.height});
     };
-    Pass pass = graph.raster("g-buffer", "gbuffer.vert", "gbuffer.frag");
+    const bool has_detail = static_cast<bool>(scene.detail);
+    Pass pass = has_detail ? graph.raster("g-buffer", "gbuffer_detail.vert", "gbuffer_detail.frag")
+                           : graph.raster("g-buffer", "gbuffer.vert", "gbuffer.frag");
     pass.storage(scene.vertices);
     pass.storage(scene.objects);
     pass.uniform(scene.view);
+    if (has_detail) {
+        read_detail(pass, scene);
+    }
     pass.index_buffer(scene.indices);
     pass.draws(std::move(draws));
     GBuffer out;
     out.normal = pass.color(target("normal", Format::rg16ui), {});
     out.material = pass.color(target("material", Format::r32ui), {});
+    if (has_detail) {
+        out.albedo = pass.color(target("albedo", Format::rgba16f), {});
+        out.emission = pass.color(target("emission", Format::rgba16f), {});
+    }
     out.depth = pass.depth(target("depth", Format::d32), 1);
     return out;
 }

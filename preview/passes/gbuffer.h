@@ -8,10 +8,16 @@
 namespace preview {
 
 struct [[nodiscard]] GBuffer {
-    ImageHandle depth;    ///< d32 or r32f, 0 near to 1 at infinity; 1 where there is nothing
-    ImageHandle normal;   ///< rg16ui, octahedral, world space
-    ImageHandle material; ///< r32ui, number of the material + 1; 0 where there is nothing
+    ImageHandle depth;  ///< d32 or r32f, 0 near to 1 at infinity; 1 where there is nothing
+    ImageHandle normal; ///< rg16ui, octahedral, world space
+    /// r32ui, 0 where there is nothing: number of the material + 1, or in a scene with detail what
+    /// shaders/common/surface.glsl says.
+    ImageHandle material;
+    ImageHandle albedo, emission; ///< rgba16f; only in a scene with detail
 };
+
+/// The buffers that surfaces with detail are made from, in the order of their bindings.
+void read_detail(Pass& pass, const SceneHandles& scene);
 
 GBuffer add_gbuffer(Graph& graph, const SceneHandles& scene, Size size, std::vector<Draw> draws);
 

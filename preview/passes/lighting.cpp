@@ -4,18 +4,27 @@ namespace preview {
 
 ImageHandle add_lighting(Graph& graph, const SceneHandles& scene, const LightingInputs& inputs) {
     const Size size = size_of(graph, inputs.surfaces.depth);
-    Pass pass = graph.compute("lighting", "lighting.comp");
-    pass.constants({inputs.shadow_maps ? 1U : 0U, inputs.environment ? 1U : 0U});
+    const bool has_detail = static_cast<bool>(inputs.surfaces.albedo);
+    Pass pass = graph.compute("lighting", has_detail ? "lighting_detail.comp" : "lighting.comp");
+    pass.constants(
+        {inputs.shadow_maps ? 1U : 0U, inputs.environment ? 1U : 0U, scene.has_spots ? 1U : 0U});
     pass.uniform(scene.view);
     pass.uniform(scene.environment);
     pass.storage(scene.lights);
     pass.read(inputs.surfaces.depth);
     pass.read(inputs.surfaces.normal);
     pass.read(inputs.surfaces.material);
-    pass.storage(scene.materials);
+    if (has_detail) {
+        pass.read(inputs.surfaces.albedo);
+    } else {
+        pass.storage(scene.materials);
+    }
     pass.sample(inputs.shadow_maps, Sampler::shadow_compare, Neutral::lit);
     const ImageHandle lit =
         pass.write(graph.image("lit", {Format::rgba16f, size.width, size.height}));
+    if (has_detail) {
+        pass.read(inputs.surfaces.emission);
+    }
     pass.push(scene.light_count);
     pass.dispatch_over(size.width, size.height);
     return lit;

@@ -8,6 +8,7 @@ void ShadowMaps::add(const PointLight& light, const Scene& scene, const Geometry
                      const std::vector<std::uint32_t>& objects) {
     if (casters.empty()) {
         casters = caster_blocks(scene);
+        materials = caster_materials(scene);
     }
     ShadowMap map{light.name, shadow_clip(light), draws_of(scene, geometry, objects)};
     std::uint32_t object = 0;
@@ -32,11 +33,25 @@ ImageHandle add_shadows(Graph& graph, const SceneHandles& scene, ShadowMaps shad
                                          : graph.image("shadow maps", desc);
     const BufferHandle casters =
         graph.data("shadow casters", std::as_bytes(std::span(shadows.casters)));
+    const bool has_cutouts = scene.detail.has_cutouts;
+    const BufferHandle materials =
+        has_cutouts
+            ? graph.data("materials of shadow casters", std::as_bytes(std::span(shadows.materials)))
+            : BufferHandle{};
     for (std::uint32_t layer = 0; layer < layers; ++layer) {
         ShadowMap& map = shadows.maps[layer];
-        Pass pass = graph.raster("shadow of " + map.name, "shadow.vert", "");
+        Pass pass = has_cutouts ? graph.raster("shadow of " + map.name, "shadow_cutout.vert",
+                                               "shadow_cutout.frag")
+                                : graph.raster("shadow of " + map.name, "shadow.vert", "");
         pass.storage(scene.vertices);
         pass.storage(casters);
+        if (has_cutouts) {
+            pass.storage(materials);
+            pass.storage(scene.detail.vertices);
+            pass.storage(scene.detail.materials);
+            pass.storage(scene.detail.textures);
+            pass.storage(scene.detail.texels);
+        }
         pass.index_buffer(scene.indices);
         pass.push(map.clip);
         pass.draws(std::move(map.draws));

@@ -20,7 +20,8 @@ struct ShadowMaps {
     std::uint32_t size = 1024; ///< of the side of each, in texels
     bool are_kept = true;      ///< from frame to frame; else drawn in each
     std::vector<ShadowMap> maps;
-    std::vector<CasterBlock> casters; ///< of the scene; as many whatever a light sees of them
+    std::vector<CasterBlock> casters;     ///< of the scene; as many whatever a light sees of them
+    std::vector<std::uint32_t> materials; ///< of the casters
 
     /// The map of a light over these casters, in rising order.
     void add(const PointLight& light, const Scene& scene, const Geometry& geometry,

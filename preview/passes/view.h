@@ -1,7 +1,7 @@
 // Shows an intermediate as a picture: the debug views.
 #pragma once
 
-#include "preview/passes/pass.h"
+#include "preview/passes/gbuffer.h"
 
 #include <string_view>
 
@@ -24,8 +24,8 @@ struct ViewOutput {
 };
 
 /// `source` may be of another size; then the nearest texel shows. `materials` is the scene's
-/// buffer, for views that show a material.
+/// buffer and `surfaces` what it shows, for views that show a material.
 ImageHandle add_view(Graph& graph, ImageHandle source, const View& view, const ViewOutput& output,
-                     BufferHandle materials = {});
+                     BufferHandle materials = {}, const GBuffer& surfaces = {});
 
 } // namespace preview

@@ -28,7 +28,17 @@ BufferHandle rasterise(Graph& graph, const SceneHandles& scene, SharedPush size,
     BufferHandle counts = graph.fill("no large triangles", graph.buffer("large counts", 8), 0);
     BufferHandle large =
         graph.buffer("large triangles", limits.large_triangles * large_triangle_bytes);
-    Pass triangles = graph.compute("triangles", "visibility_triangles.comp");
+    const bool has_cutouts = scene.detail.has_cutouts;
+    const auto read_cutouts = [&](Pass& pass) {
+        if (has_cutouts) {
+            pass.storage(scene.detail.vertices);
+            pass.storage(scene.detail.materials);
+            pass.storage(scene.detail.textures);
+            pass.storage(scene.detail.texels);
+        }
+    };
+    Pass triangles = graph.compute("triangles", has_cutouts ? "visibility_triangles_cutout.comp"
+                                                            : "visibility_triangles.comp");
     triangles.constants({limits.small_side});
     triangles.storage(scene.vertices);
     triangles.storage(scene.indices);
@@ -38,14 +48,24 @@ BufferHandle rasterise(Graph& graph, const SceneHandles& scene, SharedPush size,
     keys = triangles.modify(keys);
     counts = triangles.modify(counts);
     large = triangles.write(large);
+    read_cutouts(triangles);
     triangles.push(TrianglesPush{size, cluster_count, limits.large_triangles});
     const std::uint32_t columns = std::min(cluster_count, most_groups);
     triangles.dispatch(columns, (cluster_count + columns - 1) / columns);
 
-    Pass tiles = graph.compute("large triangles", "visibility_tiles.comp");
+    Pass tiles = graph.compute("large triangles", has_cutouts ? "visibility_tiles_cutout.comp"
+                                                              : "visibility_tiles.comp");
     tiles.storage(counts);
     tiles.storage(large);
     keys = tiles.modify(keys);
+    if (has_cutouts) {
+        tiles.storage(scene.vertices);
+        tiles.storage(scene.indices);
+        tiles.storage(scene.objects);
+        tiles.storage(clusters);
+        tiles.uniform(scene.view);
+        read_cutouts(tiles);
+    }
     tiles.push(TilesPush{size, limits.large_triangles});
     tiles.dispatch(limits.tile_groups);
     return keys;
@@ -85,7 +105,9 @@ GBuffer add_visibility(Graph& graph, const SceneHandles& scene, Size size,
     const auto target = [&](std::string_view name, Format format) {
         return graph.image(name, {format, size.width, size.height});
     };
-    Pass pass = graph.compute("g-buffer", "visibility_gbuffer.comp");
+    const bool has_detail = static_cast<bool>(scene.detail);
+    Pass pass = graph.compute("g-buffer", has_detail ? "visibility_gbuffer_detail.comp"
+                                                     : "visibility_gbuffer.comp");
     pass.storage(scene.vertices);
     pass.storage(scene.indices);
     pass.storage(scene.objects);
@@ -96,6 +118,11 @@ GBuffer add_visibility(Graph& graph, const SceneHandles& scene, Size size,
     out.normal = pass.write(target("normal", Format::rg16ui));
     out.material = pass.write(target("material", Format::r32ui));
     out.depth = pass.write(target("depth", Format::r32f));
+    if (has_detail) {
+        out.albedo = pass.write(target("albedo", Format::rgba16f));
+        out.emission = pass.write(target("emission", Format::rgba16f));
+        read_detail(pass, scene);
+    }
     pass.dispatch_over(size.width, size.height);
     return out;
 }

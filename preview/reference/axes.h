@@ -1,4 +1,5 @@
-// The counts along curve axes (preview/finish/curve_counts.h) in double, from lutlib's own operators.
+// The counts along curve axes (preview/finish/curve_counts.h) in double, from lutlib's own
+// operators.
 #pragma once
 
 #include "preview/finish/curve_counts.h"

@@ -5,9 +5,17 @@
 #include "preview/gpu/size.h"
 #include "preview/scene/scene_data.h"
 
+#include <optional>
 #include <span>
 
 namespace preview {
+
+/// What surfaces have besides their materials' numbers.
+struct GpuDetail {
+    gpu::Buffer vertices, textures, texels;
+    std::uint32_t halvings = 0; ///< largest levels of the textures that the device has no room for
+    bool has_cutouts = false;
+};
 
 /// Vertices and indices of a scene's meshes.
 struct GpuScene {
@@ -15,6 +23,7 @@ struct GpuScene {
 
     Geometry geometry;
     gpu::Buffer vertices, indices;
+    std::optional<GpuDetail> detail; ///< nothing for a scene without
 };
 
 /// A picture as the scene. Linear light, or display-encoded as from a PNG.

@@ -4,6 +4,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/packing.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
@@ -28,6 +29,39 @@ void set_rows(glm::vec4 (&rows)[3], const glm::mat4& transform) {
     for (int row = 0; row < 3; ++row) {
         rows[row] = {transform[0][row], transform[1][row], transform[2][row], transform[3][row]};
     }
+}
+
+/// Whether the transform turns outsides in.
+bool is_mirroring(const glm::mat4& m) {
+    return glm::dot(glm::cross(glm::vec3(m[0]), glm::vec3(m[1])), glm::vec3(m[2])) < 0;
+}
+
+/// Lists the mesh's triangles once more with their winding reversed.
+void add_mirrored(Geometry& geometry, Geometry::Range& mesh) {
+    if (mesh.mirrored_first_index != Geometry::Range::none) {
+        return;
+    }
+    mesh.mirrored_first_index = static_cast<std::uint32_t>(geometry.indices.size());
+    for (std::uint32_t at = mesh.first_index; at < mesh.first_index + mesh.index_count; at += 3) {
+        for (const std::uint32_t corner : {0U, 2U, 1U}) {
+            geometry.indices.push_back(geometry.indices[at + corner]);
+        }
+    }
+}
+
+Geometry::Detail packed(const VertexDetail& detail) {
+    Geometry::Detail out;
+    out.uv[0] = detail.uv[0];
+    out.uv[1] = detail.uv[1];
+    out.color[0] = glm::packUnorm2x16({detail.color.x, detail.color.y});
+    out.color[1] = glm::packUnorm2x16({detail.color.z, detail.color.w});
+    out.tangent = encode_octahedral(glm::vec3(detail.tangent));
+    out.side = detail.tangent.w;
+    return out;
+}
+
+TextureUseBlock block_of(const TextureUse& use) {
+    return {use.u_row, use.texture, use.v_row, use.uv_set};
 }
 
 /// True when all corners of the box lie outside one and the same plane of the frustum.
@@ -66,15 +100,27 @@ std::uint32_t encode_octahedral(glm::vec3 unit) {
 
 Geometry geometry_of(const Scene& scene) {
     Geometry geometry;
+    const bool has_detail = scene.has_detail();
     for (const Mesh& mesh : scene.meshes) {
         geometry.meshes.push_back({static_cast<std::uint32_t>(geometry.indices.size()),
                                    static_cast<std::uint32_t>(mesh.indices.size()),
                                    static_cast<std::int32_t>(geometry.vertices.size()),
-                                   bounds_of(mesh)});
+                                   bounds_of(mesh), Geometry::Range::none});
         for (const Vertex& vertex : mesh.vertices) {
             geometry.vertices.push_back({vertex.position, encode_octahedral(vertex.normal)});
         }
+        if (has_detail) {
+            for (const VertexDetail& detail : mesh.details) {
+                geometry.details.push_back(packed(detail));
+            }
+            geometry.details.resize(geometry.vertices.size(), packed({}));
+        }
         geometry.indices.insert(geometry.indices.end(), mesh.indices.begin(), mesh.indices.end());
+    }
+    for (const Object& object : scene.objects) {
+        if (is_mirroring(object.transform)) {
+            add_mirrored(geometry, geometry.meshes[object.mesh]);
+        }
     }
     return geometry;
 }
@@ -88,7 +134,7 @@ std::vector<ObjectBlock> object_blocks(const Scene& scene) {
         const glm::vec3 z(m[2]);
         // The columns of the cofactor matrix; it carries normals also under uneven scales, and a
         // mirroring transform turns them round.
-        const float side = glm::dot(glm::cross(x, y), z) < 0 ? -1.0F : 1.0F;
+        const float side = is_mirroring(m) ? -1.0F : 1.0F;
         const glm::vec3 c[3] = {side * glm::cross(y, z), side * glm::cross(z, x),
                                 side * glm::cross(x, y)};
         ObjectBlock block;
@@ -117,6 +163,35 @@ std::vector<MaterialBlock> material_blocks(const Scene& scene) {
     for (const Material& material : scene.materials) {
         blocks.push_back({glm::vec4(material.albedo, material.roughness),
                           glm::vec4(material.emission, material.metalness)});
+    }
+    return blocks;
+}
+
+std::vector<std::uint32_t> caster_materials(const Scene& scene) {
+    std::vector<std::uint32_t> materials;
+    for (const Object& object : scene.objects) {
+        if (object.casts_shadow) {
+            materials.push_back(object.material);
+        }
+    }
+    return materials;
+}
+
+std::vector<MaterialDetailBlock> material_detail_blocks(const Scene& scene) {
+    std::vector<MaterialDetailBlock> blocks;
+    for (const Material& material : scene.materials) {
+        const MaterialDetail& detail = material.detail;
+        MaterialDetailBlock& block = blocks.emplace_back();
+        block.base = block_of(detail.base);
+        block.surface = block_of(detail.surface);
+        block.normal = block_of(detail.normal);
+        block.occlusion = block_of(detail.occlusion);
+        block.emission = block_of(detail.emission);
+        block.normal_scale = detail.normal_scale;
+        block.occlusion_strength = detail.occlusion_strength;
+        block.coverage = detail.coverage;
+        block.least_coverage = detail.least_coverage;
+        block.is_unlit.x = detail.is_unlit ? 1 : 0;
     }
     return blocks;
 }
@@ -198,8 +273,13 @@ std::vector<Draw> draws_of(const Scene& scene, const Geometry& geometry,
                            const std::vector<std::uint32_t>& objects) {
     std::vector<Draw> draws;
     for (const std::uint32_t index : objects) {
-        const Geometry::Range& mesh = geometry.meshes[scene.objects[index].mesh];
-        draws.push_back({mesh.index_count, mesh.first_index, mesh.vertex_offset, 1, index});
+        const Object& object = scene.objects[index];
+        const Geometry::Range& mesh = geometry.meshes[object.mesh];
+        const bool is_mirrored =
+            mesh.mirrored_first_index != Geometry::Range::none && is_mirroring(object.transform);
+        draws.push_back({mesh.index_count,
+                         is_mirrored ? mesh.mirrored_first_index : mesh.first_index,
+                         mesh.vertex_offset, 1, index});
     }
     return draws;
 }
@@ -211,8 +291,18 @@ std::vector<LightBlock> light_blocks(const std::vector<PointLight>& lights,
         const PointLight& light = lights[index];
         const float texel = 2 * std::tan(glm::radians(light.shadow_angle) / 2) /
                             static_cast<float>(std::max(map_size, 1U));
-        blocks.push_back({glm::vec4(light.position, static_cast<float>(layers[index])),
-                          glm::vec4(light.intensity, texel), shadow_clip(light)});
+        LightBlock& block = blocks.emplace_back();
+        block.position_layer = glm::vec4(light.position, static_cast<float>(layers[index]));
+        block.intensity_texel = glm::vec4(light.intensity, texel);
+        block.clip = shadow_clip(light);
+        if (light.is_spot()) {
+            // KHR_lights_punctual.
+            const float inner = std::cos(glm::radians(light.inner_angle));
+            const float outer = std::cos(glm::radians(light.outer_angle));
+            const float scale = 1 / std::max(inner - outer, 0.001F);
+            block.axis_scale = glm::vec4(light.axis, scale);
+            block.offset.x = -outer * scale;
+        }
     }
     return blocks;
 }

@@ -14,7 +14,8 @@
 
 namespace preview {
 
-/// All meshes of a scene, one after the other. They stay while a scene stands.
+/// All meshes of a scene, one after the other, then those of mirrored objects wound the other way.
+/// They stay while a scene stands.
 struct Geometry {
     struct Vertex {
         glm::vec3 position{0};
@@ -24,10 +25,21 @@ struct Geometry {
         std::uint32_t first_index = 0, index_count = 0;
         std::int32_t vertex_offset = 0;
         Bounds bounds;
+        /// Where its triangles stand once more, wound the other way: for objects that are mirrored.
+        std::uint32_t mirrored_first_index = none;
+        static constexpr std::uint32_t none = UINT32_MAX;
     };
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
     std::vector<Range> meshes;
+    /// shaders/common/detail.glsl
+    struct Detail {
+        glm::vec2 uv[2]{};
+        std::uint32_t color[2]{};  ///< four numbers of 16 bits
+        std::uint32_t tangent = 0; ///< octahedral
+        float side = 0;            ///< 0: there is none
+    };
+    std::vector<Detail> details; ///< one a vertex; empty for a scene without detail
 };
 
 Geometry geometry_of(const Scene& scene);
@@ -52,10 +64,26 @@ struct MaterialBlock {
     glm::vec4 emission_metalness{0};
 };
 
+/// shaders/common/detail.glsl
+struct TextureUseBlock {
+    glm::vec3 u_row{1, 0, 0};
+    std::uint32_t texture = TextureUse::none;
+    glm::vec3 v_row{0, 1, 0};
+    std::uint32_t uv_set = 0;
+};
+struct MaterialDetailBlock {
+    TextureUseBlock base, surface, normal, occlusion, emission;
+    float normal_scale = 1, occlusion_strength = 1, coverage = 1, least_coverage = 0;
+    glm::uvec4 is_unlit{0}; ///< x
+};
+
 struct LightBlock {
     glm::vec4 position_layer{0, 0, 0, -1}; ///< w: layer of the shadow maps, -1 for none
     glm::vec4 intensity_texel{0};          ///< w: size of a shadow texel at distance 1
-    glm::mat4 clip{1};                     ///< world to the light's clip space, depth 0..1
+    /// How much of the light arrives: the square of (axis . direction) w + offset.x, held in 0..1.
+    glm::vec4 axis_scale{0};
+    glm::vec4 offset{1, 0, 0, 0};
+    glm::mat4 clip{1}; ///< world to the light's clip space, depth 0..1
 };
 
 struct EnvironmentBlock {
@@ -75,6 +103,9 @@ std::vector<ObjectBlock> object_blocks(const Scene& scene);
 /// Of the objects that cast shadows.
 std::vector<CasterBlock> caster_blocks(const Scene& scene);
 std::vector<MaterialBlock> material_blocks(const Scene& scene);
+/// The numbers of the materials of caster_blocks().
+std::vector<std::uint32_t> caster_materials(const Scene& scene);
+std::vector<MaterialDetailBlock> material_detail_blocks(const Scene& scene);
 EnvironmentBlock environment_block(const Environment& environment);
 ViewBlock view_block(const Orbit& orbit, float aspect);
 
@@ -92,7 +123,9 @@ ShadowCasters shadow_casters(const Scene& scene, const Geometry& geometry, const
 std::vector<std::uint32_t> visible_objects(const Scene& scene, const Geometry& geometry,
                                            const glm::mat4& clip);
 
-/// One draw for each object, with the object's number as its instance.
+/// One draw for each object, with the object's number as its instance. A mirrored object is drawn
+/// from the triangles that are wound the other way, so that its outside is its front in every
+/// rasteriser.
 std::vector<Draw> draws_of(const Scene& scene, const Geometry& geometry,
                            const std::vector<std::uint32_t>& objects);
 
@@ -104,6 +137,14 @@ std::vector<LightBlock> light_blocks(const std::vector<PointLight>& lights,
 struct SceneHandles {
     BufferHandle vertices, indices, objects, materials, lights, environment, view;
     std::uint32_t light_count = 0;
+    bool has_spots = false;
+    /// Of a scene with detail; else empty.
+    struct Detail {
+        BufferHandle vertices, materials, textures, texels;
+        bool has_cutouts = false;
+        explicit operator bool() const { return static_cast<bool>(vertices); }
+    };
+    Detail detail;
 };
 
 } // namespace preview

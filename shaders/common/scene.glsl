@@ -25,6 +25,8 @@ struct Material {
 struct Light {
     vec4 position_layer;
     vec4 intensity_texel;
+    vec4 axis_scale; // of a spot's cone
+    vec4 offset;     // x
     mat4 clip;
 };
 
@@ -65,6 +67,17 @@ vec2 encode_octahedral(vec3 v) {
     vec2 folded =
         (1.0 - abs(v.yx)) * mix(vec2(-1.0), vec2(1.0), greaterThanEqual(v.xy, vec2(0.0)));
     return v.z < 0.0 ? folded : v.xy;
+}
+
+/// A tangent of VertexDetail in the world, and its side: mirroring turns that round.
+vec4 tangent_of(Object object, uint octahedral, float side) {
+    if (side == 0.0) {
+        return vec4(0.0);
+    }
+    vec4 q = vec4(decode_octahedral(unpackSnorm2x16(octahedral)), 0.0);
+    mat3 columns = transpose(mat3(object.model[0].xyz, object.model[1].xyz, object.model[2].xyz));
+    vec3 along = vec3(dot(object.model[0], q), dot(object.model[1], q), dot(object.model[2], q));
+    return vec4(unit_or_up(along), determinant(columns) < 0.0 ? -side : side);
 }
 
 uvec2 to_bits(vec2 e) {

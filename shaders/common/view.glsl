@@ -20,12 +20,15 @@ layout(push_constant) uniform Push {
 /// asked for.
 vec3 shown(VIEWED_TEXEL texel);
 
+ivec2 shown_at; ///< the texel's place
+
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     ivec2 size = imageSize(target);
     if (any(greaterThanEqual(at, size))) {
         return;
     }
-    vec3 color = shown(texelFetch(source, at * textureSize(source, 0) / size, 0));
+    shown_at = at * textureSize(source, 0) / size;
+    vec3 color = shown(texelFetch(source, shown_at, 0));
     imageStore(target, at, vec4(as_numbers ? color : saturate(color), 1.0));
 }

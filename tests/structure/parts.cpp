@@ -130,7 +130,7 @@ const std::vector<Part>& parts() {
         {"preview/cli/light_edit.*", {"lutlib", "preview/scene"}, no_screen},
         {"preview", {"lutlib", "preview/cli"}},
         // Oracles, which nothing but tests includes.
-        {"preview/reference", {"lutlib/*", "preview/finish"}, no_screen},
+        {"preview/reference", {"lutlib/*", "preview/finish", "preview/scene"}, no_screen},
 
         {"tests", {"*"}},
     };

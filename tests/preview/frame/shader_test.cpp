@@ -48,6 +48,15 @@ std::string text_of(const std::map<std::uint32_t, ShaderBinding>& bindings) {
     return text;
 }
 
+/// The sample with materials that are cut out.
+Scene cut_out_scene() {
+    Scene scene = scene_at(*scene_named("sample"), 0);
+    for (Material& material : scene.materials) {
+        material.detail.least_coverage = 0.5F;
+    }
+    return scene;
+}
+
 class ShaderTest : public GpuTest {
   protected:
     ShaderTest() : scene_(scene_at(*scene_named("sample"), 0)), gpu_scene_(device(), scene_) {}
@@ -139,6 +148,19 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
             changed.view = &view;
             check(inputs, changed);
         }
+    }
+    const Scene cut_out = cut_out_scene();
+    const GpuScene gpu_cut_out(device(), cut_out);
+    FrameInputs detailed;
+    detailed.scene = &cut_out;
+    detailed.gpu_scene = &gpu_cut_out;
+    for (const Raster raster : {Raster::hardware, Raster::compute}) {
+        FrameSettings changed = settings();
+        changed.raster = raster;
+        changed.orbit = cut_out.orbit;
+        check(detailed, changed);
+        changed.view = debug_view_named("albedo");
+        check(detailed, changed);
     }
     for (const Tonemap& row : tonemaps()) {
         FrameSettings changed = settings();

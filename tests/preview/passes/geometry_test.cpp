@@ -9,6 +9,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -86,6 +87,8 @@ class GeometryTest : public GpuTest {
             handles.lights = graph.data("lights", std::as_bytes(std::span(lights)));
         }
         handles.light_count = static_cast<std::uint32_t>(lights.size());
+        handles.has_spots = std::any_of(scene.lights.begin(), scene.lights.end(),
+                                        [](const PointLight& light) { return light.is_spot(); });
         LightingInputs inputs;
         inputs.shadow_maps = add_shadows(graph, handles, std::move(shadows));
         inputs.surfaces =
@@ -139,6 +142,44 @@ TEST_F(GeometryTest, lights_a_floor_as_the_double_reference_does) {
             }
         }
     }
+}
+
+TEST_F(GeometryTest, a_spot_lights_its_cone_alone_and_falls_off_as_gltf_has_it) {
+    Scene scene = floor_scene({});
+    const auto everywhere = light(scene);
+    PointLight& spot = scene.lights[0];
+    spot.axis = glm::normalize(glm::vec3(0.3F, -1, 0.1F));
+    spot.inner_angle = 15;
+    spot.outer_angle = 40;
+    const auto pixels = light(scene);
+    const ViewBlock view = view_block(scene.orbit, 1.5F);
+    std::size_t dark = 0, between = 0, full = 0;
+    for (std::uint32_t y = 0; y < size.height; ++y) {
+        for (std::uint32_t x = 0; x < size.width; ++x) {
+            const double sx = (x + 0.5) / size.width * 2 - 1;
+            const double sy = (y + 0.5) / size.height * 2 - 1;
+            const glm::dvec3 ray =
+                glm::dvec3(view.forward) + sx * glm::dvec3(view.right) + sy * glm::dvec3(view.up);
+            const glm::dvec3 eye(view.position_near);
+            const glm::dvec3 at = eye - ray * (eye.y / ray.y);
+            if (ray.y >= 0 || std::abs(at.x) > 9 || std::abs(at.z) > 9) {
+                continue;
+            }
+            const double along =
+                glm::dot(glm::normalize(at - glm::dvec3(spot.position)), glm::dvec3(spot.axis));
+            const double inner = std::cos(glm::radians(15.0)), outer = std::cos(glm::radians(40.0));
+            const double share = std::clamp((along - outer) / (inner - outer), 0.0, 1.0);
+            dark += share == 0 ? 1 : 0;
+            full += share == 1 ? 1 : 0;
+            between += share > 0 && share < 1 ? 1 : 0;
+            const std::size_t index = (std::size_t{y} * size.width + x) * 4;
+            const auto all = static_cast<double>(everywhere[index]);
+            // Both are half floats.
+            ASSERT_NEAR(static_cast<double>(pixels[index]), all * share * share, 0.003 * all + 1e-4)
+                << x << "," << y;
+        }
+    }
+    EXPECT_GT(std::min({dark, between, full}), 100U);
 }
 
 TEST_F(GeometryTest, a_lit_floor_does_not_shadow_itself) {

@@ -1,0 +1,69 @@
+// Turns the triangle that is nearest at each pixel into what the lighting needs to know of it. With
+// HAS_DETAIL that is what textures make of it.
+#include "common/scene.glsl"
+#include "common/keys.glsl"
+layout(local_size_x = 16, local_size_y = 16) in;
+layout(std430, binding = 0) readonly buffer Vertices { Vertex vertices[]; };
+layout(std430, binding = 1) readonly buffer Indices { uint indices[]; };
+layout(std430, binding = 2) readonly buffer Objects { Object objects[]; };
+layout(std430, binding = 3) readonly buffer Clusters { Cluster clusters[]; };
+layout(binding = 4) uniform Views { View view; };
+layout(std430, binding = 5) readonly buffer Keys { uvec2 keys[]; }; // y: the depth
+layout(binding = 6) writeonly uniform uimage2D normals;
+layout(binding = 7) writeonly uniform uimage2D material_numbers;
+layout(binding = 8) writeonly uniform image2D depths;
+
+#include "common/barycentric.glsl"
+#ifdef HAS_DETAIL
+#define DETAIL_BINDING 13
+#include "common/detail_surface.glsl"
+layout(binding = 9) writeonly uniform image2D albedos;
+layout(binding = 10) writeonly uniform image2D emissions;
+layout(std430, binding = 11) readonly buffer VertexDetails { VertexDetail vertex_details[]; };
+layout(std430, binding = 12) readonly buffer Materials { Material materials[]; };
+#include "common/triangle_detail.glsl"
+#endif
+
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 size = imageSize(depths);
+    if (any(greaterThanEqual(at, size))) {
+        return;
+    }
+    uvec2 key = keys[key_index(at, size)];
+    if (key.y == ~0u) {
+        imageStore(normals, at, uvec4(0u));
+        imageStore(material_numbers, at, uvec4(0u));
+        imageStore(depths, at, vec4(1.0));
+        return;
+    }
+    uint number = ~key.x;
+    Cluster cluster = clusters[number / 64u];
+    uint first = cluster.first_index + number % 64u * 3u;
+    Object object = objects[cluster.object];
+    vec4 corners[3];
+    vec3 normal_of[3];
+    for (int i = 0; i < 3; ++i) {
+        Vertex vertex = vertices[uint(int(indices[first + i]) + cluster.vertex_offset)];
+        corners[i] = view.clip * vec4(transform_point(object.model, vertex.position), 1.0);
+        normal_of[i] = decode_octahedral(unpackSnorm2x16(vertex.normal));
+    }
+    vec2 screen = (vec2(at) + 0.5) / vec2(size) * 2.0 - 1.0;
+    vec3 weights = weights_at(screen, corners[0], corners[1], corners[2]);
+    vec3 normal = transform_normal(
+        object, mat3(normal_of[0], normal_of[1], normal_of[2]) * weights);
+#ifdef HAS_DETAIL
+    normal = unit_or_up(normal);
+    DetailAt point = detail_at(object, cluster, first, corners, screen, vec2(size), weights);
+    Surface s = surface_of(materials[object.material.x], material_details[object.material.x],
+                           point.footprint, point.color, point.tangent, normal);
+    uint word = pack_surface(s);
+    imageStore(albedos, at, vec4(s.albedo, 1.0));
+    imageStore(emissions, at, vec4(s.emission, 1.0));
+#else
+    uint word = object.material.x + 1u;
+#endif
+    imageStore(normals, at, uvec4(to_bits(encode_octahedral(unit_or_up(normal))), 0u, 0u));
+    imageStore(material_numbers, at, uvec4(word));
+    imageStore(depths, at, vec4(uintBitsToFloat(key.y)));
+}

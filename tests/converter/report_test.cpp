@@ -122,6 +122,9 @@ TEST(Report, merges_the_times_of_a_gpu_and_refuses_what_are_none) {
 }
 
 TEST(Report, plots_the_orders_of_the_stiff_suite) {
+    if (support::is_sanitized && !support::is_thorough()) {
+        GTEST_SKIP() << "takes minutes; lutlib's own tests of the suite run here";
+    }
     const Folder folder;
     const std::string page = folder.path("stiff.html");
     std::vector<std::string> words{

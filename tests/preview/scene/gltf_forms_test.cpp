@@ -142,7 +142,7 @@ TEST_F(ImportTest, a_skin_stands_in_its_bind_pose_wherever_its_node_is) {
         std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, .5F, .5F, 0, 0, 0, 1, 0, 0}, "VEC4", 4, f32);
     gltf = plain_quad(gltf, {{"JOINTS_0", joints}, {"WEIGHTS_0", weights}});
     std::vector<float> bound(32, 0);
-    for (const std::size_t at : {0, 5, 10, 15, 16, 21, 26, 31}) {
+    for (const std::size_t at : {0U, 5U, 10U, 15U, 16U, 21U, 26U, 31U}) {
         bound[at] = 1;
     }
     bound[16 + 12] = -3; // the second joint was at x = 3

@@ -7,6 +7,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <string>
 
 namespace preview {
 namespace {
@@ -26,6 +27,7 @@ int main(int argc, char** argv) {
                  "LUT, antialiasing) and shows two looks side by side.\n"
                  "Exit codes: 0 ok, 2 bad input, 3 bad usage.",
                  "lutpreview");
+    app.set_version_flag("--version", std::string(LUT_VERSION));
     preview::Options options;
     preview::declare(app, options);
     try {

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <sstream>
 
 namespace preview {
 
@@ -44,6 +45,26 @@ FrameInputs measured(Executor& executor, FrameInputs inputs, const FrameSettings
     return inputs;
 }
 
+DifferenceFigures figures_of(Executor& executor, const Graph& graph, const FrameHandles& handles) {
+    const Size size = size_of(graph, handles.graded);
+    return difference_figures(values_of<std::uint32_t>(executor.read_buffer(handles.figures)),
+                              std::uint64_t{size.width} * size.height);
+}
+
+/// A heat map that is to end at the differences' 99th percentile, told where that is.
+FrameSettings with_heat_scale(Executor& executor, const FrameInputs& inputs,
+                              FrameSettings settings) {
+    if (settings.heat_scale >= 0 || settings.compare != &compare_difference ||
+        settings.shows_intermediate()) {
+        return settings;
+    }
+    Graph graph;
+    const FrameHandles handles = build_frame(graph, inputs, settings);
+    executor.render(graph);
+    settings.heat_scale = heat_scale_for(figures_of(executor, graph, handles));
+    return settings;
+}
+
 PassTiming statistics(std::string name, std::vector<double> times) {
     if (times.empty()) {
         return {std::move(name), 0, 0};
@@ -62,9 +83,9 @@ nlohmann::json json_of(const PassTiming& timing) {
 
 } // namespace
 
-Rendered render_frame(Executor& executor, const FrameInputs& inputs,
-                      const FrameSettings& settings) {
-    const FrameInputs known = measured(executor, inputs, settings);
+Rendered render_frame(Executor& executor, const FrameInputs& inputs, const FrameSettings& asked) {
+    const FrameInputs known = measured(executor, inputs, asked);
+    const FrameSettings settings = with_heat_scale(executor, known, asked);
     Graph graph;
     const FrameHandles handles = build_frame(graph, known, settings);
     executor.render(graph);
@@ -88,10 +109,8 @@ Rendered render_frame(Executor& executor, const FrameInputs& inputs,
         }
     }
     if (handles.figures) {
-        const Size size = size_of(graph, handles.graded);
-        out.figures =
-            difference_figures(values_of<std::uint32_t>(executor.read_buffer(handles.figures)),
-                               std::uint64_t{size.width} * size.height);
+        out.figures = figures_of(executor, graph, handles);
+        out.heat_scale = settings.heat_scale;
     }
     if (handles.probe) {
         out.probe = probe_from(executor.read_buffer(handles.probe));
@@ -168,6 +187,48 @@ std::string to_json(const Timings& timings, const std::string& device, Size size
                                 {"passes", passes},
                                 {"frame_gpu", json_of(timings.gpu)},
                                 {"frame_wall", json_of(timings.wall)}};
+    return all.dump(2) + "\n";
+}
+
+std::string to_text(const Report& report) {
+    std::string text = report.explanation;
+    if (report.probe) {
+        text += probe_table(*report.probe, report.place);
+    }
+    if (report.figures) {
+        text += fmt::format("dE2000  mean {:.3f}  p95 {:.3f}  p99 {:.3f}  max {:.3f}\n",
+                            report.figures->mean, report.figures->p95, report.figures->p99,
+                            report.figures->max);
+    }
+    if (report.timings) {
+        text += to_table(*report.timings);
+    }
+    return text;
+}
+
+std::string to_json(const Report& report) {
+    nlohmann::json all = nlohmann::json::object();
+    if (report.timings) {
+        all = nlohmann::json::parse(to_json(*report.timings, report.device, report.size));
+    }
+    if (report.probe) {
+        nlohmann::json probe = nlohmann::json::parse(probe_json(*report.probe, report.place));
+        if (report.timings || report.figures || !report.explanation.empty()) {
+            all["probe"] = std::move(probe);
+        } else {
+            all = std::move(probe);
+        }
+    }
+    if (report.figures) {
+        all["difference"] = {{"mean", report.figures->mean},
+                             {"p95", report.figures->p95},
+                             {"p99", report.figures->p99},
+                             {"max", report.figures->max}};
+    }
+    std::istringstream lines(report.explanation);
+    for (std::string line; std::getline(lines, line);) {
+        all["explanation"].push_back(line);
+    }
     return all.dump(2) + "\n";
 }
 

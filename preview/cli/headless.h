@@ -16,6 +16,7 @@ struct Rendered {
     std::vector<float> hdr;         ///< four a pixel, when the settings keep it
     Size hdr_size;
     std::optional<DifferenceFigures> figures; ///< of a difference
+    float heat_scale = 0;                     ///< dE2000 at the end of its heat map
     std::optional<Probe> probe;               ///< of the place that the settings name
     std::string explanation;                  ///< what was kept and left out
 };
@@ -41,5 +42,21 @@ Timings time_frames(Executor& executor, const FrameInputs& inputs, const FrameSe
 
 std::string to_table(const Timings& timings);
 std::string to_json(const Timings& timings, const std::string& device, Size size);
+
+/// What one run without a window has to say.
+struct Report {
+    std::optional<Probe> probe;
+    ProbePlace place;
+    std::optional<DifferenceFigures> figures;
+    std::string explanation; ///< lines
+    std::optional<Timings> timings;
+    std::string device;
+    Size size; ///< of what was timed
+};
+
+/// For people: the explanation, the probe, the figures and the timings, one after the other.
+std::string to_text(const Report& report);
+/// One document: the timings' or else the probe's own keys, and a member for each of the rest.
+std::string to_json(const Report& report);
 
 } // namespace preview

@@ -1,6 +1,7 @@
 #include "preview/cli/modes.h"
 
 #include "lutlib/error.h"
+#include "lutlib/io/file.h"
 #include "preview/cli/look_options.h"
 #include "preview/cli/picture_file.h"
 #include "preview/frame/shown.h"
@@ -17,7 +18,7 @@ namespace {
 
 std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& path,
                                  const LookUse& use, bool force, std::string& notes,
-                                 const char* side) {
+                                 const char* side, std::string& reason) {
     const LoadedLook look = load_look(path, use);
     const std::string name = "look " + std::string(side) + ": ";
     for (const std::string& line : look.told) {
@@ -32,9 +33,7 @@ std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& p
     if (look.skip_reason.empty() || (force && path != "none" && !path.empty())) {
         return std::optional<GpuLook>(std::in_place, device, look.data);
     }
-    if (path != "none" && !path.empty()) {
-        notes += "left out  " + name + look.skip_reason + "\n";
-    }
+    reason = look.skip_reason;
     return std::nullopt;
 }
 
@@ -49,6 +48,7 @@ struct Rendering {
     std::vector<PointLight> lights;
     FileFormat file;
     std::string notes; ///< lines of --explain: what the files have and the frame has not
+    std::array<std::string, 2> no_look; ///< why a side has none
     std::optional<GpuLook> look_a, look_b;
     GpuShown on_gpu;
 };
@@ -87,10 +87,13 @@ Rendering::Rendering(const Options& options)
     settings.keep_hdr =
         file.holds_light && options.exr_light && shows_picture && !shown->display_encoded();
     settings.format = file.frame_format();
+    settings.dithers = options.dither.value_or(false);
     settings.shows_numbers = file.holds_light && settings.shows_intermediate();
     const bool force = options.frame.force_all, has_light = !shown->display_encoded();
-    look_a = load_side(device, options.look_a, use_a(options, has_light), force, notes, "A");
-    look_b = load_side(device, options.look_b, use_b(options, has_light), force, notes, "B");
+    look_a =
+        load_side(device, options.look_a, use_a(options, has_light), force, notes, "A", no_look[0]);
+    look_b =
+        load_side(device, options.look_b, use_b(options, has_light), force, notes, "B", no_look[1]);
 }
 
 FrameInputs Rendering::inputs() const {
@@ -98,6 +101,7 @@ FrameInputs Rendering::inputs() const {
     out.lights = &lights;
     out.look_a = look_a ? &*look_a : nullptr;
     out.look_b = look_b ? &*look_b : nullptr;
+    out.no_look = {no_look[0], no_look[1]};
     return out;
 }
 
@@ -116,36 +120,30 @@ void write(const Options& options, const Rendering& rendering, const Rendered& r
                   settings.shows_numbers ? Content::numbers : Content::codes, alpha);
 }
 
-void render_once(const Options& options, const Rendering& rendering, Executor& executor) {
-    const FrameSettings& settings = rendering.settings;
+void render_once(const Options& options, const Rendering& rendering, Executor& executor,
+                 Report& report) {
+    FrameSettings settings = rendering.settings;
     const Rendered rendered = render_frame(executor, rendering.inputs(), settings);
-    if (options.explain) {
-        std::printf(
-            "%s%s%s%s", rendered.explanation.c_str(), rendering.notes.c_str(),
-            settings_text(settings).c_str(),
-            rendering.shown->scene ? settings_lines(camera_numbers(), settings.orbit).c_str() : "");
-    }
-    if (rendered.probe) {
-        std::fputs(options.json ? probe_json(*rendered.probe, *settings.probe).c_str()
-                                : probe_table(*rendered.probe, *settings.probe).c_str(),
-                   stdout);
-    }
+    report.probe = rendered.probe;
+    report.place = settings.probe.value_or(ProbePlace{});
+    report.figures = rendered.figures;
     if (rendered.figures) {
-        std::printf("dE2000  mean %.3f  p95 %.3f  p99 %.3f  max %.3f\n", rendered.figures->mean,
-                    rendered.figures->p95, rendered.figures->p99, rendered.figures->max);
+        settings.heat_scale = rendered.heat_scale;
+    }
+    if (options.explain) {
+        report.explanation =
+            rendered.explanation + rendering.notes + settings_text(settings) +
+            (rendering.shown->scene ? settings_lines(camera_numbers(), settings.orbit) : "");
     }
     if (!options.output.empty()) {
         write(options, rendering, rendered);
     }
 }
 
-void print_timings(const Options& options, const Rendering& rendering, Executor& executor) {
-    const Timings timings =
-        time_frames(executor, rendering.inputs(), rendering.settings, options.frames);
-    std::fputs(options.json
-                   ? to_json(timings, rendering.device.name(), rendering.settings.output).c_str()
-                   : to_table(timings).c_str(),
-               stdout);
+/// Beside a picture on standard output there is room for people's eyes only.
+void print(const Options& options, const Report& report) {
+    std::fputs((options.json ? to_json(report) : to_text(report)).c_str(),
+               options.output == lutlib::io::standard_stream ? stderr : stdout);
 }
 
 } // namespace
@@ -185,13 +183,23 @@ void render(const Options& options) {
         throw lutlib::UsageError("--headless needs -o FILE, --timings, --probe or --explain");
     }
     const Rendering rendering(options);
+    if (options.json && !prints && rendering.settings.compare != &compare_difference) {
+        throw lutlib::UsageError(
+            "--json has nothing to print: add --timings, --probe, --explain or "
+            "--compare diff");
+    }
     Executor executor(rendering.device);
+    Report report;
     if (!options.output.empty() || options.explain || rendering.settings.probe) {
-        render_once(options, rendering, executor);
+        render_once(options, rendering, executor, report);
     }
     if (options.timings) {
-        print_timings(options, rendering, executor);
+        report.timings =
+            time_frames(executor, rendering.inputs(), rendering.settings, options.frames);
+        report.device = rendering.device.name();
+        report.size = rendering.settings.output;
     }
+    print(options, report);
     for (const std::string& message : rendering.device.validation_messages()) {
         std::fprintf(stderr, "lutpreview: %s\n", message.c_str());
     }

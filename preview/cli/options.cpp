@@ -42,6 +42,7 @@ void declare(CLI::App& app, const OptionRow& row, Options& options) {
                 app.add_flag(row.flag, member, row.help);
             } else {
                 CLI::Option* const option = app.add_option(row.flag, member, row.help);
+                option->capture_default_str();
                 if (row.min < row.max) {
                     option->check(within(row.min, row.max));
                 }
@@ -58,22 +59,31 @@ void declare(CLI::App& app, const OptionRow& row, Options& options) {
 
 template <class S>
 void declare(CLI::App& app, const ChoiceRow<S>& row, S& settings) {
-    app.add_option_function<std::string>(
-           fmt::format("--{}", row.flag),
-           [&row, &settings](const std::string& name) {
-               const std::vector<Option> options = row.options();
-               const Option& found = lutlib::require_named(options, row.kind, name);
-               row.choose(settings, static_cast<std::size_t>(&found - options.data()));
-           },
-           std::string(row.help))
-        ->type_name("NAME");
+    CLI::Option* const option =
+        app.add_option_function<std::string>(
+               fmt::format("--{}", row.flag),
+               [&row, &settings](const std::string& name) {
+                   const std::vector<Option> options = row.options();
+                   const Option& found = lutlib::require_named(options, row.kind, name);
+                   row.choose(settings, static_cast<std::size_t>(&found - options.data()));
+               },
+               std::string(row.help))
+            ->type_name("NAME");
+    if (row.chosen != nullptr) {
+        option->default_str(std::string(row.options()[row.chosen(settings)].name));
+    }
 }
 
 template <class S>
 void declare(CLI::App& app, std::span<const NumberRow<S>> rows, S& settings) {
     for (const NumberRow<S>& row : rows) {
-        app.add_option(fmt::format("--{}", row.flag), row.of(settings), std::string(row.help))
-            ->check(within(row.min, row.max));
+        CLI::Option* const option =
+            app.add_option(fmt::format("--{}", row.flag), row.of(settings), std::string(row.help))
+                ->check(within(row.min, row.max));
+        // The help of one that stands for something says so.
+        if (!row.is_own(settings)) {
+            option->default_str(fmt::format("{}", row.value(settings)));
+        }
     }
 }
 
@@ -101,6 +111,11 @@ void declare_effects(CLI::App& app, Options& options) {
     app.add_flag_function(
         "--fxaa,!--no-fxaa", [&options](std::int64_t count) { options.fxaa = count > 0; },
         "Antialiasing; by default on for scenes and off for pictures");
+    app.add_flag_function(
+        "--dither,!--no-dither", [&options](std::int64_t count) { options.dither = count > 0; },
+        "Spread the rounding to 8 bits, so that smooth ramps show no contours; by default on in "
+        "the "
+        "window and off without it");
     app.add_option_function<std::vector<std::string>>(
            "--effect",
            [&options](const std::vector<std::string>& texts) {
@@ -275,7 +290,7 @@ void declare(CLI::App& app, Options& options) {
     for (const ChoiceRow<PictureSettings>& row : picture_choices()) {
         declare<PictureSettings>(app, row, options.frame);
     }
-    app.get_option("--compare")->each([&options](const std::string&) {
+    app.get_option("--compare")->default_str("")->each([&options](const std::string&) {
         options.is_compare_given = true;
     });
     declare<PictureSettings>(app, picture_numbers(), options.frame);

@@ -30,6 +30,7 @@ struct Options {
     FrameSettings frame;
     bool is_compare_given = false;
     std::optional<bool> fxaa;         ///< empty: on for scenes, off for pictures
+    std::optional<bool> dither;       ///< empty: on in the window, else off
     EffectUses effects;               ///< that are put in
     std::vector<std::string> without; ///< names of parts of the frame and of effects
     std::vector<std::string> lights;  ///< changes, as edit_light() takes them

@@ -20,10 +20,10 @@
 namespace preview {
 
 struct BloomSettings {
-    float strength = -1; ///< 0..1; negative: the method's own
-    float threshold = 1; ///< of the largest channel; 0: all light blooms
-    float knee = 0.2F;   ///< half width of the quadratic knee about the threshold
-    float radius = 1;    ///< scales the Gaussians' sigmas
+    float strength = -1;    ///< 0..1; negative: the method's own
+    float threshold = 1.2F; ///< of the largest channel; 0: all light blooms. Its knee ends at white
+    float knee = 0.2F;      ///< half width of the quadratic knee about the threshold
+    float radius = 1;       ///< scales the Gaussians' sigmas
     friend bool operator==(const BloomSettings&, const BloomSettings&) = default;
 };
 

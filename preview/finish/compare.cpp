@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace preview {
 
@@ -45,6 +46,10 @@ DifferenceFigures difference_figures(std::span<const std::uint32_t> counted, std
     }
     out.mean = sum / static_cast<double>(texels);
     return out;
+}
+
+float heat_scale_for(const DifferenceFigures& figures) {
+    return static_cast<float>(std::clamp(4 * std::ceil(figures.p99 / 4), 4.0, 96.0));
 }
 
 } // namespace preview

@@ -65,4 +65,10 @@ struct DifferenceFigures {
 /// the others to 0.025; differences above 102 count as 102.
 DifferenceFigures difference_figures(std::span<const std::uint32_t> counted, std::uint64_t texels);
 
+/// While nothing is measured.
+inline constexpr float usual_heat_scale = 8;
+/// dE2000 at the end of a heat map that is not told: the 99th percentile, up to the next multiple
+/// of 4 within 4..96, which its scale can show.
+float heat_scale_for(const DifferenceFigures& figures);
+
 } // namespace preview

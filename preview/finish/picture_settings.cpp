@@ -54,10 +54,12 @@ constexpr NumberRow<S> numbers[] = {
      .of = [](S& s) -> float& { return s.split; }},
     {.flag = "heat-scale",
      .label = "Heat map to dE2000",
-     .help = "dE2000 at the end of the heat map",
+     .help = "dE2000 at the end of the heat map; by default the 99th percentile, up to the next 4",
      .min = 4,
      .max = 96,
-     .of = [](S& s) -> float& { return s.heat_scale; }},
+     .of = [](S& s) -> float& { return s.heat_scale; },
+     .own = [](const S&) { return usual_heat_scale; },
+     .own_name = "until the 99th percentile is known"},
 };
 
 constexpr ChoiceRow<S> choices[] = {

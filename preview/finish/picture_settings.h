@@ -22,10 +22,10 @@ struct PictureSettings {
     const Bloom* bloom = bloom_named("glare");
     BloomSettings bloom_settings;
     const Compare* compare = &compare_a;
-    float split = 0.5F;   ///< where the line stands, of the width
-    float heat_scale = 8; ///< dE2000 at the heat map's end
-    EffectSet without;    ///< parts of the frame that are switched off
-    EffectUses effects;   ///< laid over it, in this order within each stage
+    float split = 0.5F;    ///< where the line stands, of the width
+    float heat_scale = -1; ///< dE2000 at the heat map's end; negative: the 99th percentile
+    EffectSet without;     ///< parts of the frame that are switched off
+    EffectUses effects;    ///< laid over it, in this order within each stage
     friend bool operator==(const PictureSettings&, const PictureSettings&) = default;
 };
 

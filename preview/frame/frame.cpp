@@ -6,6 +6,7 @@
 #include "preview/frame/instruments.h"
 #include "preview/look/gpu_look.h"
 #include "preview/passes/bloom_composite.h"
+#include "preview/passes/dither.h"
 #include "preview/passes/finish.h"
 #include "preview/passes/lighting.h"
 #include "preview/passes/resolve.h"
@@ -286,15 +287,15 @@ Finishing finishing_of(Graph& graph, const FrameInputs& inputs, const FrameSetti
     out.settings.format = settings.format;
     out.settings.compare = settings.compare;
     out.settings.split = settings.split;
-    out.settings.heat_scale = settings.heat_scale;
+    out.settings.heat_scale = settings.heat_scale < 0 ? usual_heat_scale : settings.heat_scale;
     if (settings.without.has(Effect::looks)) {
         return out;
     }
     if (settings.compare->shows_a && inputs.look_a == nullptr) {
-        graph.withhold("look A", "there is none");
+        graph.withhold("look A", inputs.no_look[0]);
     }
     if (settings.compare->shows_b && inputs.look_b == nullptr) {
-        graph.withhold("look B", "there is none");
+        graph.withhold("look B", inputs.no_look[1]);
     }
     out.look_a = inputs.look_a;
     out.look_b = inputs.look_b;
@@ -321,10 +322,21 @@ void finish(Graph& graph, const FrameSettings& settings, const EffectUses& drawn
         graph.withhold("bloom composite", "the finishing pass does it: no effect reads its result");
     }
     finishing.settings.has_line = !fusion.is_line_apart;
+    const bool dithers = settings.dithers && settings.format == Format::rgba8 &&
+                         settings.compare != &compare_difference;
+    if (dithers) {
+        finishing.settings.format = Format::rgba32f;
+    } else {
+        graph.withhold("dither", settings.dithers ? "there are no 8 bits of colour to round to"
+                                                  : "it is off");
+    }
     const Finished finished = add_finish(graph, finishing);
     handles.graded = finished.picture;
     handles.figures = finished.figures;
     handles.output = with_effects(graph, Stage::after_look, drawn, handles.graded, width, handles);
+    if (dithers) {
+        handles.output = add_dither(graph, handles.output);
+    }
     if (fusion.is_line_apart) {
         handles.output = add_split_line(graph, handles.output, settings.split);
     } else if (settings.compare == &compare_split) {

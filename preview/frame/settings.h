@@ -13,6 +13,7 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace preview {
@@ -46,6 +47,8 @@ struct FrameSettings : PictureSettings {
     const lutlib::Encoding* axes = nullptr;
     /// Of the finished picture and of intermediates: rgba8, or rgba32f for files of more bits.
     Format format = Format::rgba8;
+    /// Spread the rounding to 8 bits over neighbouring texels.
+    bool dithers = false;
     /// An intermediate's own numbers in place of colours that stand for them.
     bool shows_numbers = false;
     /// Present the HDR result before tone mapping too.
@@ -67,6 +70,8 @@ struct FrameInputs {
     const GpuPicture* picture = nullptr;
     const GpuLook* look_a = nullptr; ///< null: no look
     const GpuLook* look_b = nullptr;
+    std::array<std::string_view, 2> no_look{"there is none",
+                                            "there is none"}; ///< why a side has none
     /// The largest value of the HDR picture, measured in an earlier frame of the same scene, view
     /// and exposure; empty while it is not known.
     std::optional<float> hdr_maximum;

@@ -24,9 +24,12 @@ std::string explain(const Graph& graph, const Plan& plan) {
             }
             const Version& version = graph.versions()[use.version];
             const bool lives = plan.version_lives[use.version];
-            if (plan.pass_lives[index] && (lives || use.access != Access::color_write)) {
-                outputs +=
-                    (outputs.empty() ? "writes " : ", ") + graph.resources()[version.resource].name;
+            if (plan.pass_lives[index] && lives) {
+                const Resource& made = graph.resources()[version.resource];
+                outputs += (outputs.empty() ? "writes " : ", ") + made.name;
+                if (made.kind == ResourceKind::image) {
+                    outputs += fmt::format(" {}x{}", made.image.width, made.image.height);
+                }
             }
         }
         text += plan.pass_lives[index]

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace preview {
 
@@ -43,6 +44,7 @@ class Camera {
                 y_ - scale_ * size * (up * tilt_cos_ + away * tilt_sin_), depth, size};
     }
     float scale() const { return scale_; }
+    void shrink(float share) { scale_ *= share; }
 
   private:
     float x_, y_, scale_, turn_cos_ = 1, turn_sin_ = 0, tilt_cos_ = 1, tilt_sin_ = 0;
@@ -105,6 +107,57 @@ void draw_neutrals(const Camera& camera, const NodeCloud& nodes, const CubeView&
                 line(camera, placed(from, view), placed(to, view), 2, 0.95F, {255, 255, 255}));
         }
     }
+}
+
+/// By how much the cube is drawn smaller so that the dots of a look that leaves it stay in the
+/// picture, from whatever side they are seen.
+float fitting_share(const NodeCloud& nodes, const CubeView& view) {
+    // As far as a point may be seen from the middle, brought near by the perspective.
+    const auto reach = [](float radius) { return radius / std::max(1 - 0.22F * radius, 0.1F); };
+    const float corner_radius = std::sqrt(0.75F);
+    float radius = corner_radius;
+    for (const Rgb& output : nodes.outputs) {
+        if (is_finite(output)) {
+            const Rgb c = placed(output, view);
+            radius = std::max(radius, std::hypot(c.r - 0.5F, c.g - 0.5F, c.b - 0.5F));
+        }
+    }
+    return std::max(reach(corner_radius) / reach(radius), 0.02F);
+}
+
+/// R, G and B beside the corners where that channel alone is 1.
+void draw_names(const Camera& camera, CubeDrawing& drawing) {
+    using Stroke = std::array<float, 4>; // x0, y0, x1, y1 within 0..1 from the upper left
+    static constexpr std::array<Stroke, 5> r{{{0, 0, 0, 1},
+                                              {0, 0, 0.7F, 0},
+                                              {0.7F, 0, 0.7F, 0.5F},
+                                              {0.7F, 0.5F, 0, 0.5F},
+                                              {0.2F, 0.5F, 0.7F, 1}}};
+    static constexpr std::array<Stroke, 5> g{{{0.7F, 0, 0, 0},
+                                              {0, 0, 0, 1},
+                                              {0, 1, 0.7F, 1},
+                                              {0.7F, 1, 0.7F, 0.5F},
+                                              {0.7F, 0.5F, 0.4F, 0.5F}}};
+    static constexpr std::array<Stroke, 6> b{{{0, 0, 0, 1},
+                                              {0, 0, 0.6F, 0},
+                                              {0.6F, 0, 0.6F, 0.5F},
+                                              {0, 0.5F, 0.7F, 0.5F},
+                                              {0.7F, 0.5F, 0.7F, 1},
+                                              {0.7F, 1, 0, 1}}};
+    const auto draw = [&](std::span<const Stroke> strokes, Rgb at, Rgb8 color) {
+        const float size = std::max(0.05F * camera.scale(), 6.0F);
+        const Seen middle = camera.see({0.5F, 0.5F, 0.5F}), seen = camera.see(at);
+        const float dx = seen.x - middle.x, dy = seen.y - middle.y;
+        const float away = 1.3F * size / std::max(std::hypot(dx, dy), 1.0F);
+        const float x = seen.x + dx * away - 0.35F * size, y = seen.y + dy * away - 0.5F * size;
+        for (const Stroke& s : strokes) {
+            drawing.before.push_back({x + size * s[0], y + size * s[1], x + size * s[2],
+                                      y + size * s[3], 1.5F, 1, color});
+        }
+    };
+    draw(r, {1, 0, 0}, {255, 110, 100});
+    draw(g, {0, 1, 0}, {110, 220, 110});
+    draw(b, {0, 0, 1}, {120, 150, 255});
 }
 
 struct DepthDot {
@@ -238,10 +291,12 @@ void draw_cube(const NodeCloud& nodes, const CubeView& view, float width, float 
     drawing.behind.clear();
     drawing.dots.clear();
     drawing.before.clear();
-    const Camera camera(view, width, height);
+    Camera camera(view, width, height);
+    camera.shrink(fitting_share(nodes, view));
     draw_edges(camera, drawing);
     draw_nodes(camera, nodes, view, drawing);
     draw_neutrals(camera, nodes, view, drawing);
+    draw_names(camera, drawing);
 }
 
 std::vector<std::uint8_t> rasterised(const CubeDrawing& drawing, int width, int height) {

@@ -67,6 +67,9 @@ FrameSettings window_settings(const panels::Ui& ui, FrameSettings given, Size ou
     settings.orbit = state.orbit;
     static_cast<PictureSettings&>(settings) = state;
     settings.compare = ui.held != nullptr ? ui.held : state.compare;
+    if (settings.heat_scale < 0 && ui.facts.measured.figures) {
+        settings.heat_scale = heat_scale_for(*ui.facts.measured.figures);
+    }
     settings.scope_side = state.scopes_seen.side;
     settings.scope_logarithmic = state.scopes_seen.logarithmic;
     if (ui.pointer) {

@@ -1,5 +1,6 @@
 // The command line as settings of the frame, and what it lists.
 #include "lutlib/error.h"
+#include "preview/cli/headless.h"
 #include "preview/cli/look_options.h"
 #include "preview/cli/option_rows.h"
 #include "preview/effects/effect.h"
@@ -260,6 +261,32 @@ TEST(EncodingOptions, are_refused_by_name) {
     EXPECT_FALSE(use_b(parsed("--no-convert"), true).picture.convert);
     EXPECT_THROW(use_b(parsed("--look-output slog9"), true), lutlib::UsageError);
     EXPECT_THROW(use_b(parsed("--picture-encoding p9"), true), lutlib::UsageError);
+}
+
+TEST(Help, shows_defaults) {
+    Options options;
+    CLI::App app;
+    declare(app, options);
+    const std::string help = app.help();
+    EXPECT_NE(help.find("=agx"), std::string::npos);
+    EXPECT_NE(help.find("=0.5"), std::string::npos); // --split
+    EXPECT_NE(help.find("=1024"), std::string::npos);
+}
+
+TEST(ReportTest, is_one_document_whatever_it_holds) {
+    Report report;
+    report.probe = Probe{};
+    report.figures = DifferenceFigures{.max = 2, .p99 = 1, .p95 = 1, .mean = 0.5};
+    report.explanation = "kept finish\nleft out bloom\n";
+    report.timings = Timings{};
+    const std::string text = to_json(report);
+    for (const char* key : {"\"probe\"", "\"difference\"", "\"explanation\"", "\"passes\""}) {
+        EXPECT_NE(text.find(key), std::string::npos) << key;
+    }
+    EXPECT_EQ(text.find("\n}\n"), text.size() - 3); // closed once, at its end
+    Report alone;
+    alone.probe = Probe{};
+    EXPECT_EQ(to_json(alone), probe_json(Probe{}, {}));
 }
 
 } // namespace

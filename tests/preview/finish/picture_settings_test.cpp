@@ -67,5 +67,11 @@ TEST(PictureSettings, that_stand_for_a_methods_own_say_so_with_its_value) {
     EXPECT_NE(settings_text(settings).find("setting   bloom-strength 0.5\n"), std::string::npos);
 }
 
+TEST(HeatMap, ends_at_the_99th_percentile_up_to_what_its_scale_can_show) {
+    EXPECT_EQ(heat_scale_for({.p99 = 0}), 4);
+    EXPECT_EQ(heat_scale_for({.p99 = 4.1}), 8);
+    EXPECT_EQ(heat_scale_for({.p99 = 500}), 96);
+}
+
 } // namespace
 } // namespace preview

@@ -97,6 +97,42 @@ TEST_F(FrameTest, codes_of_a_picture_reach_the_look_unrounded) {
     EXPECT_LE(worst, 0.501);
 }
 
+TEST_F(FrameTest, dithers_what_lies_between_codes_and_nothing_else) {
+    std::vector<float> texels;
+    for (std::uint32_t i = 0; i < size.width * size.height; ++i) {
+        texels.insert(texels.end(), {100.3F / 255, static_cast<float>(i % 256) / 255, 0, 1});
+    }
+    const GpuPicture picture(device(), size, texels, true);
+    FrameInputs inputs;
+    inputs.picture = &picture;
+    FrameSettings settings = settings_for({});
+    settings.effects.clear();
+    settings.dithers = true;
+    Executor executor(device());
+    const Rendered rendered = render_frame(executor, inputs, settings);
+    double sum = 0;
+    for (std::size_t at = 0; at < texels.size(); at += 4) {
+        sum += rendered.rgba[at];
+        ASSERT_TRUE(rendered.rgba[at] == 100 || rendered.rgba[at] == 101);
+        ASSERT_EQ(rendered.rgba[at + 1], at / 4 % 256);
+    }
+    EXPECT_NEAR(sum / (size.width * size.height), 100.3, 0.01);
+}
+
+TEST_F(FrameTest, without_light_above_white_has_no_bloom_and_says_why_a_look_is_left_out) {
+    const Loaded loaded(scene_at(*scene_named("plain"), 0));
+    FrameSettings settings = settings_for(loaded.scene);
+    settings.bloom_settings = {};
+    FrameInputs inputs = loaded.inputs();
+    inputs.no_look[0] = "it changes less than half an output code";
+    Executor executor(device());
+    const Rendered rendered = render_frame(executor, inputs, settings);
+    EXPECT_NE(rendered.explanation.find("no light is bright enough to bloom"), std::string::npos);
+    EXPECT_NE(rendered.explanation.find("it changes less"), std::string::npos);
+    EXPECT_EQ(rendered.explanation.find("there is none"), std::string::npos);
+    EXPECT_NE(rendered.explanation.find("finished 160x90"), std::string::npos);
+}
+
 TEST_F(FrameTest, shows_the_numbers_of_intermediates_where_they_are_asked_for) {
     const Loaded loaded(scene_at(*scene_named("plain"), 0));
     FrameSettings settings = settings_for(loaded.scene);
@@ -281,7 +317,7 @@ TEST_F(FrameTest, every_debug_view_shows_something_and_runs_only_what_it_reads) 
     const Rendered normals = render_frame(executor, loaded.inputs(), settings);
     EXPECT_EQ(executor.plan().steps.size(), 2U);
     EXPECT_TRUE(kept(normals, "g-buffer"));
-    EXPECT_EQ(normals.explanation.find("writes normal, material"), std::string::npos);
+    EXPECT_EQ(normals.explanation.find("material 160x90"), std::string::npos);
 }
 
 TEST_F(FrameTest, a_view_of_what_the_frame_withholds_is_an_error) {

@@ -69,6 +69,7 @@ lutlib::io::PngImage rendered(const gpu::Device& device, const Golden& golden) {
     settings.tonemap = tonemap_named(golden.tonemap);
     settings.bloom = bloom_named(golden.bloom);
     settings.bloom_settings = {-1, 1.25F, 0.25F, 1};
+    settings.heat_scale = 8;
     set_usual(settings.effects, true);
     Executor executor(device);
     return code_image(render_frame(executor, inputs, settings));

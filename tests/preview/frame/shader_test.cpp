@@ -195,6 +195,7 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
         instruments.scope_sizes[i] = {scopes[i].width, scopes[i].height};
     }
     instruments.probe = ProbePlace{1, 1};
+    instruments.dithers = true;
     instruments.axes = &lutlib::srgb();
     check(inputs, instruments);
 

@@ -70,6 +70,24 @@ TEST(CubeDrawingTest, stands_on_black_with_white_above_it_however_it_is_turned) 
     }
 }
 
+TEST(CubeDrawingTest, keeps_a_look_that_leaves_the_cube_in_the_picture_from_every_side) {
+    lutlib::Lut wide;
+    wide.cube = lutlib::identity_cube(3);
+    for (lutlib::Rgb& node : wide.cube->nodes) {
+        node = {3 * node.r - 1, 2 * node.g - 0.5F, 2.5F * node.b};
+    }
+    const NodeCloud nodes = cube_nodes(wide, 3);
+    CubeDrawing drawing;
+    for (const float turn : {0.0F, 50.0F, 130.0F, 250.0F}) {
+        CubeView view;
+        view.turn = turn;
+        draw_cube(nodes, view, 200, 100, drawing);
+        for (const CubeDot& dot : drawing.dots) {
+            EXPECT_TRUE(dot.x > 0 && dot.x < 200 && dot.y > 0 && dot.y < 100) << turn;
+        }
+    }
+}
+
 TEST(CubeDrawingTest, draws_nearer_nodes_later) {
     CubeView above;
     above.tilt = 90;
@@ -85,7 +103,7 @@ TEST(CubeDrawingTest, has_twelve_edges_and_both_neutral_axes) {
     // Three edges and the axis of no look behind the dots, nine before them and eight steps of
     // grey.
     EXPECT_EQ(drawing.behind.size(), 4U);
-    EXPECT_EQ(drawing.before.size(), 17U);
+    EXPECT_EQ(drawing.before.size(), 17U + 16); // and the strokes of R, G and B
     EXPECT_EQ(drawing.dots.size(), 729U);
 }
 
@@ -97,9 +115,18 @@ TEST(CubeDrawingTest, leaves_out_what_is_not_finite_and_clamps_and_recolours_whe
     EXPECT_EQ(drawn(look, {}).dots.size(), 25U);
     CubeView view;
     view.tilt = 0;
-    const float unclamped = dot_of(drawn(look, view), {255, 255, 255}).y;
+    // Above the cube's uppermost corner, in pixels.
+    const auto height_of_white = [&] {
+        const CubeDrawing drawing = drawn(look, view);
+        float top = 1e9F;
+        for (const CubeLine& line : drawing.behind) {
+            top = std::min({top, line.y0, line.y1});
+        }
+        return top - dot_of(drawing, {255, 255, 255}).y;
+    };
+    EXPECT_GT(height_of_white(), 10);
     view.clamped = true;
-    EXPECT_LT(unclamped, dot_of(drawn(look, view), {255, 255, 255}).y - 100);
+    EXPECT_NEAR(height_of_white(), 0, 1e-3);
     for (Rgb& node : look.cube->nodes) {
         node = {0.5F, 0.5F, 0.5F};
     }

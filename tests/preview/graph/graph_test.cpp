@@ -366,7 +366,7 @@ TEST(ExplainTest, says_of_each_pass_whether_it_runs_and_why_not) {
     std::ignore = node(graph, "sky", {});
     graph.present(node(graph, "tone map", {a}));
     const std::string text = explain(graph, make_plan(graph));
-    EXPECT_NE(text.find("kept      scene           writes scene\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("kept      scene           writes scene 4x4\n"), std::string::npos) << text;
     EXPECT_NE(text.find("left out  sky             nothing that is shown reads 'sky'\n"),
               std::string::npos)
         << text;

@@ -325,7 +325,7 @@ TEST(PersistentTest, the_explanation_gives_the_reason) {
     const std::string text = explain(graph, make_plan(graph, make_plan(graph).held));
     EXPECT_NE(text.find("left out  shadow 0  " + std::string(reason) + "\n"), std::string::npos)
         << text;
-    EXPECT_NE(text.find("kept      lit       writes lit\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("kept      lit       writes lit 4x4\n"), std::string::npos) << text;
 }
 
 TEST(FingerprintTest, names_do_not_count_and_the_bytes_of_inputs_do) {

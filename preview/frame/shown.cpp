@@ -29,12 +29,11 @@ void load_picture(Shown& shown, const std::string& path) {
     ShownPicture picture;
     picture.display_encoded = lutlib::io::info_of(image.depth).integer;
     if (image.profile_tag) {
-        shown.told.push_back(
-            "its colour profile is not applied and not written: the codes are taken "
-            "for those of --picture-encoding");
+        shown.told.emplace_back("its colour profile is not applied and not written: the codes are "
+                                "taken for those of --picture-encoding");
     }
     if (!picture.display_encoded && image.chromaticities && !encoding) {
-        shown.told.push_back("its primaries are of no known gamut and taken for Rec.709's");
+        shown.told.emplace_back("its primaries are of no known gamut and taken for Rec.709's");
     } else if (!picture.display_encoded && encoding &&
                *encoding != *lutlib::encoding_named("linear")) {
         to_rec709(image.rgba, *encoding);

@@ -22,8 +22,8 @@ inline constexpr SampleLimits quick_samples{
 
 struct ErrorSamples {
     Domain domain;
-    /// Spread evenly over the domain's code values (sample_colors()): means and percentiles are of
-    /// these alone.
+    /// Spread evenly over the domain's code values (sample_colors(), each moved a little, so that
+    /// no lattice is met in step): means and percentiles are of these alone.
     std::vector<Rgb> even;
     /// Where errors may peak.
     std::vector<Rgb> hiding;

@@ -186,6 +186,30 @@ TEST(Measure, takes_means_and_percentiles_of_evenly_spread_colours_alone) {
     EXPECT_GT(d.absolute.max, d.absolute.p99);
 }
 
+// Lattices of 15 and 31 cells, among others, are met in step by the sequence alone.
+TEST(Measure, takes_percentiles_of_colours_that_are_in_step_with_no_lattice) {
+    Lut fine, coarse;
+    fine.cube = family_cube(32, 3, 0.02F, {});
+    coarse.cube = identity_cube(16);
+    for (Rgb& node : coarse.cube->nodes) {
+        node = to_float(evaluate_exact(fine, to_double(node), Interpolation::trilinear));
+    }
+    const Transform a = Transform::of(fine, Interpolation::trilinear),
+                    b = Transform::of(coarse, Interpolation::trilinear);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    std::vector<double> errors;
+    for (int i = 0; i < 300'000; ++i) {
+        const RgbD in{uniform(random), uniform(random), uniform(random)};
+        errors.push_back(code_distance(a(in), b(in)));
+    }
+    const ErrorStats truth = error_stats(errors);
+    const Breaks none = no_breaks();
+    const ErrorStats found = measure(a, b, error_samples({}, none), srgb()).absolute;
+    EXPECT_NEAR(found.p99, truth.p99, 0.02 * truth.p99);
+    EXPECT_NEAR(found.p95, truth.p95, 0.02 * truth.p95);
+}
+
 TEST(ErrorSamples, hold_every_colour_of_a_union_grid_that_is_small_enough) {
     Lut look;
     look.cube = identity_cube(5);

@@ -338,7 +338,7 @@ TEST_P(HealthOfStiffLook, has_a_finite_figure_and_words_for_every_check) {
 
 TEST(HealthChecks, have_names_of_their_own_and_each_speaks_up_for_some_look) {
     std::vector<Health> all;
-    for (const StiffLook& row : stiff_looks()) {
+    for (const StiffLook& row : stiff_suite()) {
         const Lut lut = row.make();
         if (!lut.cube || lut.cube->size < 40) {
             all.push_back(health_of(row));

@@ -79,9 +79,8 @@ float scattered(std::uint32_t i) {
     return static_cast<float>(i >> 8) * 0x1p-24F - 0.5F;
 }
 
-// The sequence alone falls in step with some lattices, meets their cells at the same places again
-// and again, and makes a percentile of 50,000 colours 7 % wrong. So each is moved within its share
-// of the cube.
+// The sequence alone is in step with what some pairs of lattices differ by, and a percentile of
+// 50,000 colours may be 7 % wrong. So each is moved within its share of the cube.
 std::vector<Rgb> out_of_step(std::vector<Rgb> places) {
     const float share = 1 / std::cbrt(static_cast<float>(places.size()));
     for (std::size_t i = 0; i < places.size(); ++i) {

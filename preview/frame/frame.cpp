@@ -3,6 +3,7 @@
 #include "lutlib/error.h"
 #include "lutlib/named.h"
 #include "preview/effects/fusion.h"
+#include "preview/frame/declared_scene.h"
 #include "preview/frame/instruments.h"
 #include "preview/look/gpu_look.h"
 #include "preview/passes/bloom_composite.h"
@@ -21,100 +22,6 @@
 namespace preview {
 
 namespace {
-
-template <class T>
-BufferHandle data_or_nothing(Graph& graph, std::string_view name, const std::vector<T>& blocks) {
-    return blocks.empty() ? BufferHandle{} : graph.data(name, std::as_bytes(std::span(blocks)));
-}
-
-struct DeclaredScene {
-    SceneHandles handles;
-    ShadowMaps shadows;
-    std::vector<Draw> visible;
-};
-
-/// The lights that reach the frame, named.
-std::vector<PointLight> shining_lights(Graph& graph, const std::vector<PointLight>& lights,
-                                       const FrameSettings& settings) {
-    std::vector<PointLight> shining;
-    if (settings.without.has(Effect::lights)) {
-        return shining;
-    }
-    for (std::size_t index = 0; index < lights.size(); ++index) {
-        PointLight light = lights[index];
-        light.name = "light " + (light.name.empty() ? std::to_string(index) : light.name);
-        if (!light.is_on) {
-            graph.withhold(light.name, "switched off");
-        } else if (!settings.force_all && light.intensity == glm::vec3(0)) {
-            graph.withhold(light.name, "its intensity is 0");
-        } else {
-            shining.push_back(std::move(light));
-        }
-    }
-    return shining;
-}
-
-DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
-                            Size size) {
-    DeclaredScene out;
-    out.shadows.size = settings.shadow_size;
-    out.shadows.are_kept = !settings.force_all;
-    const Scene& scene = *inputs.scene;
-    const GpuScene& gpu_scene = *inputs.gpu_scene;
-    const Geometry& geometry = gpu_scene.geometry;
-    const std::vector<PointLight> lights =
-        shining_lights(graph, inputs.lights != nullptr ? *inputs.lights : scene.lights, settings);
-    std::vector<int> layers;
-    for (std::uint32_t index = 0; index < lights.size(); ++index) {
-        if (settings.without.has(Effect::shadows)) {
-            layers.push_back(-1);
-            continue;
-        }
-        const ShadowCasters casters = shadow_casters(scene, geometry, lights[index]);
-        if (casters.objects.empty()) {
-            graph.withhold("shadow of " + lights[index].name, casters.reason);
-            layers.push_back(-1);
-        } else {
-            layers.push_back(static_cast<int>(out.shadows.maps.size()));
-            out.shadows.add(lights[index], scene, geometry, casters.objects);
-        }
-    }
-    const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
-    const ViewBlock view = view_block(settings.orbit, aspect);
-    out.visible = draws_of(scene, geometry, visible_objects(scene, geometry, view.clip));
-
-    SceneHandles& handles = out.handles;
-    handles.vertices = graph.import("vertices", gpu_scene.vertices, gpu_scene.vertices.bytes());
-    handles.indices = graph.import("indices", gpu_scene.indices, gpu_scene.indices.bytes());
-    handles.objects = data_or_nothing(graph, "objects", object_blocks(scene));
-    handles.materials = data_or_nothing(graph, "materials", material_blocks(scene));
-    handles.lights =
-        data_or_nothing(graph, "lights", light_blocks(lights, layers, settings.shadow_size));
-    handles.environment = graph.data_of("environment", environment_block(scene.environment));
-    handles.view = graph.data_of("view", view);
-    handles.light_count = static_cast<std::uint32_t>(lights.size());
-    handles.has_spots =
-        settings.force_all || std::any_of(lights.begin(), lights.end(),
-                                          [](const PointLight& light) { return light.is_spot(); });
-    if (gpu_scene.detail) {
-        const GpuDetail& detail = *gpu_scene.detail;
-        handles.detail.vertices =
-            graph.import("vertex details", detail.vertices, detail.vertices.bytes());
-        handles.detail.materials =
-            data_or_nothing(graph, "material details", material_detail_blocks(scene));
-        handles.detail.textures =
-            graph.import("textures", detail.textures, detail.textures.bytes());
-        handles.detail.texels = graph.import("texels", detail.texels, detail.texels.bytes());
-        handles.detail.has_cutouts = detail.has_cutouts;
-        if (detail.halvings > 0) {
-            graph.withhold("the textures' largest " + std::to_string(detail.halvings) + " levels",
-                           "the device's buffers have no room for them");
-        }
-    } else {
-        graph.withhold("textures", "no surface has any");
-    }
-    return out;
-}
 
 /// Radiance of the scene; fills in what it is made of.
 ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,

@@ -1,5 +1,6 @@
 #include "preview/scene/gpu_scene.h"
 
+#include "preview/graph/graph.h"
 #include "preview/scene/texture_data.h"
 
 #include <algorithm>
@@ -22,6 +23,11 @@ GpuDetail make_detail(const gpu::Device& device, const Scene& scene, const Geome
                     [](const Material& material) { return material.detail.least_coverage > 0; })};
 }
 
+template <class T>
+BufferHandle data_or_nothing(Graph& graph, std::string_view name, const std::vector<T>& blocks) {
+    return blocks.empty() ? BufferHandle{} : graph.data(name, std::as_bytes(std::span(blocks)));
+}
+
 } // namespace
 
 GpuScene::GpuScene(const gpu::Device& device, const Scene& scene)
@@ -31,6 +37,27 @@ GpuScene::GpuScene(const gpu::Device& device, const Scene& scene)
     if (!geometry.details.empty()) {
         detail = make_detail(device, scene, geometry);
     }
+}
+
+SceneHandles import_scene(Graph& graph, const Scene& scene, const GpuScene& gpu_scene,
+                          const ViewBlock& view) {
+    SceneHandles out;
+    out.vertices = graph.import("vertices", gpu_scene.vertices, gpu_scene.vertices.bytes());
+    out.indices = graph.import("indices", gpu_scene.indices, gpu_scene.indices.bytes());
+    out.objects = data_or_nothing(graph, "objects", object_blocks(scene));
+    out.materials = data_or_nothing(graph, "materials", material_blocks(scene));
+    out.view = graph.data_of("view", view);
+    if (gpu_scene.detail) {
+        const GpuDetail& detail = *gpu_scene.detail;
+        out.detail.vertices =
+            graph.import("vertex details", detail.vertices, detail.vertices.bytes());
+        out.detail.materials =
+            data_or_nothing(graph, "material details", material_detail_blocks(scene));
+        out.detail.textures = graph.import("textures", detail.textures, detail.textures.bytes());
+        out.detail.texels = graph.import("texels", detail.texels, detail.texels.bytes());
+        out.detail.has_cutouts = detail.has_cutouts;
+    }
+    return out;
 }
 
 GpuPicture::GpuPicture(const gpu::Device& device, Size size, std::span<const float> rgba,

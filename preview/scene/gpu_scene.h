@@ -26,6 +26,10 @@ struct GpuScene {
     std::optional<GpuDetail> detail; ///< nothing for a scene without
 };
 
+/// The scene as a graph's passes read it; without lights and surroundings.
+SceneHandles import_scene(Graph& graph, const Scene& scene, const GpuScene& gpu_scene,
+                          const ViewBlock& view);
+
 /// A picture as the scene. Linear light, or display-encoded as from a PNG.
 struct GpuPicture {
     /// `rgba` has four floats a pixel, rows from the top.

@@ -1,8 +1,6 @@
 // The whole frame on a device: what it leaves out, that leaving out changes nothing, and that a
 // steady frame costs nothing but its passes.
 #include "lutlib/error.h"
-#include "lutlib/interpolation/interpolation.h"
-#include "lutlib/transform.h"
 #include "preview/effects/effect.h"
 #include "preview/frame/frame.h"
 #include "preview/look/gpu_look.h"
@@ -62,63 +60,6 @@ TEST_F(FrameTest, the_sample_scene_keeps_its_shadows_and_blooms) {
     }
 }
 
-TEST_F(FrameTest, codes_of_a_picture_reach_the_look_unrounded) {
-    std::vector<float> texels;
-    for (std::uint32_t i = 0; i < size.width * size.height; ++i) {
-        for (const std::uint32_t code : {i, 7 * i + i / 256, 31 * i}) {
-            texels.push_back(static_cast<float>(code % 256) / 255);
-        }
-        texels.push_back(1);
-    }
-    const GpuPicture picture(device(), size, texels, true);
-    lutlib::Lut steep; // as far as codes go: a rounding before it shows after it
-    steep.cube = lutlib::identity_cube(17);
-    for (lutlib::Rgb& node : steep.cube->nodes) {
-        node = {std::sqrt(node.r), 1 - node.g * node.g, std::sqrt(node.b * node.r)};
-    }
-    const GpuLook look(device(), look_data(steep, *gpu_lookup_named("trilinear")));
-    FrameInputs inputs;
-    inputs.picture = &picture;
-    inputs.look_a = &look;
-    FrameSettings settings = settings_for({});
-    settings.effects.clear();
-    Executor executor(device());
-    const Rendered rendered = render_frame(executor, inputs, settings);
-    EXPECT_EQ(executor.plan().steps.size(), 1U) << rendered.explanation; // finish
-    double worst = 0;
-    for (std::size_t at = 0; at < texels.size(); at += 4) {
-        const lutlib::RgbD exact = lutlib::Transform::of(steep, lutlib::Interpolation::trilinear)(
-            {static_cast<double>(texels[at]), static_cast<double>(texels[at + 1]),
-             static_cast<double>(texels[at + 2])});
-        for (std::size_t c = 0; c < 3; ++c) {
-            worst = std::max(worst, std::abs(rendered.rgba[at + c] - 255 * exact[c]));
-        }
-    }
-    EXPECT_LE(worst, 0.501);
-}
-
-TEST_F(FrameTest, dithers_what_lies_between_codes_and_nothing_else) {
-    std::vector<float> texels;
-    for (std::uint32_t i = 0; i < size.width * size.height; ++i) {
-        texels.insert(texels.end(), {100.3F / 255, static_cast<float>(i % 256) / 255, 0, 1});
-    }
-    const GpuPicture picture(device(), size, texels, true);
-    FrameInputs inputs;
-    inputs.picture = &picture;
-    FrameSettings settings = settings_for({});
-    settings.effects.clear();
-    settings.dithers = true;
-    Executor executor(device());
-    const Rendered rendered = render_frame(executor, inputs, settings);
-    double sum = 0;
-    for (std::size_t at = 0; at < texels.size(); at += 4) {
-        sum += rendered.rgba[at];
-        ASSERT_TRUE(rendered.rgba[at] == 100 || rendered.rgba[at] == 101);
-        ASSERT_EQ(rendered.rgba[at + 1], at / 4 % 256);
-    }
-    EXPECT_NEAR(sum / (size.width * size.height), 100.3, 0.01);
-}
-
 TEST_F(FrameTest, without_light_above_white_has_no_bloom_and_says_why_a_look_is_left_out) {
     const Loaded loaded(scene_at(*scene_named("plain"), 0));
     FrameSettings settings = settings_for(loaded.scene);
@@ -148,24 +89,6 @@ TEST_F(FrameTest, shows_the_numbers_of_intermediates_where_they_are_asked_for) {
     EXPECT_NEAR(
         std::hypot(normal.values[centre], normal.values[centre + 1], normal.values[centre + 2]), 1,
         1e-3);
-}
-
-TEST_F(FrameTest, a_picture_leaves_out_all_that_comes_before_the_resolve) {
-    const std::vector<float> texels(std::size_t{4} * size.width * size.height, 0.25F);
-    const GpuPicture picture(device(), size, texels, false);
-    FrameInputs inputs;
-    inputs.picture = &picture;
-    FrameSettings settings = settings_for({});
-    settings.effects.clear();
-    settings.keep_hdr = true;
-    Executor executor(device());
-    const Rendered rendered = render_frame(executor, inputs, settings);
-    EXPECT_EQ(executor.plan().steps.size(), 3U) << rendered.explanation; // clear, resolve, finish
-    for (std::size_t at = 0; at < rendered.hdr.size(); at += 4) {
-        ASSERT_EQ(rendered.hdr[at], 0.25F);
-    }
-    settings.exposure = 2;
-    EXPECT_EQ(render_frame(executor, inputs, settings).hdr[0], 1.0F);
 }
 
 TEST_F(FrameTest, every_effect_can_be_switched_off_and_is_said_to_be) {

@@ -107,35 +107,11 @@ class DetailTest : public GpuTest {
   protected:
     Executor executor_{device()};
 
-    static void declare(Graph& graph, const Scene& scene, const GpuScene& gpu_scene,
-                        const ViewBlock& view, SceneHandles& handles) {
-        handles.vertices = graph.import("vertices", gpu_scene.vertices, gpu_scene.vertices.bytes());
-        handles.indices = graph.import("indices", gpu_scene.indices, gpu_scene.indices.bytes());
-        const auto objects = object_blocks(scene);
-        const auto materials = material_blocks(scene);
-        handles.objects = graph.data("objects", std::as_bytes(std::span(objects)));
-        handles.materials = graph.data("materials", std::as_bytes(std::span(materials)));
-        handles.view = graph.data_of("view", view);
-        if (gpu_scene.detail) {
-            const GpuDetail& detail = *gpu_scene.detail;
-            const auto blocks = material_detail_blocks(scene);
-            handles.detail.vertices =
-                graph.import("vertex details", detail.vertices, detail.vertices.bytes());
-            handles.detail.materials =
-                graph.data("material details", std::as_bytes(std::span(blocks)));
-            handles.detail.textures =
-                graph.import("textures", detail.textures, detail.textures.bytes());
-            handles.detail.texels = graph.import("texels", detail.texels, detail.texels.bytes());
-            handles.detail.has_cutouts = detail.has_cutouts;
-        }
-    }
-
     Pictures render(const Scene& scene, const ViewBlock& view, bool by_compute,
                     const VisibilityLimits& limits = {}) {
         const GpuScene gpu_scene(device(), scene);
         Graph graph;
-        SceneHandles handles;
-        declare(graph, scene, gpu_scene, view, handles);
+        SceneHandles handles = import_scene(graph, scene, gpu_scene, view);
         const auto draws = all_draws(scene, gpu_scene.geometry);
         const GBuffer out = by_compute ? add_visibility(graph, handles, size, draws, limits)
                                        : add_gbuffer(graph, handles, size, draws);

@@ -62,16 +62,9 @@ class GeometryTest : public GpuTest {
     std::vector<float> light(const Scene& scene) {
         const GpuScene gpu_scene(device(), scene);
         Graph graph;
-        SceneHandles handles;
-        handles.vertices = graph.import("vertices", gpu_scene.vertices, gpu_scene.vertices.bytes());
-        handles.indices = graph.import("indices", gpu_scene.indices, gpu_scene.indices.bytes());
-        const auto objects = object_blocks(scene);
-        const auto materials = material_blocks(scene);
-        handles.objects = graph.data("objects", std::as_bytes(std::span(objects)));
-        handles.materials = graph.data("materials", std::as_bytes(std::span(materials)));
-        handles.environment = graph.data_of("environment", environment_block(scene.environment));
         const ViewBlock view = view_block(scene.orbit, 1.5F);
-        handles.view = graph.data_of("view", view);
+        SceneHandles handles = import_scene(graph, scene, gpu_scene, view);
+        handles.environment = graph.data_of("environment", environment_block(scene.environment));
         ShadowMaps shadows;
         shadows.size = 512;
         std::vector<int> layers;

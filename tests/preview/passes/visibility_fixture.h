@@ -71,12 +71,7 @@ class VisibilityTest : public GpuTest {
     Surfaces render(const Scene& scene, const GpuScene& gpu_scene, const ViewBlock& view,
                     Size target, const Add& add) {
         Graph graph;
-        SceneHandles handles;
-        handles.vertices = graph.import("vertices", gpu_scene.vertices, gpu_scene.vertices.bytes());
-        handles.indices = graph.import("indices", gpu_scene.indices, gpu_scene.indices.bytes());
-        const auto objects = object_blocks(scene);
-        handles.objects = graph.data("objects", std::as_bytes(std::span(objects)));
-        handles.view = graph.data_of("view", view);
+        const SceneHandles handles = import_scene(graph, scene, gpu_scene, view);
         const GBuffer out = add(graph, handles, target);
         graph.present(out.depth);
         graph.present(out.normal);

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <utility>
 
 namespace preview {
 
@@ -22,8 +23,8 @@ using lutlib::Error;
 /// What Assimp may read: the file that is in memory, and regular files beside it.
 class Beside : public Assimp::IOSystem {
   public:
-    Beside(std::string path, const std::string& bytes, ReadFile read)
-        : path_(std::move(path)), bytes_(bytes), read_(std::move(read)) {}
+    Beside(std::string path, const std::string& bytes, ReadFile read, LeftOut& left_out)
+        : path_(std::move(path)), bytes_(bytes), read_(std::move(read)), left_out_(left_out) {}
 
     bool Exists(const char* file) const override {
         std::error_code failed;
@@ -36,7 +37,12 @@ class Beside : public Assimp::IOSystem {
         }
         try {
             return stream(kept_.emplace(file, read_(file, import_limits.file_bytes)).first->second);
-        } catch (const Error&) {
+        } catch (const Error& error) {
+            // Of a library that it cannot open Assimp tries a second name, which nobody gave.
+            if (!std::exchange(is_told_, true)) {
+                left_out_.add("material libraries that cannot be read: " +
+                              printable(error.what(), 240));
+            }
             return nullptr;
         }
     }
@@ -51,6 +57,8 @@ class Beside : public Assimp::IOSystem {
     std::string path_;
     const std::string& bytes_;
     ReadFile read_;
+    LeftOut& left_out_;
+    bool is_told_ = false;
     std::map<std::string, std::string> kept_;
 };
 
@@ -196,7 +204,7 @@ class ObjImport {
 FileScene obj_scene(const std::string& bytes, const std::string& path, const ReadFile& read,
                     LeftOut& left_out) {
     Assimp::Importer importer;
-    importer.SetIOHandler(new Beside(path, bytes, read)); // which owns it
+    importer.SetIOHandler(new Beside(path, bytes, read, left_out)); // which owns it
     const aiScene* const file =
         importer.ReadFile(path, aiProcess_Triangulate | aiProcess_PreTransformVertices);
     if (file == nullptr || file->mRootNode == nullptr || file->mNumMaterials == 0) {

@@ -368,6 +368,13 @@ TEST_F(ImportTest, an_obj_comes_with_its_materials) {
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         EXPECT_NEAR(mesh.details[i].uv[0].y, (1 - mesh.vertices[i].position.y) / 2, rounding);
     }
+    lutlib::io::write_file(file("alone.obj"),
+                           "mtllib not\x1bthere.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const ImportedScene alone = import_scene(file("alone.obj"));
+    ASSERT_EQ(alone.left_out.size(), 1U);
+    EXPECT_NE(alone.left_out[0].find("1 material libraries that cannot be read"), std::string::npos)
+        << alone.left_out[0];
+    EXPECT_NE(alone.left_out[0].find("not?there.mtl"), std::string::npos) << alone.left_out[0];
     lutlib::io::write_file(file("bad.obj"), "f 1 2 3\n");
     EXPECT_THROW(import_scene(file("bad.obj")), lutlib::Error);
 }

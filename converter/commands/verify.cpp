@@ -27,6 +27,8 @@ namespace {
 
 namespace io = lutlib::io;
 
+constexpr int most_samples = 10'000'000;
+
 struct Options {
     std::string picture, against;
     EngineOption engine;
@@ -345,8 +347,8 @@ nlohmann::ordered_json as_json(const Options& o, const Subject& s, const Verdict
 }
 
 int run(const Options& o) {
-    if (o.samples < 1) {
-        throw lutlib::UsageError("--samples must be at least 1");
+    if (o.samples < 1 || o.samples > most_samples) {
+        throw lutlib::UsageError(fmt::format("--samples must be 1 to {}", most_samples));
     }
     if (o.picture == io::standard_stream && o.against == io::standard_stream) {
         throw lutlib::UsageError("the picture and the look cannot both come from standard input");

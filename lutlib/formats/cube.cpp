@@ -40,6 +40,11 @@ bool may_be_keyword(std::string_view word) {
            std::none_of(word.begin(), word.end(), is_control);
 }
 
+std::size_t decimals_of(std::string_view number) {
+    const std::size_t point = number.find_first_of(".,");
+    return point == std::string_view::npos ? 0 : number.size() - point - 1;
+}
+
 bool is_number(std::string_view word) {
     float value = 0;
     return parse_float(word, value) != NumberStatus::not_a_number;
@@ -173,6 +178,7 @@ class CubeReader {
         for (std::size_t c = 0; c < 3; ++c) {
             row[c] = read_value(words.items[c], line);
         }
+        note_form(words, line);
         if (!table_) {
             if (!shaper_size_ && !cube_size_) {
                 fail("a row of numbers before LUT_1D_SIZE or LUT_3D_SIZE", line);
@@ -182,6 +188,32 @@ class CubeReader {
         }
         (*table_)[filled_++] = row;
         next_table_when_full();
+    }
+
+    // What of a row's form makes other readers, or its writer's end, suspect.
+    void note_form(const Words& words, std::string_view line) {
+        const bool commas = line.find(',') != std::string_view::npos;
+        if (commas && line.find('.') != std::string_view::npos) {
+            fail("a row with decimal commas and decimal points; write all of them as points", line);
+        }
+        if (commas && !has_commas_) {
+            has_commas_ = true;
+            lut_.notes.push_back("line " + std::to_string(lines_.line_number()) +
+                                 ": decimal commas, read as points; other readers stop at a comma: "
+                                 "hand them what 'lutconv convert' writes");
+        }
+        const std::size_t digits = decimals_of(words.items[0]);
+        const bool is_short = decimals_of(words.items[2]) < digits;
+        if (is_last_and_open(line) && is_short && digits > 3 &&
+            decimals_of(words.items[1]) == digits) {
+            lut_.notes.push_back("line " + std::to_string(lines_.line_number()) +
+                                 ": the file ends without a line end in a number that has fewer "
+                                 "decimals than its neighbours; if it was cut there, get it anew");
+        }
+    }
+
+    bool is_last_and_open(std::string_view line) const {
+        return lines_.rest().data() == line.data() + line.size();
     }
 
     void read_keyword(const Words& words, std::string_view line) {
@@ -264,6 +296,7 @@ class CubeReader {
         if (words.count != 4) {
             fail(std::string(words.items[0]) + " needs 3 numbers", line);
         }
+        refuse_second(bound, words, line);
         bound = Rgb{read_float(words.items[1], line), read_float(words.items[2], line),
                     read_float(words.items[3], line)};
         note_range(range, line);
@@ -274,11 +307,19 @@ class CubeReader {
             fail(std::string(words.items[0]) + " needs 2 numbers, the minimum and the maximum",
                  line);
         }
+        refuse_second(range.min, words, line);
         const float low = read_float(words.items[1], line);
         const float high = read_float(words.items[2], line);
         range.min = Rgb{low, low, low};
         range.max = Rgb{high, high, high};
         note_range(range, line);
+    }
+
+    void refuse_second(const std::optional<Rgb>& bound, const Words& words,
+                       std::string_view line) const {
+        if (bound) {
+            fail("a second " + std::string(words.items[0]) + "; a file has one", line);
+        }
     }
 
     // A bound that is missing has its default; that the interval is sound is checked at the end,
@@ -364,22 +405,24 @@ class CubeReader {
         if (adobe_.line > 0) {
             set_domain(lut_.shaper ? lut_.shaper->domain : lut_.cube->domain, adobe_);
         }
-        lut_.shaper ? apply_range(lut_.shaper->domain, resolve_1d_)
+        const bool is_adobe = adobe_.line > 0;
+        lut_.shaper ? apply_range(lut_.shaper->domain, resolve_1d_, is_adobe)
                     : refuse_stray(resolve_1d_, "LUT_1D_INPUT_RANGE");
-        lut_.cube ? apply_range(lut_.cube->domain, resolve_3d_)
+        lut_.cube ? apply_range(lut_.cube->domain, resolve_3d_, is_adobe && !lut_.shaper)
                   : refuse_stray(resolve_3d_, "LUT_3D_INPUT_RANGE");
         lut_.provenance = file_;
         scale_integer_codes(lut_);
         return std::move(lut_);
     }
 
-    void apply_range(Domain& domain, const Range& range) {
+    // `is_given`: DOMAIN_MIN or DOMAIN_MAX has said it already.
+    void apply_range(Domain& domain, const Range& range, bool is_given) {
         if (range.line == 0) {
             return;
         }
         const Domain before = domain;
         set_domain(domain, range);
-        if (!before.is_unit() && !(before == domain)) {
+        if (is_given && !(before == domain)) {
             throw Error("DOMAIN_MIN/MAX and an INPUT_RANGE of the same table disagree; keep one",
                         {file_, range.line, range.text});
         }
@@ -392,7 +435,7 @@ class CubeReader {
     std::optional<int> shaper_size_, cube_size_;
     std::vector<Rgb>* table_ = nullptr; // being filled; null before the sizes and after the last
     std::size_t filled_ = 0;
-    bool a_table_is_full_ = false;
+    bool a_table_is_full_ = false, has_commas_ = false;
     Range adobe_, resolve_1d_, resolve_3d_;
 };
 
@@ -411,6 +454,19 @@ Lut read_cube(std::string_view bytes, const std::string& file) {
 
 Lut read_cube_in_pieces(std::string_view head, ByteSource& more, const std::string& file) {
     return CubeReader(LineScanner(head, more), head, file).read();
+}
+
+bool has_decimal_commas(std::string_view text) {
+    LineScanner lines(text);
+    for (std::string_view line; lines.next(line);) {
+        const Words words = words_of(line);
+        if (words.count == 3 && is_number(words.items[0]) && is_number(words.items[2])) {
+            if (line.find(',') != std::string_view::npos) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 Lut read_broken_cube(std::string_view bytes, const std::string& file) {

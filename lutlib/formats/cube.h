@@ -40,8 +40,8 @@ namespace lutlib {
 enum class CubeDialect { adobe, resolve };
 
 /// Parses a whole file. Throws Error naming `file`, the line and its text: for a table that is
-/// missing, truncated, overlong or out of limits.h, a value that is not a finite number, a domain
-/// that is empty or inverted, a binary or empty file.
+/// missing, truncated, overlong or out of limits.h, a value that is not a finite number, a row with
+/// commas and points, a domain that is empty, inverted or said twice, a binary or empty file.
 Lut read_cube(std::string_view bytes, const std::string& file);
 /// The same of UTF-8 text that begins with `head`, 4096 bytes at least unless it is shorter, and
 /// goes on with what `more` gives.
@@ -49,6 +49,9 @@ Lut read_cube_in_pieces(std::string_view head, ByteSource& more, const std::stri
 /// As read_cube(), but a row's values that are infinite or no number are read as NaN: for examining
 /// and repairing. What it returns may fail validate().
 Lut read_broken_cube(std::string_view bytes, const std::string& file);
+
+/// Whether a row of the text has them; other readers stop there.
+bool has_decimal_commas(std::string_view text);
 
 /// The shortest decimals that read back bit-identically. Throws Error for what the dialect cannot
 /// say (the `holds` of its row): fit the Lut first.

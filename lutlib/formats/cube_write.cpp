@@ -71,7 +71,7 @@ void append_head(std::string& out, const Lut& lut, CubeDialect dialect,
         out += "# " + one_line(comment) + '\n';
     }
     for (const std::string& comment : lut.comments) {
-        out += "# " + one_line(comment) + '\n';
+        out += is_superseded(comment, lut.encodings) ? "" : "# " + one_line(comment) + '\n';
     }
     for (const std::string& keyword : lut.keywords) {
         out += one_line(keyword) + '\n';

@@ -1,6 +1,7 @@
 #include "lutlib/io/look.h"
 
 #include "lutlib/error.h"
+#include "lutlib/formats/cube.h"
 #include "lutlib/io/describe.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
@@ -280,6 +281,9 @@ LookReference Look::reference(Interpolation how) const {
     } else if (lut_->interpolation.value_or(how) != how) {
         out.refusal = "the file asks for " + std::string(name_of(*lut_->interpolation)) +
                       " interpolation, not " + std::string(name_of(how));
+    } else if (require_file_format(kind_.format).extensions.contain("cube") &&
+               has_decimal_commas(bytes_.empty() ? read_file(path_) : bytes_)) {
+        out.refusal = "it stops at decimal commas";
     } else {
         try {
             out.look = opened_by_opencolorio(how);

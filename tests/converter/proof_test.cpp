@@ -47,6 +47,22 @@ TEST_P(BakeFile, bakes_what_verify_proves) {
     }
 }
 
+// OpenColorIO stops at the first comma of a number.
+TEST(BakeFile, with_decimal_commas_is_said_and_proved_by_what_lutlib_read) {
+    const Folder folder;
+    const std::string look = folder.write(
+        "comma.cube", "LUT_3D_SIZE 2\n0,1 0 0\n0,9 0 0\n0 0,8 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n"
+                      "0,95 0,95 0,95\n");
+    const std::string picture = folder.path("x.png");
+    const Result baked = lutconv_in_process({"bake", look, "-o", picture});
+    ASSERT_EQ(baked.exit_code, 0) << baked.err;
+    EXPECT_NE((baked.out + baked.err).find("decimal commas"), std::string::npos);
+    const Result verified =
+        lutconv_in_process({"verify", picture, "--against", look, "--samples", "500"});
+    EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
+    EXPECT_NE(verified.out.find("it stops at decimal commas"), std::string::npos) << verified.out;
+}
+
 TEST(BakeFile, reads_a_cube_as_the_file_says) {
     const Folder folder;
     const auto clf = [&](const std::string& says) {

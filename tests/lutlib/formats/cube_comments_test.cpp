@@ -47,6 +47,18 @@ TEST(Cube,
     }
 }
 
+TEST(CubeNotes, say_decimal_commas_once_and_a_file_cut_inside_its_last_number) {
+    const Lut commas = read_cube("LUT_1D_SIZE 3\n0 0 0\n0,25 0,5 0,75\n0,5 1 1", "x.cube");
+    ASSERT_EQ(commas.notes.size(), 1U);
+    EXPECT_EQ(commas.notes[0].find("line 3: decimal commas, read as points"), 0U);
+    const std::string whole = "LUT_1D_SIZE 2\n0 0 0\n0.98431 0.97213 0.95002";
+    EXPECT_TRUE(read_cube(whole, "x.cube").notes.empty());
+    EXPECT_TRUE(read_cube(whole.substr(0, whole.size() - 3) + "\n", "x.cube").notes.empty());
+    const Lut cut = read_cube(whole.substr(0, whole.size() - 3), "x.cube");
+    ASSERT_EQ(cut.notes.size(), 1U);
+    EXPECT_EQ(cut.notes[0].find("line 3: the file ends without a line end"), 0U);
+}
+
 TEST(CubeEncodings, are_two_comments_that_reader_and_writer_share) {
     Lut lut = read_cube("# input ENCODING:  slog3/sgamut3.cine\n#Output encoding: gamma24/rec709\n"
                         "# by hand\n# Input encoding: logc3\nLUT_1D_SIZE 2\n0 0 0\n1 1 1\n",
@@ -58,14 +70,20 @@ TEST(CubeEncodings, are_two_comments_that_reader_and_writer_share) {
     EXPECT_NE(lut.notes[0].find("'slog3/sgamut3.cine' and 'logc3'"), std::string::npos);
     EXPECT_NE(lut.notes[0].find("--look-input"), std::string::npos);
     lut.comments.pop_back();
+    lut.comments.push_back("OUTPUT encoding : srgb");
     for (const CubeDialect dialect : {CubeDialect::adobe, CubeDialect::resolve}) {
         const std::string text = write_cube(lut, dialect);
         EXPECT_NE(text.find("# Input encoding: slog3/sgamut3.cine\n"), std::string::npos);
         const Lut again = read_cube(text, "y.cube");
         EXPECT_EQ(again.encodings, lut.encodings);
-        EXPECT_EQ(again.comments, lut.comments);
+        EXPECT_EQ(again.comments, std::vector<std::string>{"by hand"});
         EXPECT_TRUE(again.notes.empty());
     }
+}
+
+TEST(CubeEncodings, have_blanks_on_either_side_of_the_colon) {
+    const Lut lut = read_cube("# Input encoding : logc3\nLUT_1D_SIZE 2\n0 0 0\n1 1 1\n", "x.cube");
+    EXPECT_EQ(lut.encodings.input, "logc3");
 }
 
 TEST(CubeEncodings, that_nobody_knows_are_kept_and_empty_ones_are_comments) {

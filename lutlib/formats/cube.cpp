@@ -1,6 +1,7 @@
 #include "lutlib/formats/cube.h"
 
 #include "lutlib/error.h"
+#include "lutlib/formats/cube_domain.h"
 #include "lutlib/formats/decimal.h"
 #include "lutlib/formats/encoding_comment.h"
 #include "lutlib/formats/integer_codes.h"
@@ -16,12 +17,6 @@
 
 namespace lutlib {
 namespace {
-
-struct Range {
-    std::optional<Rgb> min, max;
-    std::size_t line = 0;
-    std::string text; ///< of that line
-};
 
 bool is_letter(char c) {
     return (upper(c) >= 'A' && upper(c) <= 'Z') || c == '_';
@@ -176,7 +171,7 @@ class CubeReader {
         }
         Rgb row;
         for (std::size_t c = 0; c < 3; ++c) {
-            row[c] = read_value(words.items[c], line);
+            row[c] = read_value(words, c, line);
         }
         note_form(words, line);
         if (!table_) {
@@ -232,15 +227,7 @@ class CubeReader {
             cube.size = *cube_size_;
             cube.nodes.resize(n * n * n);
             choose_table();
-        } else if (keyword == "DOMAIN_MIN") {
-            read_domain_bound(adobe_.min, adobe_, words, line);
-        } else if (keyword == "DOMAIN_MAX") {
-            read_domain_bound(adobe_.max, adobe_, words, line);
-        } else if (keyword == "LUT_1D_INPUT_RANGE") {
-            read_input_range(resolve_1d_, words, line);
-        } else if (keyword == "LUT_3D_INPUT_RANGE") {
-            read_input_range(resolve_3d_, words, line);
-        } else {
+        } else if (!domains_.take({file_, lines_.line_number(), line, words})) {
             read_unknown(words, line);
         }
     }
@@ -291,61 +278,12 @@ class CubeReader {
         }
     }
 
-    void read_domain_bound(std::optional<Rgb>& bound, Range& range, const Words& words,
-                           std::string_view line) {
-        if (words.count != 4) {
-            fail(std::string(words.items[0]) + " needs 3 numbers", line);
-        }
-        refuse_second(bound, words, line);
-        bound = Rgb{read_float(words.items[1], line), read_float(words.items[2], line),
-                    read_float(words.items[3], line)};
-        note_range(range, line);
-    }
-
-    void read_input_range(Range& range, const Words& words, std::string_view line) {
-        if (words.count != 3) {
-            fail(std::string(words.items[0]) + " needs 2 numbers, the minimum and the maximum",
-                 line);
-        }
-        refuse_second(range.min, words, line);
-        const float low = read_float(words.items[1], line);
-        const float high = read_float(words.items[2], line);
-        range.min = Rgb{low, low, low};
-        range.max = Rgb{high, high, high};
-        note_range(range, line);
-    }
-
-    void refuse_second(const std::optional<Rgb>& bound, const Words& words,
-                       std::string_view line) const {
-        if (bound) {
-            fail("a second " + std::string(words.items[0]) + "; a file has one", line);
-        }
-    }
-
-    // A bound that is missing has its default; that the interval is sound is checked at the end,
-    // when both are known, and told with this line.
-    void note_range(Range& range, std::string_view line) {
-        range.line = lines_.line_number();
-        range.text = line;
-    }
-
-    float read_value(std::string_view word, std::string_view line) {
+    float read_value(const Words& words, std::size_t word, std::string_view line) {
         float value = 0;
-        const bool keep = keep_non_finite_ && parse_float(word, value) == NumberStatus::not_finite;
-        return keep ? std::numeric_limits<float>::quiet_NaN() : read_float(word, line);
-    }
-
-    float read_float(std::string_view word, std::string_view line) {
-        float value = 0;
-        switch (parse_float(word, value)) {
-        case NumberStatus::ok:
-            return value;
-        case NumberStatus::not_finite:
-            fail("'" + std::string(word) + "' is not a finite number", line);
-        case NumberStatus::not_a_number:
-            break;
-        }
-        fail("'" + std::string(word) + "' is not a number", line);
+        const bool keep =
+            keep_non_finite_ && parse_float(words.items[word], value) == NumberStatus::not_finite;
+        return keep ? std::numeric_limits<float>::quiet_NaN()
+                    : PlacedLine{file_, lines_.line_number(), line, words}.number_at(word);
     }
 
     std::string expected_rows() const {
@@ -374,24 +312,6 @@ class CubeReader {
         filled_ = 0;
     }
 
-    void set_domain(Domain& domain, const Range& range) {
-        domain.min = range.min.value_or(domain.min);
-        domain.max = range.max.value_or(domain.max);
-        try {
-            check_domain(domain);
-        } catch (const Error& error) {
-            throw Error(error.message(), {file_, range.line, range.text});
-        }
-    }
-
-    void refuse_stray(const Range& range, const char* keyword) const {
-        const Domain given{range.min.value_or(Rgb{}), range.max.value_or(Rgb{1, 1, 1})};
-        if (range.line > 0 && !given.is_unit()) {
-            throw Error(std::string(keyword) + " speaks of a table that this file does not have",
-                        {file_, range.line, range.text});
-        }
-    }
-
     Lut finish() {
         if (!shaper_size_ && !cube_size_) {
             fail("neither LUT_3D_SIZE nor LUT_1D_SIZE was found: this is not a .cube", {});
@@ -402,30 +322,10 @@ class CubeReader {
                      (lut_.cube && table_ == &lut_.cube->nodes ? "3D" : "1D") + " table",
                  {});
         }
-        if (adobe_.line > 0) {
-            set_domain(lut_.shaper ? lut_.shaper->domain : lut_.cube->domain, adobe_);
-        }
-        const bool is_adobe = adobe_.line > 0;
-        lut_.shaper ? apply_range(lut_.shaper->domain, resolve_1d_, is_adobe)
-                    : refuse_stray(resolve_1d_, "LUT_1D_INPUT_RANGE");
-        lut_.cube ? apply_range(lut_.cube->domain, resolve_3d_, is_adobe && !lut_.shaper)
-                  : refuse_stray(resolve_3d_, "LUT_3D_INPUT_RANGE");
+        domains_.give_to(lut_, file_);
         lut_.provenance = file_;
         scale_integer_codes(lut_);
         return std::move(lut_);
-    }
-
-    // `is_given`: DOMAIN_MIN or DOMAIN_MAX has said it already.
-    void apply_range(Domain& domain, const Range& range, bool is_given) {
-        if (range.line == 0) {
-            return;
-        }
-        const Domain before = domain;
-        set_domain(domain, range);
-        if (is_given && !(before == domain)) {
-            throw Error("DOMAIN_MIN/MAX and an INPUT_RANGE of the same table disagree; keep one",
-                        {file_, range.line, range.text});
-        }
     }
 
     LineScanner lines_;
@@ -436,7 +336,7 @@ class CubeReader {
     std::vector<Rgb>* table_ = nullptr; // being filled; null before the sizes and after the last
     std::size_t filled_ = 0;
     bool a_table_is_full_ = false, has_commas_ = false;
-    Range adobe_, resolve_1d_, resolve_3d_;
+    CubeDomains domains_;
 };
 
 Lut read(std::string_view bytes, const std::string& file, bool keep_non_finite) {

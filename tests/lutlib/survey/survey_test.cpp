@@ -210,7 +210,10 @@ TEST(Budget, keeps_its_promise_on_colours_that_it_has_not_seen) {
     const Transform look = test_looks()[1].transform();
     for (const char* name : support::all_or<const char*>({"piccolo", "hald"}, {"piccolo"})) {
         const Engine& engine = *engine_named(name);
-        const BudgetBake found = bake_within(look, engine, {2, std::nullopt, std::nullopt, true});
+        // More is kept by fewer nodes, which sanitizers see as well.
+        const double most = support::is_sanitized ? 6 : 2;
+        const BudgetBake found =
+            bake_within(look, engine, {most, std::nullopt, std::nullopt, true});
         ASSERT_TRUE(found.kept) << name;
         std::vector<Rgb> inputs =
             sample_colors(found.filled.bake.size,
@@ -219,7 +222,7 @@ TEST(Budget, keeps_its_promise_on_colours_that_it_has_not_seen) {
             lookup_error(engine, decoded(found.filled.bake.picture), found.filled.bake.size, inputs,
                          images_of(look, inputs));
         // The climb finds peaks nearly, not exactly.
-        EXPECT_LE(error.delta_e.max, 2 * 1.02) << name;
+        EXPECT_LE(error.delta_e.max, most * 1.02) << name;
     }
 }
 

@@ -12,6 +12,7 @@
 #include "lutlib/io/formats/all.h"
 #include "lutlib/io/formats/opencolorio.h"
 #include "lutlib/number_text.h"
+#include "lutlib/text.h"
 
 namespace lutlib::formats {
 namespace {
@@ -92,9 +93,37 @@ std::string write(const FileFormat& /*format*/, const Lut& lut, const WriteOptio
     return out;
 }
 
+// OpenColorIO's reader looks for the end of the metadata without end.
+Reading read(const FileFormat& format, std::string_view bytes, const std::string& file,
+             const ReadOptions& options) {
+    LineScanner lines(bytes);
+    std::size_t begun = 0;
+    for (std::string_view line; lines.next(line);) {
+        const std::string words = upper(trimmed(line));
+        if (words == "BEGIN METADATA" && begun == 0) {
+            begun = lines.line_number();
+        } else if (words == "END METADATA") {
+            begun = 0;
+            break;
+        }
+    }
+    if (begun > 0) {
+        throw Error(
+            "BEGIN METADATA without END METADATA: the file is cut short or damaged; fetch or "
+            "export it again",
+            {file, begun, {}});
+    }
+    return read_with_opencolorio(format, bytes, file, options);
+}
+
+constexpr FileFormat checked(FileFormat row) {
+    row.read = read;
+    return row;
+}
+
 } // namespace
 
-constinit const FileFormat csp = read_by_opencolorio({
+constinit const FileFormat csp = checked(read_by_opencolorio({
     .name = "csp",
     .label = "cineSpace .csp: prelut and table",
     .extensions = {"csp"},
@@ -107,6 +136,6 @@ constinit const FileFormat csp = read_by_opencolorio({
               .title = true},
     .magic = "CSPLUTV100",
     .write = write,
-});
+}));
 
 } // namespace lutlib::formats

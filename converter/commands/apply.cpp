@@ -1,4 +1,5 @@
-// lutconv apply: a picture through a LUT, on the codes or floats as the file stores them.
+// lutconv apply: a picture through a LUT, on the codes or floats as the file stores them. What else
+// the file holds goes into the new one.
 #include "lutlib/interpolation/apply.h"
 #include "converter/command.h"
 #include "converter/look_files.h"
@@ -8,8 +9,10 @@
 #include "converter/report.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
+#include "lutlib/io/alpha.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/image.h"
+#include "lutlib/io/orientation.h"
 #include "lutlib/named.h"
 
 #include <fmt/core.h>
@@ -26,8 +29,22 @@ namespace {
 
 namespace io = lutlib::io;
 
+// How a picture's alpha stands to its colours.
+struct AlphaRule {
+    std::string_view name, help;
+    std::optional<bool> premultiplied; ///< unset: as the file type says
+    bool ignored = false;              ///< the look sees the stored colours
+};
+constexpr std::array<AlphaRule, 4> alpha_rules{{
+    {"auto", "as the file type says: EXR premultiplied, PNG straight", std::nullopt},
+    {"straight", "colours are not multiplied by it", false},
+    {"premultiplied", "colours are multiplied by it", true},
+    {"ignore", "the look sees the colours as they are stored", std::nullopt, true},
+}};
+
 struct Options {
-    std::string lut, picture, output, depth, picture_encoding, output_encoding;
+    std::string lut, picture, output, depth, picture_encoding, output_encoding, layer;
+    std::string alpha{alpha_rules.front().name};
     InterpolationOption interpolation;
     PlacingOptions placing;
     bool json = false;
@@ -40,6 +57,8 @@ struct Report {
     std::size_t not_a_number = 0;   ///< pixels that a conversion read as 0
     const io::DepthInfo* depth = nullptr;
     lutlib::LookPlace place;
+    std::vector<std::string> remarks{}; ///< of channels that were chosen
+    std::vector<std::string> lost{};    ///< of the picture's file, a phrase each
 };
 
 // Where a look keeps its encoding, the result goes back to the picture's; one that changes it, as
@@ -186,7 +205,9 @@ void print_report(const Options& o, const Report& r) {
                                      {"pixels_outside_domain", r.outside_domain},
                                      {"pixels_not_a_number", r.not_a_number},
                                      {"pixels_clamped", r.clamped},
-                                     {"encodings", to_json(r.place)}},
+                                     {"encodings", to_json(r.place)},
+                                     {"remarks", r.remarks},
+                                     {"not_kept", r.lost}},
               o.output);
         return;
     }
@@ -205,20 +226,66 @@ void print_report(const Options& o, const Report& r) {
     text += share(r.outside_domain, "lay outside the LUT's input and were clamped to it");
     text += share(r.not_a_number, "hold NaN, which was read as 0");
     text += share(r.clamped, "came out outside 0..1 and were clamped, as the file stores integers");
+    for (const std::string& remark : r.remarks) {
+        text += "  " + remark + '\n';
+    }
+    for (const std::string& lost : r.lost) {
+        text += "  not kept, as the new file does not hold it: " + lost + '\n';
+    }
     print(text, o.output);
+}
+
+const AlphaRule& alpha_rule(const Options& o) {
+    return lutlib::require_named(alpha_rules, "alpha rule", o.alpha);
+}
+
+// Straight colours through the look; then as the new file stores them.
+Report graded(const Options& o, const io::Look& look, const lutlib::LookPlace& place,
+              io::FloatImage& image, io::Depth depth) {
+    const AlphaRule& rule = alpha_rule(o);
+    image.premultiplied = rule.premultiplied.value_or(image.premultiplied);
+    const bool was_premultiplied = image.premultiplied;
+    const io::LightOnly light = rule.ignored ? io::LightOnly{} : make_straight(image);
+    Report report = apply(look, place, image, depth);
+    if (rule.ignored) {
+        image.premultiplied = was_premultiplied;
+    } else if (image.alpha && io::stores_premultiplied(o.output, image.source.get())) {
+        premultiply(image, light);
+    }
+    return report;
+}
+
+// Whether tags that say what the codes are hold for the result too.
+bool keeps_encoding(const lutlib::LookPlace& place) {
+    const std::optional<lutlib::Encoding> holds = place.shown().output;
+    return !place.given || !holds || *holds == *place.given;
 }
 
 int run(const Options& o) {
     require_one_standard_input(std::array{o.lut, o.picture});
+    alpha_rule(o);
     const std::vector<io::Depth> held = io::depths_of(o.output);
     choose_depth(o, held, held.front());
     const io::Look look =
         open_look(o.lut, {.interpolation = o.interpolation.get(), .encodings = o.placing.look()});
-    io::FloatImage image = io::read_image(o.picture);
+    io::FloatImage image = io::read_image(o.picture, o.layer);
+    const std::shared_ptr<const io::PictureSource> source = image.source;
     const lutlib::LookPlace place = place_of(o, look.encodings(), image);
     const io::Depth depth = choose_depth(o, held, image.depth);
-    const Report report = apply(look, place, image, depth);
-    io::write_image(o.output, image, {depth, image.alpha, {{"Source", io::input_name(o.picture)}}});
+    Report report = graded(o, look, place, image, depth);
+    report.remarks = source->remarks;
+    if (source->orientation > 1 && !io::holds_orientation(o.output)) {
+        image = upright(image, source->orientation);
+        report.remarks.push_back("written upright, as the new file cannot say which way up it is");
+        report.width = image.width;
+        report.height = image.height;
+    }
+    report.lost = io::write_image(o.output, image,
+                                  {.depth = depth,
+                                   .alpha = image.alpha,
+                                   .text = {{"Source", io::input_name(o.picture)}},
+                                   .keep = source.get(),
+                                   .keep_color = keeps_encoding(place)});
     print_report(o, report);
     return ok;
 }
@@ -238,6 +305,16 @@ Run declare_apply(Verb& verb) {
                     "uint8, uint16, half or float, as far as the file type holds it (default: the "
                     "nearest to the picture's own)");
     o->interpolation.declare(verb, "of the LUT's cube");
+    verb.add_option(
+        "--layer", o->layer,
+        "the picture to grade in a file of several: a layer, or a part's name (default: "
+        "R, G, B, else Combined, beauty or rgba, else the first)");
+    std::string alpha_help = "how the picture's alpha stands to its colours:";
+    for (const AlphaRule& rule : alpha_rules) {
+        alpha_help += fmt::format(" {} ({}){}", rule.name, rule.help,
+                                  &rule == &alpha_rules.back() ? "" : ",");
+    }
+    verb.add_option("--alpha", o->alpha, alpha_help).capture_default_str();
     verb.add_option("--picture-encoding", o->picture_encoding,
                     encoding_help("what the picture's codes are"));
     verb.add_option("--output-encoding", o->output_encoding,

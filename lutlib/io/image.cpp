@@ -23,6 +23,10 @@ constexpr std::array<DepthInfo, 4> table{{
     {Depth::float32, "float", false},
 }};
 
+struct PngSource final : PictureSource {
+    std::vector<PngChunk> chunks;
+};
+
 FloatImage to_float_image(const PngImage& codes) {
     FloatImage out;
     out.width = codes.width;
@@ -45,6 +49,15 @@ FloatImage to_float_image(const PngImage& codes) {
     return out;
 }
 
+std::shared_ptr<const PictureSource> source_of(PngImage&& codes, std::string_view bytes) {
+    const auto out = std::make_shared<PngSource>();
+    out->type = "png";
+    out->icc_profile = std::move(codes.icc_profile);
+    out->text = std::move(codes.text);
+    out->chunks = kept_chunks(bytes);
+    return out;
+}
+
 PngImage to_codes(const FloatImage& image, const ImageWriteOptions& options) {
     PngImage out;
     out.width = image.width;
@@ -60,6 +73,46 @@ PngImage to_codes(const FloatImage& image, const ImageWriteOptions& options) {
         }
     }
     return out;
+}
+
+// The chunks of a PNG go into a PNG as they are; of other files what a PNG has a place for.
+std::vector<std::string> keep_in_png(PngImage& png, const ImageWriteOptions& options) {
+    std::vector<std::string> lost;
+    const PictureSource& keep = *options.keep;
+    if (const auto* const source = dynamic_cast<const PngSource*>(&keep)) {
+        for (const PngChunk& chunk : source->chunks) {
+            if (options.keep_color || !chunk.about_color) {
+                png.chunks.push_back(chunk);
+            } else {
+                lost.push_back("the chunk " + chunk.name() + ", which is not true of the result");
+            }
+        }
+        return lost;
+    }
+    if (!keep.icc_profile.empty() && options.keep_color) {
+        png.icc_profile = keep.icc_profile;
+    } else if (!keep.icc_profile.empty()) {
+        lost.emplace_back("the colour profile, which is not true of the result");
+    }
+    constexpr std::size_t longest_key = 79;
+    for (const auto& [key, value] : keep.text) {
+        if (!key.empty() && key.size() <= longest_key) {
+            png.text.emplace_back(key, value);
+        }
+    }
+    const std::vector<std::string> others = keep.beyond_text();
+    lost.insert(lost.end(), others.begin(), others.end());
+    return lost;
+}
+
+// OpenImageIO's reader of Maya's IFF writes beyond its memory on damaged files, under any name.
+void refuse_iff(std::string_view head, const std::string& file) {
+    const std::string_view group = head.substr(0, 4);
+    if (group == "FOR4" || group == "FOR8" || group == "FORM") {
+        throw Error("IFF pictures are not read, as no safe reader is at hand; save it as PNG, TIFF "
+                    "or EXR",
+                    {file, 0, {}});
+    }
 }
 
 bool is_png_name(const std::string& path) {
@@ -111,20 +164,29 @@ const Oiio& oiio() {
 }
 
 FloatImage decode_image(std::string_view bytes, const std::string& extension,
-                        const std::string& file) {
+                        const std::string& file, const std::string& layer) {
     if (is_png(bytes)) {
-        return to_float_image(read_png(bytes, file));
+        if (!layer.empty()) {
+            throw UsageError("a PNG has no layers; leave out --layer", {file, 0, {}});
+        }
+        PngImage codes = read_png(bytes, file);
+        FloatImage out = to_float_image(codes);
+        out.source = source_of(std::move(codes), bytes);
+        return out;
     }
+    refuse_iff(bytes, file);
     const TemporaryFile copy(bytes, file, extension);
-    return oiio().read(copy.path(), file);
+    return oiio().read(copy.path(), file, layer);
 }
 
-FloatImage read_image(const std::string& path) {
-    constexpr std::size_t enough_to_tell_png = 8;
-    const auto head = head_of_regular_file(path, enough_to_tell_png);
-    return head && !is_png(*head)
-               ? oiio().read(path, path)
-               : decode_image(read_file(path), extension_of(path), input_name(path));
+FloatImage read_image(const std::string& path, const std::string& layer) {
+    constexpr std::size_t enough_to_tell = 8;
+    const auto head = head_of_regular_file(path, enough_to_tell);
+    if (!head || is_png(*head)) {
+        return decode_image(read_file(path), extension_of(path), input_name(path), layer);
+    }
+    refuse_iff(*head, path);
+    return oiio().read(path, path, layer);
 }
 
 std::vector<Depth> depths_of(const std::string& path) {
@@ -164,15 +226,35 @@ Depth nearest_depth(Depth depth, std::span<const Depth> held) {
     return *std::find_first_of(row.begin(), row.end(), held.begin(), held.end());
 }
 
-void write_image(const std::string& path, const FloatImage& image,
-                 const ImageWriteOptions& options) {
+bool stores_premultiplied(const std::string& path, const PictureSource* keep) {
+    const std::string extension = extension_of(path);
+    if (extension == "exr" || extension == "sxr") {
+        return true;
+    }
+    const bool is_tiff = extension == "tif" || extension == "tiff";
+    return is_tiff && keep && keep->type == "tiff" && keep->premultiplied;
+}
+
+bool holds_orientation(const std::string& path) {
+    constexpr std::array<std::string_view, 4> types{"jpg", "jpeg", "tif", "tiff"};
+    return std::find(types.begin(), types.end(), extension_of(path)) != types.end();
+}
+
+std::vector<std::string> write_image(const std::string& path, const FloatImage& image,
+                                     const ImageWriteOptions& options) {
     if (is_png_name(path)) {
-        write_file(path, write_png(to_codes(image, options)));
-        return;
+        PngImage png = to_codes(image, options);
+        std::vector<std::string> lost;
+        if (options.keep) {
+            lost = keep_in_png(png, options);
+        }
+        write_file(path, write_png(png));
+        return lost;
     }
     PendingFile pending(path);
-    oiio().write(pending.path(), path, image, options);
+    std::vector<std::string> lost = oiio().write(pending.path(), path, image, options);
     pending.commit();
+    return lost;
 }
 
 } // namespace lutlib::io

@@ -43,8 +43,8 @@ class Ocio {
     /// content. `file` names it in errors. Throws Error.
     virtual Transform parse(std::string_view bytes, const std::string& extension,
                             const std::string& file, const EvaluationOptions& options) const = 0;
-    /// The same of the file itself, which OpenColorIO opens at the user's own path. Nothing where it
-    /// would not find it there: standard input, and a path with "$" or "%", which it expands as
+    /// The same of the file itself, which OpenColorIO opens at the user's own path. Nothing where
+    /// it would not find it there: standard input, and a path with "$" or "%", which it expands as
     /// variables. Throws Error.
     virtual std::optional<Transform> open(const std::string& path,
                                           const EvaluationOptions& options) const = 0;

@@ -13,7 +13,8 @@ class Oiio {
     virtual ~Oiio() = default;
     virtual std::string version() const = 0;
     /// `file` names the picture at `path` in errors.
-    virtual FloatImage read(const std::string& path, const std::string& file) const = 0;
+    virtual FloatImage read(const std::string& path, const std::string& file,
+                            const std::string& layer = {}) const = 0;
     /// Whether a picture of the extension of `path` can be written, whatever its depth.
     virtual bool writes(const std::string& path) const = 0;
     /// An extension of each type of picture that can be written, without its dot.
@@ -21,9 +22,10 @@ class Oiio {
     /// The depth that a picture written to `path` with this depth then has; tried out on `path`.
     virtual Depth written_depth(const std::string& path, const std::string& file,
                                 Depth depth) const = 0;
-    /// Writes to `path` itself. `file` as above.
-    virtual void write(const std::string& path, const std::string& file, const FloatImage& image,
-                       const ImageWriteOptions& options) const = 0;
+    /// Writes to `path` itself. `file` as above; the answer as of write_image().
+    virtual std::vector<std::string> write(const std::string& path, const std::string& file,
+                                           const FloatImage& image,
+                                           const ImageWriteOptions& options) const = 0;
 };
 
 /// Loads OpenImageIO on the first call. Throws Error when it is not installed.

@@ -4,6 +4,7 @@
 #include "lutlib/limits.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -102,7 +103,6 @@ bool is_ascii(const std::string& text) {
     return std::all_of(text.begin(), text.end(), [](char c) { return c > 0; });
 }
 
-// Text beyond ASCII is taken as UTF-8, which only iTXt can say.
 // zlib clears tables for 32 KB of text, which takes longer than compressing a small picture.
 // Smaller ones find the same repeats within `bytes`.
 void compress_within(spng_ctx* context, std::size_t bytes) {
@@ -116,6 +116,7 @@ void compress_within(spng_ctx* context, std::size_t bytes) {
         spng_set_option(context, SPNG_IMG_MEM_LEVEL, std::max(1, usual_memory - (most - window))));
 }
 
+// Text beyond ASCII is taken as UTF-8, which only iTXt can say.
 void set_text(spng_ctx* context, const PngImage& image) {
     std::vector<spng_text> chunks;
     std::string empty;
@@ -146,6 +147,30 @@ void set_text(spng_ctx* context, const PngImage& image) {
 
 bool is_png(std::string_view bytes) {
     return bytes.substr(0, signature.size()) == signature;
+}
+
+std::vector<PngChunk> kept_chunks(std::string_view png) {
+    constexpr std::array<std::string_view, 7> color{"sRGB", "gAMA", "cHRM", "iCCP",
+                                                    "cICP", "mDCV", "cLLI"};
+    constexpr std::array<std::string_view, 6> other{"tEXt", "zTXt", "iTXt", "eXIf", "pHYs", "tIME"};
+    constexpr std::size_t frame = 12; // length, name, check sum
+    std::vector<PngChunk> out;
+    for (std::size_t at = signature.size(); at + frame <= png.size();) {
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            length = length << 8 | static_cast<unsigned char>(png[at + i]);
+        }
+        if (length > png.size() - at - frame) {
+            break;
+        }
+        const std::string_view name = png.substr(at + 4, 4);
+        const bool about_color = std::find(color.begin(), color.end(), name) != color.end();
+        if (about_color || std::find(other.begin(), other.end(), name) != other.end()) {
+            out.push_back({std::string(png.substr(at, length + frame)), about_color});
+        }
+        at += length + frame;
+    }
+    return out;
 }
 
 PngImage read_png(std::string_view bytes, const std::string& file) {
@@ -201,6 +226,9 @@ PngImage read_png(std::string_view bytes, const std::string& file) {
     image.srgb_tag = spng_get_srgb(context.get(), &intent) == SPNG_OK;
     image.gamma_tag = spng_get_gama_int(context.get(), &gamma) == SPNG_OK;
     image.profile_tag = spng_get_iccp(context.get(), &profile) == SPNG_OK;
+    if (image.profile_tag) {
+        image.icc_profile.assign(profile.profile, profile.profile_len);
+    }
     image.primaries_tag = spng_get_chrm_int(context.get(), &primaries) == SPNG_OK;
     read_text(context.get(), image, file);
     return image;
@@ -234,6 +262,14 @@ std::string write_png(const PngImage& image) {
         constexpr std::uint8_t perceptual = 0;
         check_write(spng_set_srgb(context.get(), perceptual));
     }
+    if (!image.icc_profile.empty()) {
+        spng_iccp profile{};
+        constexpr std::string_view name = "ICC profile";
+        std::copy(name.begin(), name.end(), profile.profile_name);
+        profile.profile = const_cast<char*>(image.icc_profile.data());
+        profile.profile_len = image.icc_profile.size();
+        check_write(spng_set_iccp(context.get(), &profile));
+    }
     set_text(context.get(), image);
 
     const std::vector<std::uint8_t> narrow =
@@ -251,7 +287,14 @@ std::string write_png(const PngImage& image) {
     const std::unique_ptr<char, decltype(&std::free)> buffer(
         static_cast<char*>(spng_get_png_buffer(context.get(), &size, &status)), &std::free);
     check_write(status);
-    return std::string(buffer.get(), size);
+    std::string out(buffer.get(), size);
+    // They may stand anywhere between the header and the pixels.
+    constexpr std::size_t header_end = signature.size() + 25;
+    std::string chunks;
+    for (const PngChunk& chunk : image.chunks) {
+        chunks += chunk.bytes;
+    }
+    return out.insert(header_end, chunks);
 }
 
 } // namespace lutlib::io

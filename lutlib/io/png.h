@@ -14,6 +14,19 @@
 
 namespace lutlib::io {
 
+/// A chunk that says something beside the pixels, as it stands in the file: length, name, data and
+/// check sum.
+struct PngChunk {
+    std::string bytes;
+    bool about_color = false; ///< gamma, primaries, profile: wrong once the codes' meaning changed
+
+    std::string name() const { return bytes.substr(4, 4); }
+};
+
+/// The chunks of a whole PNG file that stay true of other pixels of the same size: colour (sRGB,
+/// gAMA, cHRM, iCCP, cICP, mDCV, cLLI), text, Exif, resolution, time.
+std::vector<PngChunk> kept_chunks(std::string_view png);
+
 /// A PNG file: its codes, of 8 or 16 bits, and what it says of them.
 struct PngImage : CodeImage {
     bool srgb_tag = false;      ///< an sRGB chunk
@@ -25,6 +38,8 @@ struct PngImage : CodeImage {
     bool interlaced = false;
     /// tEXt, zTXt and iTXt keys with their texts, in the file's order.
     std::vector<std::pair<std::string, std::string>> text;
+    std::string icc_profile{};      ///< of an iCCP chunk, unpacked
+    std::vector<PngChunk> chunks{}; ///< to write as they are; none is read
 };
 
 /// Whether bytes begin as a PNG file does.
@@ -36,9 +51,9 @@ bool is_png(std::string_view bytes);
 /// input in errors.
 PngImage read_png(std::string_view bytes, const std::string& file);
 
-/// The bytes of an RGB or RGBA file of image.depth; srgb_tag and text are written, the other
-/// tags are not. Keys are 1..79 Latin-1 characters; keys with an empty text are left out. Throws
-/// Error for codes that do not fit.
+/// The bytes of an RGB or RGBA file of image.depth; srgb_tag, icc_profile, text and chunks are
+/// written, the other tags are not. Keys are 1..79 Latin-1 characters; keys with an empty text are
+/// left out. Throws Error for codes that do not fit.
 std::string write_png(const PngImage& image);
 
 } // namespace lutlib::io

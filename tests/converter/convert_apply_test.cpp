@@ -158,12 +158,15 @@ TEST_P(ApplyRoute, evaluates_the_lut_at_every_pixel_and_keeps_alpha) {
     const lutlib::Lut lut = io::read_lut(look).lut;
     EXPECT_EQ(after.depth, route.depth);
     for (std::size_t i = 0; i < before.rgba.size(); i += 4) {
+        // An EXR holds colours multiplied by alpha, a PNG straight ones; a look sees the straight.
+        const float alpha = before.rgba[i + 3], in = png ? 1 : 1 / alpha,
+                    out = route.out == "b.png" ? 1 : alpha;
         const lutlib::Rgb expected =
-            evaluate(lut, {before.rgba[i], before.rgba[i + 1], before.rgba[i + 2]});
+            evaluate(lut, {in * before.rgba[i], in * before.rgba[i + 1], in * before.rgba[i + 2]});
         for (std::size_t c = 0; c < 3; ++c) {
             const float kept = io::info_of(route.depth).integer
-                                   ? std::min(std::max(expected[c], 0.0F), 1.0F)
-                                   : expected[c];
+                                   ? std::min(std::max(out * expected[c], 0.0F), 1.0F)
+                                   : out * expected[c];
             ASSERT_NEAR(after.rgba[i + c], kept, route.tolerance + 1e-7) << i;
         }
         ASSERT_NEAR(after.rgba[i + 3], before.rgba[i + 3], route.tolerance + 1e-7);

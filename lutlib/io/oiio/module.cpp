@@ -3,12 +3,15 @@
 #include "lutlib/io/oiio.h"
 
 #include "lutlib/error.h"
+#include "lutlib/io/oiio/kept.h"
+#include "lutlib/io/picture_channels.h"
 #include "lutlib/limits.h"
 
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <sstream>
 #include <string_view>
 
@@ -74,29 +77,143 @@ void check_size(const OIIO::ImageSpec& spec, const std::string& file) {
     }
 }
 
-// Channel c of the file's first four, moved to its place among red, green, blue, alpha.
-void spread(FloatImage& image, const std::vector<float>& samples, std::size_t channels) {
-    const bool grey = channels < 3;
-    const std::size_t colors = grey ? 1 : 3;
-    const std::size_t pixels = samples.size() / channels;
+// A few bytes must not make the reader allocate gigabytes, and half a file is no picture: a file
+// holds at least what its type cannot pack any better.
+void check_packing(const OIIO::ImageSpec& spec, std::string_view type, const std::string& path,
+                   const std::string& file) {
+    struct Packing {
+        std::string_view type;
+        std::size_t ratio; ///< pixels' bytes by the file's, at best: of run lengths of a byte
+    };
+    constexpr std::array<Packing, 10> packings{{{"targa", 128},
+                                                {"hdr", 128},
+                                                {"bmp", 256},
+                                                {"sgi", 128},
+                                                {"rla", 128},
+                                                {"softimage", 256},
+                                                {"dpx", 1},
+                                                {"cineon", 2},
+                                                {"pnm", 1},
+                                                {"dds", 32}}};
+    const auto* const row = std::find_if(packings.begin(), packings.end(),
+                                         [&](const Packing& p) { return p.type == type; });
+    const bool is_bare_tiff = type == "tiff" && spec.get_string_attribute("compression") == "none";
+    if (row == packings.end() && !is_bare_tiff) {
+        return;
+    }
+    const std::size_t ratio = is_bare_tiff ? 1 : row->ratio;
+    const std::size_t bits = static_cast<std::size_t>(std::max(
+        1, spec.get_int_attribute("oiio:BitsPerSample", static_cast<int>(spec.format.size()) * 8)));
+    const std::size_t bytes = spec.image_pixels() * static_cast<std::size_t>(spec.nchannels) *
+                              std::min(bits, spec.format.size() * 8) / 8;
+    if (bytes / ratio > std::filesystem::file_size(path)) {
+        throw Error("the picture is cut short: its header tells of " + std::to_string(spec.width) +
+                        "x" + std::to_string(spec.height) +
+                        " pixels, more than the file can hold; fetch or export it again",
+                    {file, 0, {}});
+    }
+}
+
+// The channels [first, last) of a part, a picture's among them, to their places.
+void spread(FloatImage& image, const std::vector<float>& samples, const PictureChannels& from,
+            int first, int last) {
+    const auto stride = static_cast<std::size_t>(last - first);
+    const std::size_t pixels = samples.size() / stride;
     image.rgba.assign(pixels * 4, 1.0F);
-    for (std::size_t i = 0; i < pixels; ++i) {
-        const float* const in = &samples[i * channels];
-        float* const out = &image.rgba[i * 4];
-        for (std::size_t c = 0; c < 3; ++c) {
-            out[c] = in[grey ? 0 : c];
+    for (std::size_t c = 0; c < 4; ++c) {
+        if (from.at[c] < 0) {
+            continue;
         }
-        if (image.alpha) {
-            out[3] = in[colors];
+        const auto at = static_cast<std::size_t>(from.at[c] - first);
+        for (std::size_t i = 0; i < pixels; ++i) {
+            image.rgba[i * 4 + c] = samples[i * stride + at];
         }
     }
+}
+
+// Pages and frames beyond these are not looked at.
+constexpr int most_parts = 256;
+
+std::vector<OIIO::ImageSpec> parts_of(OIIO::ImageInput& input, const std::string& file) {
+    std::vector<OIIO::ImageSpec> out;
+    for (int i = 0; i < most_parts && input.seek_subimage(i, 0); ++i) {
+        out.push_back(input.spec());
+        if (out.back().deep) {
+            throw Error("the picture is deep; flatten it first", {file, 0, {}});
+        }
+    }
+    input.geterror(); // that there is no further part
+    return out;
+}
+
+std::vector<PicturePart> named_parts(const std::vector<OIIO::ImageSpec>& specs,
+                                     std::string_view type) {
+    std::vector<PicturePart> out;
+    for (const OIIO::ImageSpec& spec : specs) {
+        out.push_back({std::string(spec.get_string_attribute("oiio:subimagename")),
+                       spec.channelnames, spec.alpha_channel, type != "openexr"});
+    }
+    return out;
+}
+
+// How the file stores a picture's colours.
+Depth picture_depth(const OIIO::ImageSpec& spec, const PictureChannels& picture) {
+    return depth_of(spec.channelformat(picture.at[0]));
+}
+
+bool is_premultiplied(const OIIO::ImageSpec& spec, std::string_view type) {
+    return type == "openexr" ||
+           (type == "tiff" && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0);
+}
+
+// Texts and numbers of a part, and its pixels where the picture's are not all of them.
+std::shared_ptr<OiioSource> source_of(OIIO::ImageInput& input, std::vector<OIIO::ImageSpec> specs,
+                                      const PictureChannels& picture, const std::string& path,
+                                      const std::string& file) {
+    auto out = std::make_shared<OiioSource>();
+    out->type = input.format_name();
+    out->picture = picture;
+    const OIIO::ImageSpec& spec = specs[picture.part];
+    out->orientation = spec.get_int_attribute("Orientation", 1);
+    if (const auto* const icc = spec.find_attribute("ICCProfile")) {
+        out->icc_profile.assign(static_cast<const char*>(icc->data()), icc->type().size());
+    }
+    for (const auto& attribute : spec.extra_attribs) {
+        const std::string name = attribute.name().string();
+        const bool is_derived = name.find(':') != std::string::npos;
+        if (attribute.type() == OIIO::TypeDesc::STRING && !is_derived && name != "compression") {
+            out->text.emplace_back(name, attribute.get_string());
+        }
+    }
+    std::size_t bytes = 0;
+    for (std::size_t i = 0; i < specs.size(); ++i) {
+        KeptPart part{specs[i], {}};
+        const int own = picture.has_alpha() ? 4 : 3;
+        if (i != picture.part || specs[i].nchannels > own) {
+            bytes += specs[i].image_bytes(true);
+            check_size(specs[i], file);
+            if (bytes > limits::max_file_bytes) {
+                throw Error("its other channels and parts are larger than " +
+                                std::to_string(limits::max_file_bytes >> 20) + " MB",
+                            {file, 0, {}});
+            }
+            part.pixels.resize(specs[i].image_bytes(true));
+            if (!input.read_image(static_cast<int>(i), 0, 0, specs[i].nchannels,
+                                  OIIO::TypeDesc::UNKNOWN, part.pixels.data())) {
+                fail("cannot read the other channels", input.geterror(), path, file);
+            }
+        }
+        out->parts.push_back(std::move(part));
+    }
+    return out;
 }
 
 class Library final : public Oiio {
   public:
     std::string version() const override { return OIIO_VERSION_STRING; }
 
-    FloatImage read(const std::string& path, const std::string& file) const override {
+    FloatImage read(const std::string& path, const std::string& file,
+                    const std::string& layer) const override {
         OIIO::ImageSpec config;
         // Without this, alpha would be multiplied into the colours of PNG, TIFF and others.
         config.attribute("oiio:UnassociatedAlpha", 1);
@@ -104,29 +221,45 @@ class Library final : public Oiio {
         if (!input) {
             fail("cannot read the picture", OIIO::geterror(), path, file);
         }
-        const OIIO::ImageSpec& spec = input->spec();
+        check_size(input->spec(), file);
+        const std::string_view type = input->format_name();
+        const std::vector<OIIO::ImageSpec> specs = parts_of(*input, file);
+        const std::vector<PicturePart> parts = named_parts(specs, type);
+        const std::vector<PictureChannels> pictures = pictures_among(parts, file);
+        const PictureChannels picture = require_picture(pictures, parts, layer, file);
+        const OIIO::ImageSpec& spec = specs[picture.part];
         check_size(spec, file);
+        check_packing(spec, type, path, file);
+
         FloatImage image;
         image.width = spec.width;
         image.height = spec.height;
-        image.channels = std::min(spec.nchannels, 4);
-        image.alpha = image.channels == 2 || image.channels == 4;
-        image.depth = depth_of(spec.format);
-        const std::string_view type = input->format_name();
+        image.alpha = picture.has_alpha();
+        image.premultiplied = image.alpha && is_premultiplied(spec, type);
+        image.channels = (picture.grey() ? 1 : 3) + (image.alpha ? 1 : 0);
+        image.depth = picture_depth(spec, picture);
         image.holds_light = type == "openexr" || type == "hdr";
         std::array<float, 8> chromaticities{};
         if (spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
                               chromaticities.data())) {
             image.chromaticities = chromaticities;
         }
-        const auto channels = static_cast<std::size_t>(image.channels);
+        const auto [least, most] =
+            std::minmax_element(picture.at.begin(), picture.at.end() - (image.alpha ? 0 : 1));
+        const int first = *least, last = *most + 1;
         std::vector<float> samples(static_cast<std::size_t>(spec.width) *
-                                   static_cast<std::size_t>(spec.height) * channels);
-        if (!input->read_image(0, 0, 0, image.channels, OIIO::TypeDesc::FLOAT, samples.data())) {
+                                   static_cast<std::size_t>(spec.height) *
+                                   static_cast<std::size_t>(last - first));
+        if (!input->read_image(static_cast<int>(picture.part), 0, first, last,
+                               OIIO::TypeDesc::FLOAT, samples.data())) {
             fail("cannot read the pixels", input->geterror(), path, file);
         }
+        spread(image, samples, picture, first, last);
+        const auto source = source_of(*input, specs, picture, path, file);
+        source->premultiplied = image.premultiplied;
+        source->remarks = channel_remarks(picture, pictures, parts);
+        image.source = source;
         input->close();
-        spread(image, samples, channels);
         return image;
     }
 
@@ -158,7 +291,7 @@ class Library final : public Oiio {
         FloatImage image;
         image.width = image.height = 64;
         image.rgba.assign(64 * 64 * 4, 0.0F);
-        write(path, file, image, {depth, false, {}});
+        write(path, file, image, {.depth = depth, .alpha = false, .text = {}});
         // What the library says of a file that it writes is not always what it then wrote.
         const auto written = OIIO::ImageInput::open(path);
         if (!written) {
@@ -167,18 +300,34 @@ class Library final : public Oiio {
         return depth_of(written->spec().format);
     }
 
-    void write(const std::string& path, const std::string& file, const FloatImage& image,
-               const ImageWriteOptions& options) const override {
+    std::vector<std::string> write(const std::string& path, const std::string& file,
+                                   const FloatImage& image,
+                                   const ImageWriteOptions& options) const override {
         const auto output = OIIO::ImageOutput::create(path);
         if (!output) {
             fail("cannot write a picture of this type", OIIO::geterror(), path, file);
         }
+        if (const OiioSource* const keep = kept_whole(options.keep, output->format_name())) {
+            write_parts(*output, *keep, path, file, image, options);
+            return {};
+        }
         const std::size_t channels = options.alpha ? 4 : 3;
         OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(channels),
                              type_of(options.depth));
-        spec.attribute("oiio:UnassociatedAlpha", 1);
+        if (!image.premultiplied) {
+            spec.attribute("oiio:UnassociatedAlpha", 1);
+        }
         for (const auto& [key, value] : options.text) {
             spec.attribute(key, value);
+        }
+        std::vector<std::string> lost;
+        if (options.alpha && !output->supports("alpha")) {
+            lost.emplace_back("the alpha");
+        }
+        if (options.keep) {
+            const std::vector<std::string> others =
+                give_metadata(spec, *output, *options.keep, options.keep_color);
+            lost.insert(lost.end(), others.begin(), others.end());
         }
         if (!output->open(path, spec)) {
             fail("cannot write the picture", output->geterror(), path, file);
@@ -187,6 +336,45 @@ class Library final : public Oiio {
         if (!output->write_image(OIIO::TypeDesc::FLOAT, image.rgba.data(), stride) ||
             !output->close()) {
             fail("cannot write the pixels", output->geterror(), path, file);
+        }
+        return lost;
+    }
+
+  private:
+    // All parts of a file of the same type, the picture's with other colours.
+    static void write_parts(OIIO::ImageOutput& output, const OiioSource& keep,
+                            const std::string& path, const std::string& file,
+                            const FloatImage& image, const ImageWriteOptions& options) {
+        std::vector<OIIO::ImageSpec> specs =
+            specs_of(keep, type_of(options.depth), options.keep_color);
+        OIIO::ImageSpec& own = specs[keep.picture.part];
+        if (options.alpha && !image.premultiplied) {
+            own.attribute("oiio:UnassociatedAlpha", 1);
+        } else {
+            own.erase_attribute("oiio:UnassociatedAlpha");
+        }
+        for (const auto& [key, value] : options.text) {
+            own.attribute(key, value);
+        }
+        const bool are_several = specs.size() > 1;
+        for (std::size_t i = 0; i < specs.size(); ++i) {
+            const bool is_open =
+                i == 0 && are_several && output.supports("multiimage")
+                    ? output.open(path, static_cast<int>(specs.size()), specs.data())
+                    : output.open(path, specs[i],
+                                  i == 0 ? OIIO::ImageOutput::Create
+                                         : OIIO::ImageOutput::AppendSubimage);
+            if (!is_open) {
+                fail("cannot write the picture", output.geterror(), path, file);
+            }
+            const std::vector<std::byte> pixels =
+                i == keep.picture.part ? pixels_of(keep, specs[i], image) : keep.parts[i].pixels;
+            if (!output.write_image(OIIO::TypeDesc::UNKNOWN, pixels.data())) {
+                fail("cannot write the pixels", output.geterror(), path, file);
+            }
+        }
+        if (!output.close()) {
+            fail("cannot write the pixels", output.geterror(), path, file);
         }
     }
 };

@@ -1,0 +1,45 @@
+// What a file read by OpenImageIO holds besides its picture, and its way into another file.
+#pragma once
+
+#include "lutlib/io/image.h"
+#include "lutlib/io/picture_channels.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace lutlib::io {
+
+struct KeptPart {
+    OIIO::ImageSpec spec;
+    /// Its channels in the file's own types, pixel by pixel; empty for a part whose channels are
+    /// all the picture's.
+    std::vector<std::byte> pixels;
+};
+
+struct OiioSource final : PictureSource {
+    std::vector<KeptPart> parts;
+    PictureChannels picture;
+
+    const OIIO::ImageSpec& picture_spec() const { return parts[picture.part].spec; }
+    std::vector<std::string> beyond_text() const override;
+};
+
+/// Whether the parts of `keep` go into a file of this type as they are: it is of the same type, and
+/// the picture has its three channels there. Else null.
+const OiioSource* kept_whole(const PictureSource* keep, std::string_view type);
+
+/// The parts to write: those of `keep`, the picture's with channels of `type`.
+std::vector<OIIO::ImageSpec> specs_of(const OiioSource& keep, OIIO::TypeDesc type, bool keep_color);
+
+/// The picture's part as specs_of() says, with the picture's colours in their channels.
+std::vector<std::byte> pixels_of(const OiioSource& keep, const OIIO::ImageSpec& spec,
+                                 const FloatImage& image);
+
+/// Gives `spec`, of a file of another type, what `keep` says and that type holds; the answer is
+/// what it does not.
+std::vector<std::string> give_metadata(OIIO::ImageSpec& spec, const OIIO::ImageOutput& output,
+                                       const PictureSource& keep, bool keep_color);
+
+} // namespace lutlib::io

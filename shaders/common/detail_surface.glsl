@@ -16,17 +16,11 @@ Surface surface_of(Material material, MaterialDetail detail, Footprint at, vec4 
         s.emission = s.albedo;
         return s;
     }
-    if (detail.surface.number != no_texture) {
-        vec4 texel = read_texture(detail.surface, at);
-        s.roughness *= texel.g;
-        s.metalness *= texel.b;
-    }
-    if (detail.occlusion.number != no_texture) {
-        s.occlusion += detail.occlusion_strength * (read_texture(detail.occlusion, at).r - 1.0);
-    }
-    if (detail.emission.number != no_texture) {
-        s.emission *= read_texture(detail.emission, at).rgb;
-    }
+    vec4 texel = read_texture(detail.surface, at);
+    s.roughness *= texel.g;
+    s.metalness *= texel.b;
+    s.occlusion += detail.occlusion_strength * (read_texture(detail.occlusion, at).r - 1.0);
+    s.emission *= read_texture(detail.emission, at).rgb;
     vec3 along = tangent.xyz - normal * dot(normal, tangent.xyz);
     if (detail.normal.number != no_texture && dot(along, along) > 1e-12) {
         along = normalize(along);

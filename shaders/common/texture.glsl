@@ -14,8 +14,9 @@ layout(std430, binding = TEXTURE_BINDING + 1) readonly buffer Texels { uint texe
 
 const uint no_texture = ~0u;
 
+/// Of a place at most one period away. No remainder: those are slow.
 int repeated(int at, int size) {
-    return at >= 0 ? at % size : size - 1 - (-1 - at) % size;
+    return at < 0 ? at + size : at >= size ? at - size : at;
 }
 
 /// 0: repeated, 1: mirrored, 2: clamped.
@@ -27,35 +28,32 @@ int wrapped(int at, int size, uint mode) {
     return place < size ? place : 2 * size - 1 - place;
 }
 
-vec4 texel_at(TextureInfo info, uint level_first, ivec2 size, ivec2 at) {
-    uint index = level_first + uint(wrapped(at.y, size.y, info.how >> 2 & 3u) * size.x +
-                                    wrapped(at.x, size.x, info.how & 3u));
-    if ((info.how & 256u) == 0u) {
-        return unpackUnorm4x8(texels[info.first + index]);
-    }
-    uint word = info.first + 2u * index;
-    return vec4(unpackHalf2x16(texels[word]), unpackHalf2x16(texels[word + 1u]));
+vec4 texel_at(TextureInfo info, int index) {
+    bool has_halves = (info.how & 256u) != 0u;
+    uint at = info.first + (has_halves ? 2u * uint(index) : uint(index));
+    uint word = texels[at];
+    return has_halves ? vec4(unpackHalf2x16(word), unpackHalf2x16(texels[at + 1u]))
+                      : unpackUnorm4x8(word);
 }
 
 vec4 level_at(TextureInfo info, int level, vec2 uv, bool is_smooth) {
     ivec2 size = ivec2(info.sides & 65535u, info.sides >> 16);
-    uint first = 0u;
+    int first = 0;
     for (int i = 0; i < level; ++i) {
-        first += uint(size.x * size.y);
+        first += size.x * size.y;
         size = max(size / 2, 1);
     }
     vec2 place = uv * vec2(size);
-    if (!is_smooth) {
-        return texel_at(info, first, size, ivec2(floor(place)));
-    }
-    place -= 0.5;
+    place = is_smooth ? place - 0.5 : floor(place);
     vec2 low = floor(place);
-    vec2 share = place - low;
+    vec2 share = place - low; // 0: the nearest texel alone
     ivec2 at = ivec2(low);
-    vec4 upper = mix(texel_at(info, first, size, at),
-                     texel_at(info, first, size, at + ivec2(1, 0)), share.x);
-    vec4 lower = mix(texel_at(info, first, size, at + ivec2(0, 1)),
-                     texel_at(info, first, size, at + ivec2(1, 1)), share.x);
+    uvec2 mode = uvec2(info.how, info.how >> 2) & 3u;
+    ivec2 column = ivec2(wrapped(at.x, size.x, mode.x), wrapped(at.x + 1, size.x, mode.x));
+    ivec2 row = first + size.x * ivec2(wrapped(at.y, size.y, mode.y),
+                                       wrapped(at.y + 1, size.y, mode.y));
+    vec4 upper = mix(texel_at(info, row.x + column.x), texel_at(info, row.x + column.y), share.x);
+    vec4 lower = mix(texel_at(info, row.y + column.x), texel_at(info, row.y + column.y), share.x);
     return mix(upper, lower, share.y);
 }
 
@@ -73,19 +71,22 @@ vec4 texture_at(uint number, vec2 uv, vec2 dx, vec2 dy) {
     dy *= sides;
     float level = 0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1e-20));
     uv = vec2(near_zero(uv.x, info.how & 3u), near_zero(uv.y, info.how >> 2 & 3u));
-    if (!(level > 0.0)) {
-        return level_at(info, 0, uv, (info.how & 16u) != 0u);
-    }
-    bool is_smooth = (info.how & 32u) != 0u;
+    bool is_far = level > 0.0;
+    bool is_smooth = (info.how & (is_far ? 32u : 16u)) != 0u;
     uint mips = info.how >> 6 & 3u;
-    level = mips == 0u ? 0.0 : min(level, float(info.levels - 1u));
+    level = is_far && mips != 0u ? min(level, float(info.levels - 1u)) : 0.0;
     if (mips == 1u) {
         level = ceil(level - 0.5);
     }
     int low = int(level);
-    vec4 color = level_at(info, low, uv, is_smooth);
     float share = level - float(low);
-    return share > 0.0 ? mix(color, level_at(info, low + 1, uv, is_smooth), share) : color;
+    // Drivers that run on a CPU go through every branch, but leave a loop when no pixel is in it.
+    vec4 color = vec4(0.0);
+    int count = share > 0.0 ? 2 : 1;
+    for (int i = 0; i < count; ++i) {
+        color += (i == 0 ? 1.0 - share : share) * level_at(info, low + i, uv, is_smooth);
+    }
+    return color;
 }
 
 #endif

@@ -43,4 +43,29 @@ inline constexpr std::array<Swatch, 10> skin_tones{{
     {"skin 10", {41, 36, 32}},
 }};
 
+/// A reflectance in CIELAB 1976 under D65.
+struct LabSwatch {
+    std::string_view name;
+    std::array<double, 3> lab;
+};
+
+/// Means of measured skin, from dark to light: Xiao et al. 2017, "Characterising the variations in
+/// ethnic skin colours: a new calibrated data base for human skin", Skin Research and Technology
+/// 23(1), of 187 Caucasian, 202 Chinese, 145 Kurdish and 426 Thai people. One standard deviation of
+/// L* is 3 to 5.5.
+inline constexpr std::array<LabSwatch, 12> measured_skins{{
+    {"Kurdish forehead", {56.1, 11.3, 16.4}},
+    {"Chinese forehead", {56.4, 11.7, 16.3}},
+    {"Thai forehead", {56.8, 11.6, 17.7}},
+    {"Kurdish cheek", {58.0, 11.7, 15.8}},
+    {"Chinese cheek", {58.9, 11.4, 14.2}},
+    {"Caucasian forehead", {59.2, 11.6, 15.1}},
+    {"Caucasian cheek", {59.6, 11.8, 14.6}},
+    {"Kurdish inner arm", {60.6, 6.5, 16.4}},
+    {"Thai cheek", {60.7, 10.5, 17.2}},
+    {"Chinese inner arm", {60.9, 7.0, 15.0}},
+    {"Thai inner arm", {61.9, 7.1, 17.4}},
+    {"Caucasian inner arm", {63.0, 5.6, 14.0}},
+}};
+
 } // namespace lutlib

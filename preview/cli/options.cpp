@@ -5,6 +5,7 @@
 #include "preview/cli/light_edit.h"
 #include "preview/cli/option_rows.h"
 #include "preview/effects/effect.h"
+#include "preview/frame/usual_finish.h"
 #include "preview/look/cube_settings.h"
 #include "preview/look/gpu_lookups.h"
 #include "preview/passes/resolve.h"
@@ -293,6 +294,11 @@ void declare(CLI::App& app, Options& options) {
     app.get_option("--compare")->default_str("")->each([&options](const std::string&) {
         options.is_compare_given = true;
     });
+    for (const auto& [flag, is_given] : {std::pair{"--tonemap", &Options::is_tonemap_given},
+                                         std::pair{"--bloom", &Options::is_bloom_given}}) {
+        app.get_option(flag)->each(
+            [&options, member = is_given](const std::string&) { options.*member = true; });
+    }
     declare<PictureSettings>(app, picture_numbers(), options.frame);
     declare_effects(app, options);
     declare_camera(app, options);
@@ -309,6 +315,13 @@ FrameSettings settings_of(const Options& options, Size input_size) {
     FrameSettings settings = options.frame;
     if (!options.is_compare_given) {
         settings.compare = options.look_b.empty() ? &compare_a : &compare_split;
+    }
+    const UsualFinish usual = usual_finish(options.input);
+    if (!options.is_tonemap_given) {
+        settings.tonemap = usual.tonemap;
+    }
+    if (!options.is_bloom_given) {
+        settings.bloom = usual.bloom;
     }
     if (settings.scope != nullptr) {
         settings.scope_sizes[index_of(*settings.scope)] =

@@ -29,6 +29,7 @@ struct Options {
     /// What the frame is asked for; settings_of() completes it.
     FrameSettings frame;
     bool is_compare_given = false;
+    bool is_tonemap_given = false, is_bloom_given = false; ///< else the scene's own
     std::optional<bool> fxaa;         ///< empty: on for scenes, off for pictures
     std::optional<bool> dither;       ///< empty: on in the window, else off
     EffectUses effects;               ///< that are put in

@@ -38,6 +38,8 @@ editor::State opening_state(const Options& options, const FrameSettings& given,
     state.scopes_seen.logarithmic = given.scope_logarithmic;
     take_shown(state, shown);
     state.effects = given.effects;
+    state.tonemap = given.tonemap;
+    state.bloom = given.bloom;
     state.lights = lights_of(options, shown->scene);
     if (shown->scene) {
         state.orbit = orbit_of(options, *shown->scene);

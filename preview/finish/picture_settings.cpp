@@ -64,8 +64,8 @@ constexpr NumberRow<S> numbers[] = {
 
 constexpr ChoiceRow<S> choices[] = {
     choice_of<S, &S::tonemap, tonemaps>("tonemap", "Tone map", "tone map", "Tone maps",
-                                        "Tone map, from --list"),
-    choice_of<S, &S::bloom, blooms>("bloom", "Bloom", "bloom", "Blooms", "Bloom, from --list"),
+                                        "Tone map, from --list; some scenes have their own"),
+    choice_of<S, &S::bloom, blooms>("bloom", "Bloom", "bloom", "Blooms", "Bloom, from --list; some scenes have their own"),
     choice_of<S, &S::compare, compare_rows>(
         "compare", "Compare", "comparison", "Comparisons",
         "a, b, split, side or diff; by default a, or split when --b is given"),

@@ -22,6 +22,16 @@ std::uint32_t SceneBuilder::place(std::uint32_t mesh, std::uint32_t material,
     return static_cast<std::uint32_t>(scene.objects.size() - 1);
 }
 
+std::uint32_t SceneBuilder::texture(Picture picture, bool is_color, Wrap wrap) {
+    scene.pictures.push_back(std::move(picture));
+    Texture texture;
+    texture.picture = static_cast<std::uint32_t>(scene.pictures.size() - 1);
+    texture.is_color = is_color;
+    texture.wrap_u = texture.wrap_v = wrap;
+    scene.textures.push_back(texture);
+    return static_cast<std::uint32_t>(scene.textures.size() - 1);
+}
+
 void SceneBuilder::soft_box(glm::vec3 towards, float sharpness, glm::vec3 radiance) {
     Environment& environment = scene.environment;
     environment.soft_boxes[environment.soft_box_count++] = {glm::normalize(towards), sharpness,

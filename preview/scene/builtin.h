@@ -6,8 +6,10 @@
 namespace preview {
 
 Scene sample_scene();
-Scene plain_scene();
 void animate_sample(Scene& scene, double seconds);
+Scene studio_scene();
+Scene plain_scene();
+void animate_studio(Scene& scene, double seconds);
 Scene materials_scene();
 Scene chart_scene();
 
@@ -18,6 +20,8 @@ class SceneBuilder {
     std::uint32_t material(const Material& material);
     std::uint32_t place(std::uint32_t mesh, std::uint32_t material, const glm::mat4& transform,
                         bool casts_shadow = true);
+    /// Of a picture of its own.
+    std::uint32_t texture(Picture picture, bool is_color, Wrap wrap = Wrap::repeat);
     void light(const PointLight& light) { scene.lights.push_back(light); }
     void soft_box(glm::vec3 towards, float sharpness, glm::vec3 radiance);
 

@@ -146,10 +146,10 @@ void import_lights(const std::vector<FileLight>& lights, const glm::mat4& fit, c
             left_out.add("lights with numbers that are not finite");
         }
     }
-    const Scene sample = sample_scene();
-    scene.environment = sample.environment;
+    const Scene studio = studio_scene();
+    scene.environment = studio.environment;
     if (scene.lights.empty()) {
-        scene.lights = {sample.lights.front()};
+        scene.lights = {studio.lights.front()};
         aim_shadow(scene.lights.front(), ball);
         return;
     }
@@ -164,12 +164,12 @@ void import_lights(const std::vector<FileLight>& lights, const glm::mat4& fit, c
         scene.exposure =
             std::clamp(std::log2(std::numbers::pi_v<float> / irradiance), -20.0F, 20.0F);
     }
-    dim(scene.environment, std::exp2(-scene.exposure)); // exposed, they look as the sample's do
+    dim(scene.environment, std::exp2(-scene.exposure)); // exposed, they look as the studio's do
 }
 
 /// Carries the file's world to where the built-in scene stands.
 glm::mat4 fit_of(const Scene& scene, const std::string& path, const LeftOut& left_out) {
-    constexpr glm::vec3 fit_centre{0.26F, 0.62F, -0.1F}; // where the sample's camera looks
+    constexpr glm::vec3 fit_centre{0.26F, 0.62F, -0.1F}; // where the studio's camera looks
     constexpr float fit_radius = 1.5F;
     constexpr float most_radius = 1e9F;
     const Bounds box = scene.bounds();

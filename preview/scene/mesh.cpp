@@ -13,19 +13,6 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-// Two triangles for each cell of a grid of (rows + 1) x (columns + 1) vertices.
-void add_grid(Mesh& mesh, std::uint32_t first, int rows, int columns) {
-    const auto width = static_cast<std::uint32_t>(columns) + 1;
-    for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(rows); ++row) {
-        for (std::uint32_t column = 0; column + 1 < width; ++column) {
-            const std::uint32_t corner = first + row * width + column;
-            for (const std::uint32_t step : {0u, 1u, width + 1, 0u, width + 1, width}) {
-                mesh.indices.push_back(corner + step);
-            }
-        }
-    }
-}
-
 // Sweeps a circle of radius `tube` along the closed curve centre(t), t in 0..1. The frame is made
 // from the tangent and `axis(t)`, which never points along the tangent.
 template <class Centre, class Axis>
@@ -48,6 +35,18 @@ Mesh tube_along(float tube, int segments, int sides, Centre centre, Axis axis) {
 }
 
 } // namespace
+
+void add_grid(Mesh& mesh, std::uint32_t first, int rows, int columns) {
+    const auto width = static_cast<std::uint32_t>(columns) + 1;
+    for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(rows); ++row) {
+        for (std::uint32_t column = 0; column + 1 < width; ++column) {
+            const std::uint32_t corner = first + row * width + column;
+            for (const std::uint32_t step : {0u, 1u, width + 1, 0u, width + 1, width}) {
+                mesh.indices.push_back(corner + step);
+            }
+        }
+    }
+}
 
 void Bounds::include(glm::vec3 point) {
     if (empty()) {

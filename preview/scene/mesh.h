@@ -41,6 +41,10 @@ struct Bounds {
     void include(glm::vec3 point);
 };
 
+/// Lists two triangles for each cell of a grid of (rows + 1) x (columns + 1) vertices from `first`
+/// on. Their front is where columns grow to the right and rows upwards.
+void add_grid(Mesh& mesh, std::uint32_t first, int rows, int columns);
+
 Bounds bounds_of(const Mesh& mesh);
 
 /// Radius 1 about the origin, `rings` from pole to pole, `sectors` around; rings >= 2, sectors

@@ -2,7 +2,6 @@
 
 #include "lutlib/named.h"
 #include "preview/scene/builtin.h"
-#include "preview/scene/swatches.h"
 
 #include <algorithm>
 #include <array>
@@ -45,29 +44,21 @@ Bounds Scene::bounds() const {
     return all;
 }
 
-glm::vec3 linear_of(const Swatch& swatch) {
-    glm::vec3 linear;
-    for (int channel = 0; channel < 3; ++channel) {
-        const double v = swatch.srgb[static_cast<std::size_t>(channel)] / 255.0;
-        linear[channel] =
-            static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
-    }
-    return linear;
-}
-
-glm::vec3 linear_of(std::uint32_t srgb) {
-    const auto code = [&](int shift) { return static_cast<std::uint8_t>(srgb >> shift & 255u); };
-    return linear_of(Swatch{"", {code(16), code(8), code(0)}});
-}
-
 std::span<const SceneInfo> scenes() {
-    static constexpr std::array<SceneInfo, 4> table{{
-        {"sample", "still life with chart, ramps, metals, neon and a small very bright source",
+    static constexpr std::array<SceneInfo, 5> table{{
+        {"sample", "still life by a window: wood, linen, metal, fruit, leaves, skin, true blacks",
          sample_scene, animate_sample},
-        {"plain", "the same shapes under plain light: no shadow, no emitter", plain_scene,
-         animate_sample},
-        {"materials", "spheres over roughness and metalness", materials_scene, nullptr},
-        {"chart", "patches that emit exactly their published values", chart_scene, nullptr},
+        {"studio", "photographer's cove with chart, ramps, metals, neon and a very bright spark",
+         studio_scene, animate_studio},
+        {"plain", "the studio's shapes under plain light: no shadow, no emitter", plain_scene,
+         animate_studio},
+        {"materials", "roughness, metalness, measured metals and surfaces with textures",
+         materials_scene},
+        {.name = "chart",
+         .help = "light of exactly known values: ColorChecker, stops, hues, ramps, skins",
+         .make = chart_scene,
+         .tonemap = "none",
+         .bloom = "none"},
     }};
     return table;
 }

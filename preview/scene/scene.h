@@ -83,6 +83,8 @@ struct SceneInfo {
     std::string_view help;
     Scene (*make)();
     void (*animate)(Scene& scene, double seconds) = nullptr;
+    /// Rows of the tone maps and blooms that it is made for; empty: the program's defaults.
+    std::string_view tonemap = {}, bloom = {};
 };
 
 std::span<const SceneInfo> scenes();

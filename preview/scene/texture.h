@@ -40,11 +40,11 @@ struct TextureUse {
 
 /// What a material has besides its numbers, which its textures multiply.
 struct MaterialDetail {
-    TextureUse base;      ///< albedo and coverage
-    TextureUse surface;   ///< green: roughness, blue: metalness
-    TextureUse normal;    ///< in the frame of tangents, n / 2 + 1/2
-    TextureUse occlusion; ///< red: share of the surroundings' light that arrives
-    TextureUse emission;
+    TextureUse base{};      ///< albedo and coverage
+    TextureUse surface{};   ///< green: roughness, blue: metalness
+    TextureUse normal{};    ///< in the frame of tangents, n / 2 + 1/2
+    TextureUse occlusion{}; ///< red: share of the surroundings' light that arrives
+    TextureUse emission{};
     float normal_scale = 1, occlusion_strength = 1;
     float coverage = 1;       ///< 0..1
     float least_coverage = 0; ///< what is covered less is cut out; 0: nothing is

@@ -2,10 +2,20 @@
 
 #include "preview/effects/effect.h"
 #include "preview/frame/shown.h"
+#include "preview/frame/usual_finish.h"
 
 namespace preview {
 
 void take_shown(editor::State& state, std::shared_ptr<const Shown> shown) {
+    // A finish that nobody chose follows what is shown.
+    const UsualFinish before = usual_finish(state.shown ? state.shown->name : std::string());
+    const UsualFinish usual = usual_finish(shown->name);
+    if (state.tonemap == before.tonemap) {
+        state.tonemap = usual.tonemap;
+    }
+    if (state.bloom == before.bloom) {
+        state.bloom = usual.bloom;
+    }
     set_usual(state.effects, shown->scene.has_value());
     state.lights.clear();
     if (shown->scene) {

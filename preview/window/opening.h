@@ -7,7 +7,7 @@
 
 namespace preview {
 
-/// Shows a scene or picture, with its camera, lights and usual effects.
+/// Shows a scene or picture, with its camera, lights, usual effects and finish.
 void take_shown(editor::State& state, std::shared_ptr<const Shown> shown);
 
 } // namespace preview

@@ -17,7 +17,7 @@ void expect_near(glm::vec3 got, glm::vec3 want, float bound) {
 
 TEST(LightEdit, takes_a_value_for_every_control_and_keeps_the_rest) {
     for (const LightControl& control : light_controls()) {
-        Scene scene = scene_at(*scene_named("sample"), 0);
+        Scene scene = scene_at(*scene_named("studio"), 0);
         const std::vector<PointLight> before = scene.lights;
         const std::string value = components(control.kind) == 1 ? "0" : "0.25,0.5,1";
         const bool is_flag = control.kind == LightControl::Kind::flag;
@@ -40,7 +40,7 @@ TEST(LightEdit, takes_a_value_for_every_control_and_keeps_the_rest) {
 }
 
 TEST(LightEdit, refuses_what_it_cannot_do_and_names_what_there_is) {
-    const Scene scene = scene_at(*scene_named("sample"), 0);
+    const Scene scene = scene_at(*scene_named("studio"), 0);
     for (const char* text :
          {"", "key", "key.on", "=1", "key.=1", "nobody.on=1", "key.sound=1",
           "key.intensity=", "key.intensity=x", "key.intensity=1,2", "key.intensity=nan",

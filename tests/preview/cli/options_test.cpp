@@ -41,6 +41,24 @@ TEST(Options, without_any_are_the_settings_defaults_with_the_usual_effects) {
     EXPECT_FALSE(usual.shows_intermediate());
 }
 
+TEST(Options, a_scene_has_its_own_finish_until_one_is_asked_for) {
+    const auto of = [](const std::string& input, const std::string& arguments) {
+        Options options = parsed(arguments);
+        options.input = input;
+        return settings_of(options, {});
+    };
+    const PictureSettings usual;
+    EXPECT_EQ(of("studio", "").tonemap, usual.tonemap);
+    EXPECT_EQ(of("chart", "").tonemap, tonemap_named("none"));
+    EXPECT_EQ(of("chart", "").bloom, bloom_named("none"));
+    EXPECT_EQ(of("chart", "--tonemap agx").tonemap, tonemap_named("agx"));
+    EXPECT_EQ(of("chart", "--bloom glare").bloom, bloom_named("glare"));
+    for (const SceneInfo& info : scenes()) {
+        EXPECT_NE(of(std::string(info.name), "").tonemap, nullptr) << info.name;
+        EXPECT_NE(of(std::string(info.name), "").bloom, nullptr) << info.name;
+    }
+}
+
 TEST(Options, move_the_scenes_camera_by_every_number) {
     const Scene scene = scene_at(scenes().front(), 0);
     for (const NumberRow<Orbit>& row : camera_numbers()) {

@@ -51,8 +51,8 @@ TEST_F(FrameTest, a_plain_scene_leaves_out_shadows_and_bloom_and_says_why) {
     EXPECT_EQ(executor.plan().steps.size(), 6U) << rendered.explanation;
 }
 
-TEST_F(FrameTest, the_sample_scene_keeps_its_shadows_and_blooms) {
-    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+TEST_F(FrameTest, the_studio_keeps_its_shadows_and_blooms) {
+    const Loaded loaded(scene_at(*scene_named("studio"), 0));
     Executor executor(device());
     const Rendered rendered = render_frame(executor, loaded.inputs(), settings_for(loaded.scene));
     for (const char* pass : {"g-buffer", "lighting", "hdr resolve", "bloom 0", "finish", "fxaa"}) {
@@ -92,7 +92,7 @@ TEST_F(FrameTest, shows_the_numbers_of_intermediates_where_they_are_asked_for) {
 }
 
 TEST_F(FrameTest, every_effect_can_be_switched_off_and_is_said_to_be) {
-    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const Loaded loaded(scene_at(*scene_named("studio"), 0));
     const GpuLook look(device(), look_for(inverting_look(), *gpu_lookup_named("tetrahedral")).data);
     FrameInputs inputs = loaded.inputs();
     inputs.look_a = &look;
@@ -122,7 +122,7 @@ TEST_F(FrameTest, every_effect_can_be_switched_off_and_is_said_to_be) {
 }
 
 TEST_F(FrameTest, every_effect_changes_the_picture_is_shown_by_its_view_and_costs_nothing_at_0) {
-    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const Loaded loaded(scene_at(*scene_named("studio"), 0));
     FrameSettings settings = settings_for(loaded.scene);
     settings.effects.clear();
     Executor executor(device());
@@ -153,7 +153,7 @@ TEST_F(FrameTest, every_effect_changes_the_picture_is_shown_by_its_view_and_cost
 }
 
 TEST_F(FrameTest, an_effect_between_bloom_and_tone_map_sees_the_light_with_its_bloom) {
-    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const Loaded loaded(scene_at(*scene_named("studio"), 0));
     // Twice itself: changes nothing but where the bloom is composited.
     PostEffect nothing = *post_effect_named("vignette");
     nothing.stage = Stage::before_tonemap;
@@ -180,7 +180,7 @@ TEST_F(FrameTest, an_effect_between_bloom_and_tone_map_sees_the_light_with_its_b
 }
 
 TEST_F(FrameTest, the_split_line_is_drawn_over_what_effects_make_of_the_picture) {
-    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const Loaded loaded(scene_at(*scene_named("studio"), 0));
     FrameSettings settings = settings_for(loaded.scene);
     settings.compare = &compare_split;
     Executor executor(device());
@@ -211,7 +211,7 @@ TEST_F(FrameTest, the_split_line_is_drawn_over_what_effects_make_of_the_picture)
 }
 
 TEST_F(FrameTest, a_light_that_is_off_leaves_the_frame_with_its_shadow) {
-    Loaded loaded(scene_at(*scene_named("sample"), 0));
+    Loaded loaded(scene_at(*scene_named("studio"), 0));
     const FrameSettings settings = settings_for(loaded.scene);
     Executor executor(device());
     loaded.scene.lights[0].is_on = false;
@@ -224,7 +224,7 @@ TEST_F(FrameTest, a_light_that_is_off_leaves_the_frame_with_its_shadow) {
 }
 
 TEST_F(FrameTest, every_debug_view_shows_something_and_runs_only_what_it_reads) {
-    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const Loaded loaded(scene_at(*scene_named("studio"), 0));
     FrameSettings settings = settings_for(loaded.scene);
     Executor executor(device());
     const Rendered whole = render_frame(executor, loaded.inputs(), settings);
@@ -252,7 +252,7 @@ TEST_F(FrameTest, a_view_of_what_the_frame_withholds_is_an_error) {
 }
 
 TEST_F(FrameTest, a_steady_frame_allocates_and_uploads_nothing) {
-    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const Loaded loaded(scene_at(*scene_named("studio"), 0));
     const GpuLook look(device(), look_for(inverting_look(), *gpu_lookup_named("tetrahedral")).data);
     FrameInputs inputs = loaded.inputs();
     inputs.look_a = &look;
@@ -278,11 +278,11 @@ TEST_F(FrameTest, a_steady_frame_allocates_and_uploads_nothing) {
 }
 
 TEST_F(FrameTest, an_animated_scene_uploads_only_what_moves) {
-    Loaded loaded(scene_at(*scene_named("sample"), 0));
+    Loaded loaded(scene_at(*scene_named("studio"), 0));
     const FrameSettings settings = settings_for(loaded.scene);
     Executor executor(device());
     for (int frame = 0; frame < 3; ++frame) {
-        loaded.scene = scene_at(*scene_named("sample"), frame * 0.1);
+        loaded.scene = scene_at(*scene_named("studio"), frame * 0.1);
         Graph graph;
         build_frame(graph, loaded.inputs(), settings);
         const std::uint64_t before = executor.uploads();
@@ -295,7 +295,7 @@ TEST_F(FrameTest, an_animated_scene_uploads_only_what_moves) {
 }
 
 TEST_F(FrameTest, a_light_that_changes_is_all_that_is_uploaded) {
-    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const Loaded loaded(scene_at(*scene_named("studio"), 0));
     std::vector<PointLight> lights = loaded.scene.lights;
     FrameInputs inputs = loaded.inputs();
     inputs.lights = &lights;
@@ -319,7 +319,7 @@ TEST_F(FrameTest, a_light_that_changes_is_all_that_is_uploaded) {
 TEST_F(FrameTest, the_same_moment_renders_the_same_picture_and_another_one_does_not) {
     Executor executor(device());
     const auto at = [&](double seconds) {
-        const Loaded loaded(scene_at(*scene_named("sample"), seconds));
+        const Loaded loaded(scene_at(*scene_named("studio"), seconds));
         return render_frame(executor, loaded.inputs(), settings_for(loaded.scene)).rgba;
     };
     const auto picture = at(2);

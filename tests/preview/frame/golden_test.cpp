@@ -29,7 +29,7 @@ struct Golden {
 };
 
 constexpr Golden goldens[] = {
-    {"sample_split", "sample", "split", "agx", "glare"},
+    {"studio_split", "studio", "split", "agx", "glare"},
     {"materials", "materials", "a", "khronos-neutral", "none"},
     {"chart_difference", "chart", "diff", "none", "none"},
 };

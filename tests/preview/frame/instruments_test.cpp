@@ -12,7 +12,7 @@ namespace preview {
 namespace {
 
 TEST_F(FrameTest, scopes_are_left_out_until_somebody_looks_and_change_nothing_else) {
-    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const Loaded loaded(scene_at(*scene_named("studio"), 0));
     FrameSettings settings = settings_for(loaded.scene);
     Executor executor(device());
     const Rendered plain = render_frame(executor, loaded.inputs(), settings);
@@ -50,7 +50,7 @@ TEST_F(FrameTest, a_scope_of_what_is_not_shown_is_an_error_and_beside_the_pictur
 }
 
 TEST_F(FrameTest, a_probe_tells_both_sides_of_the_same_texel_whatever_is_compared) {
-    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const Loaded loaded(scene_at(*scene_named("studio"), 0));
     const GpuLook look(device(), look_for(inverting_look(), *gpu_lookup_named("tetrahedral")).data);
     FrameInputs inputs = loaded.inputs();
     inputs.look_b = &look;

@@ -39,7 +39,7 @@ class KeptShadowsTest : public FrameTest {
 };
 
 TEST_F(KeptShadowsTest, a_still_light_draws_its_shadow_once_and_changes_no_bit) {
-    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const Loaded loaded(scene_at(*scene_named("studio"), 0));
     FrameSettings settings = settings_for(loaded.scene);
     Executor executor(device());
     const int lights = fresh(loaded, settings).shadows_drawn;
@@ -106,7 +106,7 @@ TEST_F(KeptShadowsTest, what_a_shadow_shows_draws_it_again_and_what_it_does_not_
         {"the exposure", false, [](Loaded&, FrameSettings& settings) { settings.exposure += 1; }},
     };
     for (const Change& change : changes) {
-        Loaded loaded(scene_at(*scene_named("sample"), 0));
+        Loaded loaded(scene_at(*scene_named("studio"), 0));
         FrameSettings settings = settings_for(loaded.scene);
         Executor executor(device());
         const Frame before = frame(executor, loaded, settings);
@@ -120,7 +120,7 @@ TEST_F(KeptShadowsTest, what_a_shadow_shows_draws_it_again_and_what_it_does_not_
 }
 
 TEST_F(KeptShadowsTest, another_model_in_the_same_place_draws_its_own_shadows) {
-    Scene scene = scene_at(*scene_named("sample"), 0);
+    Scene scene = scene_at(*scene_named("studio"), 0);
     const Loaded first(scene);
     for (Mesh& mesh : scene.meshes) {
         for (Vertex& vertex : mesh.vertices) {
@@ -137,7 +137,7 @@ TEST_F(KeptShadowsTest, another_model_in_the_same_place_draws_its_own_shadows) {
 }
 
 TEST_F(KeptShadowsTest, a_frame_without_shadows_drops_them_and_the_next_draws_them_again) {
-    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const Loaded loaded(scene_at(*scene_named("studio"), 0));
     FrameSettings settings = settings_for(loaded.scene);
     Executor executor(device());
     const Frame first = frame(executor, loaded, settings);
@@ -150,7 +150,7 @@ TEST_F(KeptShadowsTest, a_frame_without_shadows_drops_them_and_the_next_draws_th
 }
 
 TEST_F(KeptShadowsTest, a_view_of_the_kept_maps_shows_what_a_view_of_new_ones_shows) {
-    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const Loaded loaded(scene_at(*scene_named("studio"), 0));
     FrameSettings settings = settings_for(loaded.scene);
     Executor executor(device());
     frame(executor, loaded, settings);
@@ -161,7 +161,7 @@ TEST_F(KeptShadowsTest, a_view_of_the_kept_maps_shows_what_a_view_of_new_ones_sh
 }
 
 TEST_F(KeptShadowsTest, frames_in_flight_that_move_a_light_and_rest_in_turn_are_synchronised) {
-    Loaded loaded(scene_at(*scene_named("sample"), 0));
+    Loaded loaded(scene_at(*scene_named("studio"), 0));
     const FrameSettings settings = settings_for(loaded.scene);
     Executor executor(device());
     FrameHandles handles;
@@ -175,7 +175,7 @@ TEST_F(KeptShadowsTest, frames_in_flight_that_move_a_light_and_rest_in_turn_are_
 }
 
 TEST_F(KeptShadowsTest, the_explanation_says_why_they_are_still_right) {
-    const Loaded loaded(scene_at(*scene_named("sample"), 0));
+    const Loaded loaded(scene_at(*scene_named("studio"), 0));
     Executor executor(device());
     const Rendered rendered = render_frame(executor, loaded.inputs(), settings_for(loaded.scene));
     const std::size_t at = rendered.explanation.find("left out  shadow of light key ");

@@ -50,7 +50,7 @@ std::string text_of(const std::map<std::uint32_t, ShaderBinding>& bindings) {
 
 /// The sample with materials that are cut out.
 Scene cut_out_scene() {
-    Scene scene = scene_at(*scene_named("sample"), 0);
+    Scene scene = scene_at(*scene_named("studio"), 0);
     for (Material& material : scene.materials) {
         material.detail.least_coverage = 0.5F;
     }
@@ -59,7 +59,7 @@ Scene cut_out_scene() {
 
 class ShaderTest : public GpuTest {
   protected:
-    ShaderTest() : scene_(scene_at(*scene_named("sample"), 0)), gpu_scene_(device(), scene_) {}
+    ShaderTest() : scene_(scene_at(*scene_named("studio"), 0)), gpu_scene_(device(), scene_) {}
 
     static const gpu::ShaderCode& code(const std::string& name) {
         const auto all = gpu::shaders();

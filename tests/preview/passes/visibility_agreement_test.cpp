@@ -37,6 +37,20 @@ TEST_F(VisibilityTest, the_nearest_wins_and_of_equals_the_last) {
     }
 }
 
+/// Words of surfaces.glsl, which a texture's filter may round the other way, or numbers.
+bool is_same_material(std::uint32_t a, std::uint32_t b, bool has_detail) {
+    if (a == b || !has_detail || a == 0 || b == 0) {
+        return a == b;
+    }
+    bool is_same = a >> 30U == b >> 30U;
+    for (const std::uint32_t shift : {0U, 10U, 20U}) {
+        const int steps =
+            static_cast<int>(a >> shift & 1023U) - static_cast<int>(b >> shift & 1023U);
+        is_same = is_same && std::abs(steps) <= 2;
+    }
+    return is_same;
+}
+
 TEST_F(VisibilityTest, every_scene_has_the_surfaces_that_the_gpus_rasteriser_finds) {
     constexpr Size large{320, 180};
     for (const SceneInfo& info : scenes()) {
@@ -47,7 +61,8 @@ TEST_F(VisibilityTest, every_scene_has_the_surfaces_that_the_gpus_rasteriser_fin
             const Surfaces found = compute(scene, view, limits, large);
             std::size_t elsewhere = 0, turned = 0;
             for (std::size_t at = 0; at < expected.material.size(); ++at) {
-                const bool same_place = found.material[at] == expected.material[at] &&
+                const bool same_place = is_same_material(found.material[at], expected.material[at],
+                                                         scene.has_detail()) &&
                                         (found.material[at] == 0 ||
                                          std::abs(found.depth[at] - expected.depth[at]) < 2e-5F);
                 const float turn =
@@ -101,7 +116,7 @@ TEST_F(VisibilityTest, the_finished_frame_differs_at_edges_only) {
 }
 
 TEST_F(VisibilityTest, a_steady_frame_allocates_and_uploads_nothing) {
-    const Scene scene = scene_at(*scene_named("sample"), 0);
+    const Scene scene = scene_at(*scene_named("studio"), 0);
     const GpuScene gpu_scene(device(), scene);
     FrameInputs inputs;
     inputs.scene = &scene;

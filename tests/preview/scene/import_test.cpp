@@ -133,7 +133,7 @@ TEST_F(ImportTest, shines_with_the_file_s_lights_as_bright_as_they_were) {
     expect_near(scene.lights[2].axis, {0, 0, -1}, rounding);
     EXPECT_NEAR(std::exp2(scene.exposure) * (0.5F + 3 + 0.125F), std::numbers::pi_v<float>, 1e-2F);
     expect_near(scene.environment.zenith * std::exp2(scene.exposure),
-                sample_scene().environment.zenith, rounding);
+                studio_scene().environment.zenith, rounding);
     for (const PointLight& light : scene.lights) {
         EXPECT_TRUE(light.casts_shadow);
     }

@@ -1,5 +1,7 @@
 // The built-in scenes and what they are made of, without a GPU.
 #include "preview/scene/builtin.h"
+#include "preview/scene/pictures.h"
+#include "preview/scene/shapes.h"
 #include "preview/scene/swatches.h"
 
 #include <cmath>
@@ -12,6 +14,18 @@
 namespace preview {
 namespace {
 
+/// A vase with corners at its foot and rim, up the outside and down the inside.
+constexpr glm::vec2 vase[]{{0, 0},        {0.5f, 0},     {0.5f, 0},     {0.9f, 0.6f},
+                           {0.4f, 1.5f},  {0.45f, 1.6f}, {0.45f, 1.6f}, {0.35f, 1.6f},
+                           {0.35f, 1.6f}, {0.7f, 0.6f},  {0, 0.1f}};
+
+/// A sheet that hangs from a rail.
+Mesh sheet() {
+    return surface(12, 8, [](glm::vec2 at) {
+        return glm::vec3{at.x, 0.1f * std::sin(9 * at.x), at.y};
+    });
+}
+
 std::vector<Mesh> every_generator() {
     std::vector<Mesh> meshes{sphere(16, 24),
                              torus(0.3f, 32, 12),
@@ -19,7 +33,9 @@ std::vector<Mesh> every_generator() {
                              box({1, 2, 0.5f}, 0.1f),
                              box({1, 2, 0.5f}, 0),
                              cylinder(24),
-                             plane()};
+                             plane(),
+                             lathe(smoothed(vase, 6), 24),
+                             two_sided(sheet())};
     return meshes;
 }
 
@@ -38,6 +54,30 @@ TEST(Mesh, faces_wind_counter_clockwise_about_their_outward_normals) {
         }
         for (const Vertex& vertex : mesh.vertices) {
             ASSERT_NEAR(glm::length(vertex.normal), 1, 1e-5) << mesh.name;
+        }
+    }
+}
+
+TEST(Mesh, pictures_on_shapes_are_upright_and_not_mirrored) {
+    for (const Mesh& mesh : {lathe(smoothed(vase, 6), 24), sheet()}) {
+        ASSERT_EQ(mesh.details.size(), mesh.vertices.size()) << mesh.name;
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            const std::uint32_t* const corner = &mesh.indices[i];
+            const auto edge = [&](std::size_t k) {
+                return mesh.vertices[corner[k]].position - mesh.vertices[corner[0]].position;
+            };
+            const auto turn = [&](std::size_t k) {
+                return mesh.details[corner[k]].uv[0] - mesh.details[corner[0]].uv[0];
+            };
+            // Seen from the front, u grows to the right and v downwards: clockwise turns are
+            // positive.
+            const float area = turn(1).x * turn(2).y - turn(1).y * turn(2).x;
+            if (glm::length(glm::cross(edge(1), edge(2))) > 1e-7f) {
+                ASSERT_LT(area, 0) << mesh.name;
+                const glm::vec3 along = edge(1) * turn(2).y - edge(2) * turn(1).y;
+                EXPECT_LT(glm::dot(along, glm::vec3{mesh.details[corner[0]].tangent}), 0)
+                    << mesh.name;
+            }
         }
     }
 }
@@ -61,6 +101,8 @@ TEST(Mesh, closed_shapes_enclose_their_volume) {
     EXPECT_NEAR(enclosed_volume(torus(0.3f, 128, 64)), 2 * pi * pi * 0.09, 0.01);
     EXPECT_NEAR(enclosed_volume(cylinder(256)), 2 * pi, 0.01);
     EXPECT_NEAR(enclosed_volume(box({1, 2, 0.5f}, 0)), 8, 1e-5);
+    constexpr glm::vec2 cone[]{{0, 0}, {1, 0}, {1, 0}, {0, 3}};
+    EXPECT_NEAR(enclosed_volume(lathe(cone, 256)), pi, 0.01);
     const double rounded = enclosed_volume(box({1, 2, 0.5f}, 0.1f, 16));
     EXPECT_LT(rounded, 8);
     EXPECT_GT(rounded, 7.8);
@@ -148,8 +190,37 @@ TEST(Scenes, have_names_of_their_own) {
 TEST(Scenes, sample_has_everything_and_plain_has_neither_caster_nor_emitter) {
     EXPECT_TRUE(sample_scene().has_casting_light());
     EXPECT_TRUE(sample_scene().has_emitter());
+    EXPECT_TRUE(sample_scene().has_detail());
+    EXPECT_TRUE(studio_scene().has_casting_light());
+    EXPECT_TRUE(studio_scene().has_emitter());
+    EXPECT_FALSE(studio_scene().has_detail());
     EXPECT_FALSE(plain_scene().has_casting_light());
     EXPECT_FALSE(plain_scene().has_emitter());
+}
+
+TEST(Noise, repeats_without_a_seam_and_stays_in_0_to_1) {
+    for (int i = 0; i <= 40; ++i) {
+        const float y = 0.1f * static_cast<float>(i);
+        for (const float x : {0.0f, 0.3f, 2.7f}) {
+            const float here = layered_noise({x, y}, {3, 4}, 3, 5);
+            EXPECT_GE(here, 0);
+            EXPECT_LE(here, 1);
+            EXPECT_NEAR(layered_noise({x + 3, y}, {3, 4}, 3, 5), here, 1e-5);
+            EXPECT_NEAR(layered_noise({x, y + 4}, {3, 4}, 3, 5), here, 1e-4);
+        }
+    }
+}
+
+TEST(Swatches, lab_of_white_and_of_middle_grey_is_as_cie_has_it) {
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(linear_of_lab({100, 0, 0})[c], 1, 1e-5);
+        EXPECT_NEAR(linear_of_lab({49.4961f, 0, 0})[c], 0.18, 1e-5); // 116 cbrt(.18) - 16
+    }
+    // Rec.709's red under D65.
+    const glm::vec3 red = linear_of_lab({53.2408f, 80.0925f, 67.2032f});
+    EXPECT_NEAR(red.r, 1, 2e-3);
+    EXPECT_NEAR(red.g, 0, 2e-3);
+    EXPECT_NEAR(red.b, 0, 2e-3);
 }
 
 TEST(Swatches, decode_as_srgb) {

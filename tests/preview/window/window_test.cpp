@@ -233,7 +233,7 @@ TEST_F(Window, does_with_a_built_in_font_where_one_is_missing_and_says_so) {
 }
 
 TEST_F(Window, switches_effects_and_lights_and_brings_them_back) {
-    start({"sample"});
+    start({"studio"});
     const Screen before = first_screen();
     click("tab.Scene");
     click("light.key.on");

@@ -1,0 +1,18 @@
+// The finish that a built-in scene is made for.
+#pragma once
+
+#include "preview/finish/blooms.h"
+#include "preview/finish/tonemaps.h"
+
+#include <string_view>
+
+namespace preview {
+
+/// The finish that a scene of that name is made for; other inputs have the defaults.
+struct UsualFinish {
+    const Tonemap* tonemap;
+    const Bloom* bloom;
+};
+UsualFinish usual_finish(std::string_view input);
+
+} // namespace preview

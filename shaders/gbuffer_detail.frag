@@ -18,13 +18,13 @@ layout(location = 3) out vec4 out_emission;
 
 void main() {
     Footprint at = Footprint(uv, dFdx(uv), dFdy(uv));
-    MaterialDetail detail = material_details[material];
-    if (detail.least_coverage > 0.0 &&
-        base_of(vec3(1.0), detail, at, color).a < detail.least_coverage) {
+    vec3 turned = unit_or_up(normal);
+    float coverage;
+    Surface s = surface_of(materials[material], material, at, color, tangent, turned, coverage);
+    float least_coverage = material_details[material].least_coverage;
+    if (least_coverage > 0.0 && coverage < least_coverage) {
         discard;
     }
-    vec3 turned = unit_or_up(normal);
-    Surface s = surface_of(materials[material], detail, at, color, tangent, turned);
     out_normal = to_bits(encode_octahedral(turned));
     out_material = pack_surface(s);
     out_albedo = vec4(s.albedo, 1.0);

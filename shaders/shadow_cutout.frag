@@ -9,9 +9,8 @@ layout(location = 2) in vec4 color;
 
 void main() {
     Footprint at = Footprint(uv, dFdx(uv), dFdy(uv));
-    MaterialDetail detail = material_details[material];
-    if (detail.least_coverage > 0.0 &&
-        base_of(vec3(1.0), detail, at, color).a < detail.least_coverage) {
+    float least_coverage = material_details[material].least_coverage;
+    if (least_coverage > 0.0 && base_of(vec3(1.0), material, at, color).a < least_coverage) {
         discard;
     }
 }

@@ -13,8 +13,8 @@ layout(std430, binding = CUTOUT_BINDING) readonly buffer VertexDetails {
 bool is_solid(uint number, ivec2 pixel) {
     Cluster cluster = clusters[number / 64u];
     Object object = objects[cluster.object];
-    MaterialDetail detail = material_details[object.material.x];
-    if (!(detail.least_coverage > 0.0)) {
+    float least_coverage = material_details[object.material.x].least_coverage;
+    if (!(least_coverage > 0.0)) {
         return true;
     }
     uint first = cluster.first_index + number % 64u * 3u;
@@ -26,7 +26,7 @@ bool is_solid(uint number, ivec2 pixel) {
     vec2 screen = (vec2(pixel) + 0.5) / vec2(size) * 2.0 - 1.0;
     vec3 weights = weights_at(screen, corners[0], corners[1], corners[2]);
     DetailAt point = detail_at(object, cluster, first, corners, screen, vec2(size), weights);
-    return base_of(vec3(1.0), detail, point.footprint, point.color).a >= detail.least_coverage;
+    return base_of(vec3(1.0), object.material.x, point.footprint, point.color).a >= least_coverage;
 }
 #else
 bool is_solid(uint number, ivec2 pixel) {

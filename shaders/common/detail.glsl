@@ -20,8 +20,11 @@ struct TextureUse {
     uint uv_set;
 };
 
+/// Places in MaterialDetail.uses.
+const int base_use = 0, surface_use = 1, normal_use = 2, occlusion_use = 3, emission_use = 4;
+
 struct MaterialDetail {
-    TextureUse base, surface, normal, occlusion, emission;
+    TextureUse uses[5];
     float normal_scale;
     float occlusion_strength;
     float coverage;
@@ -41,25 +44,21 @@ vec4 vertex_color(VertexDetail vertex) {
     return vec4(unpackUnorm2x16(vertex.color.x), unpackUnorm2x16(vertex.color.y));
 }
 
-/// 1 where there is none.
 vec4 read_texture(TextureUse use, Footprint at) {
-    vec4 texel = vec4(1.0);
-    // A loop in place of a branch, as in texture_at().
-    for (uint left = use.number == no_texture ? 0u : 1u; left != 0u; --left) {
-        bool second = use.uv_set != 0u;
-        vec2 uv = second ? at.uv.zw : at.uv.xy;
-        vec2 dx = second ? at.dx.zw : at.dx.xy;
-        vec2 dy = second ? at.dy.zw : at.dy.xy;
-        mat2 turn = mat2(use.u_row.x, use.v_row.x, use.u_row.y, use.v_row.y);
-        texel = texture_at(use.number, turn * uv + vec2(use.u_row.z, use.v_row.z), turn * dx,
-                           turn * dy);
-    }
-    return texel;
+    bool second = use.uv_set != 0u;
+    vec2 uv = second ? at.uv.zw : at.uv.xy;
+    vec2 dx = second ? at.dx.zw : at.dx.xy;
+    vec2 dy = second ? at.dy.zw : at.dy.xy;
+    mat2 turn = mat2(use.u_row.x, use.v_row.x, use.u_row.y, use.v_row.y);
+    return texture_at(use.number, turn * uv + vec2(use.u_row.z, use.v_row.z), turn * dx, turn * dy);
 }
 
 /// Albedo times the colour, and how far the surface covers what lies behind.
-vec4 base_of(vec3 albedo, MaterialDetail detail, Footprint at, vec4 color) {
-    return vec4(albedo, detail.coverage) * color * read_texture(detail.base, at);
+vec4 base_of(vec3 albedo, uint material, Footprint at, vec4 color) {
+    vec4 base = vec4(albedo, material_details[material].coverage) * color;
+    return material_details[material].uses[base_use].number == no_texture
+               ? base
+               : base * read_texture(material_details[material].uses[base_use], at);
 }
 
 #endif

@@ -55,8 +55,9 @@ void main() {
 #ifdef HAS_DETAIL
     normal = unit_or_up(normal);
     DetailAt point = detail_at(object, cluster, first, corners, screen, vec2(size), weights);
-    Surface s = surface_of(materials[object.material.x], material_details[object.material.x],
-                           point.footprint, point.color, point.tangent, normal);
+    float coverage;
+    Surface s = surface_of(materials[object.material.x], object.material.x, point.footprint,
+                           point.color, point.tangent, normal, coverage);
     uint word = pack_surface(s);
     imageStore(albedos, at, vec4(s.albedo, 1.0));
     imageStore(emissions, at, vec4(s.emission, 1.0));

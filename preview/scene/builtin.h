@@ -10,6 +10,7 @@ void animate_sample(Scene& scene, double seconds);
 Scene studio_scene();
 Scene plain_scene();
 void animate_studio(Scene& scene, double seconds);
+Scene night_scene();
 Scene materials_scene();
 Scene chart_scene();
 

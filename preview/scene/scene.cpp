@@ -45,13 +45,15 @@ Bounds Scene::bounds() const {
 }
 
 std::span<const SceneInfo> scenes() {
-    static constexpr std::array<SceneInfo, 5> table{{
+    static constexpr std::array<SceneInfo, 6> table{{
         {"sample", "still life by a window: wood, linen, metal, fruit, leaves, skin, true blacks",
          sample_scene, animate_sample},
         {"studio", "photographer's cove with chart, ramps, metals, neon and a very bright spark",
          studio_scene, animate_studio},
         {"plain", "the studio's shapes under plain light: no shadow, no emitter", plain_scene,
          animate_studio},
+        {"night", "wet street: lamp, shop window, neon of nearly one primary, deep shadow",
+         night_scene},
         {"materials", "roughness, metalness, measured metals and surfaces with textures",
          materials_scene},
         {.name = "chart",

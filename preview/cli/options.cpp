@@ -136,7 +136,7 @@ void declare_effects(CLI::App& app, Options& options) {
         ->type_name("PARTS");
     app.add_option(
            "--light", options.lights,
-           "Changes a light, as key.intensity=2 or 1.color=1,0.5,0; --list has the controls. "
+           "Changes a light, as sun.intensity=2 or 1.color=1,0.5,0; --list has the controls. "
            "May be repeated")
         ->allow_extra_args(false)
         ->type_name("LIGHT.CONTROL=VALUE");

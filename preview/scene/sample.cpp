@@ -61,14 +61,8 @@ void add_lights(SceneBuilder& build) {
     sun.outer_angle = 13.4F;
     build.light(sun);
     // The sky through the window's upper and lower half.
-    build.light({{-1.6F, 1.5F, 0.35F},
-                 {1.7F, 2.05F, 2.6F},
-                 true,
-                 {0.3F, 0.1F, 0},
-                 130,
-                 0.1F,
-                 8,
-                 "sky above"});
+    build.light(
+        {{-1.6F, 1.5F, 0.35F}, {1.7F, 2.05F, 2.6F}, true, {0.3F, 0.1F, 0}, 130, 0.1F, 8, "sky"});
     build.light({{-1.6F, 0.85F, -0.3F},
                  {0.9F, 1.1F, 1.35F},
                  true,
@@ -76,7 +70,7 @@ void add_lights(SceneBuilder& build) {
                  130,
                  0.1F,
                  8,
-                 "sky below"});
+                 "low-sky"});
     build.light({flame_tip + glm::vec3(0, 0.03F, 0.02F),
                  candle_intensity,
                  false,

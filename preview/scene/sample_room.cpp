@@ -27,9 +27,7 @@ void add_box(SceneBuilder& build, std::uint32_t material, glm::vec3 low, glm::ve
 
 void add_walls(SceneBuilder& build) {
     const WindowFrame& w = sample_window;
-    Material paint{.albedo = {0.30F, 0.335F, 0.325F}, .roughness = 0.95F};
-    paint.detail.base.texture = build.texture(plaster(), true);
-    const auto wall = build.material(paint);
+    const auto wall = build.material({.albedo = {0.275F, 0.305F, 0.295F}, .roughness = 0.95F});
     build.place(build.mesh(sheet({-4, 4, -1.5F}, {8, 0, 0}, {0, -6, 0}, {5, 4})), wall,
                 glm::mat4(1), false);
     // Around the opening, so wide that nothing of the sun passes beside it.

@@ -190,7 +190,6 @@ Scene plain_scene() {
         material.roughness = std::max(material.roughness, 0.65f);
     }
     build.light({{-2.6f, 3.9f, 3.2f}, {44, 41, 38}, false, {}, 60, 0.1f, 20, "key"});
-    build.light({spark_rest, {0, 0, 0}, false, {}, 60, 0.1f, 20, "spark"});
     build.scene.environment.zenith = {0.20f, 0.21f, 0.23f};
     build.scene.environment.horizon = {0.11f, 0.11f, 0.12f};
     build.scene.environment.ground = {0.05f, 0.05f, 0.05f};
@@ -202,7 +201,9 @@ void animate_studio(Scene& scene, double seconds) {
     scene.objects[moving.knot].transform = knot_transform(seconds);
     const glm::vec3 spark = spark_position(seconds);
     scene.objects[moving.spark].transform = at(spark, glm::vec3{0.011f});
-    scene.lights[moving.spark_light].position = spark;
+    if (moving.spark_light < scene.lights.size()) {
+        scene.lights[moving.spark_light].position = spark;
+    }
 }
 
 } // namespace preview

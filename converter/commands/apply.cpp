@@ -84,7 +84,7 @@ std::string picture_text(const Options& o, const lutlib::LookPlace& place) {
     }
     if (place.given) {
         return "the picture holds " + place.given->name() +
-               " by its file type or tag (--picture-encoding names another)";
+               " by its file type, profile or tag (--picture-encoding names another)";
     }
     return place.look.input
                ? "the picture's encoding is not known and taken for the look's input, " +

@@ -3,6 +3,7 @@
 #include "lutlib/codes.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
+#include "lutlib/io/icc.h"
 #include "lutlib/io/module.h"
 #include "lutlib/io/oiio.h"
 #include "lutlib/io/png.h"
@@ -126,7 +127,9 @@ std::optional<Encoding> encoding_of(const FloatImage& image) {
         return srgb();
     }
     if (!image.holds_light) {
-        return std::nullopt;
+        return image.source && info_of(image.depth).integer
+                   ? encoding_of_profile(image.source->icc_profile)
+                   : std::nullopt;
     }
     const std::optional<Encoding> light = encoding_named("linear");
     if (!image.chromaticities) {

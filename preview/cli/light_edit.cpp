@@ -13,7 +13,7 @@ namespace {
 
 [[noreturn]] void reject(const std::string& text, const std::string& why) {
     throw lutlib::UsageError(fmt::format(
-        "--light {}: {}; write NAME.CONTROL=VALUE, such as key.intensity=2", text, why));
+        "--light {}: {}; write NAME.CONTROL=VALUE, such as sun.intensity=2", text, why));
 }
 
 PointLight& light_named(std::vector<PointLight>& lights, const std::string& name,

@@ -62,4 +62,12 @@ LookUse use_b(const Options& options, bool has_light) {
                   options.look_output_b);
 }
 
+Shown shown_of(const Options& options) {
+    Shown shown = load_shown(options.input, options.seconds);
+    if (const std::string file = surroundings_file(options); !file.empty()) {
+        load_surroundings(shown, file);
+    }
+    return shown;
+}
+
 } // namespace preview

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "preview/cli/options.h"
+#include "preview/frame/shown.h"
 #include "preview/look/look_file.h"
 
 namespace preview {
@@ -17,5 +18,9 @@ PictureCodes picture_codes(const Options& options, bool has_light);
 /// engine of a side that has no look while the other has one.
 LookUse use_a(const Options& options, bool has_light);
 LookUse use_b(const Options& options, bool has_light);
+
+/// The scene or picture that the options name, with the picture of its surroundings. Throws as
+/// load_shown() and load_surroundings() do.
+Shown shown_of(const Options& options);
 
 } // namespace preview

@@ -37,6 +37,13 @@ std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& p
     return std::nullopt;
 }
 
+/// A line for the kind of the surroundings and each number that it has.
+std::string surroundings_text(const Surroundings& surroundings) {
+    const SurroundingsInfo& row = surroundings_kinds()[static_cast<std::size_t>(surroundings.kind)];
+    return "setting   surroundings " + std::string(row.name) + "\n" +
+           settings_lines(row.numbers, surroundings);
+}
+
 /// What frames without a window are rendered from.
 struct Rendering {
     explicit Rendering(const Options& options);
@@ -46,6 +53,7 @@ struct Rendering {
     std::shared_ptr<const Shown> shown;
     FrameSettings settings;
     std::vector<PointLight> lights;
+    Surroundings surroundings;
     FileFormat file;
     std::string notes; ///< lines of --explain: what the files have and the frame has not
     std::array<std::string, 2> no_look; ///< why a side has none
@@ -61,8 +69,7 @@ gpu::DeviceOptions device_options_of(const Options& options) {
 }
 
 Rendering::Rendering(const Options& options)
-    : device(device_options_of(options)),
-      shown(std::make_shared<const Shown>(load_shown(options.input, options.seconds))),
+    : device(device_options_of(options)), shown(std::make_shared<const Shown>(shown_of(options))),
       settings(settings_of(options, shown->picture_size())),
       lights(lights_of(options, shown->scene)), on_gpu(device, shown) {
     for (const std::string& line : shown->left_out) {
@@ -74,6 +81,7 @@ Rendering::Rendering(const Options& options)
     }
     if (shown->scene) {
         settings.orbit = orbit_of(options, *shown->scene);
+        surroundings = surroundings_of(options, *shown->scene);
     }
     settings.raster = options.raster->on(device, picture_size(settings.output, *settings.compare));
     for (const std::string& line : shown->told) {
@@ -99,6 +107,7 @@ Rendering::Rendering(const Options& options)
 FrameInputs Rendering::inputs() const {
     FrameInputs out = on_gpu.inputs();
     out.lights = &lights;
+    out.surroundings = &surroundings;
     out.look_a = look_a ? &*look_a : nullptr;
     out.look_b = look_b ? &*look_b : nullptr;
     out.no_look = {no_look[0], no_look[1]};
@@ -133,7 +142,9 @@ void render_once(const Options& options, const Rendering& rendering, Executor& e
     if (options.explain) {
         report.explanation =
             rendered.explanation + rendering.notes + settings_text(settings) +
-            (rendering.shown->scene ? settings_lines(camera_numbers(), settings.orbit) : "");
+            (rendering.shown->scene ? settings_lines(camera_numbers(), settings.orbit) +
+                                          surroundings_text(rendering.surroundings)
+                                    : "");
     }
     if (!options.output.empty()) {
         write(options, rendering, rendered);

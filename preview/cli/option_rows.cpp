@@ -68,6 +68,12 @@ constexpr OptionRow rows[] = {
      .help = "A model's camera by its name; by default the first",
      .of = [](O& o) -> std::string& { return o.camera_name; },
      .type = "NAME"},
+    {.flag = "--surroundings",
+     .help = "What stands around the scene: sky, noise, gradient (the scene's own), or an "
+             "equirectangular "
+             "picture file, such as an .exr",
+     .of = [](O& o) -> std::string& { return o.surroundings; },
+     .type = "NAME"},
     {.flag = "--shadow-size",
      .help = "Width and height of a shadow map, in texels",
      .of = [](O& o) -> std::uint32_t& { return o.frame.shadow_size; },

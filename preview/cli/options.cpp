@@ -101,6 +101,15 @@ void declare_camera(CLI::App& app, Options& options) {
     }
 }
 
+void declare_surroundings(CLI::App& app, Options& options) {
+    for (std::size_t i = 0; i < options.surroundings_numbers.size(); ++i) {
+        const NumberRow<Surroundings>& row = surroundings_numbers()[i];
+        app.add_option(fmt::format("--{}", row.flag), options.surroundings_numbers[i],
+                       std::string(row.help))
+            ->check(within(row.min, row.max));
+    }
+}
+
 void declare_cube(CLI::App& app, Options& options) {
     declare(app, cube_numbers(), options.cube);
     for (const SwitchRow<CubeView>& row : cube_switches()) {
@@ -241,6 +250,16 @@ std::string camera_listing() {
     return out;
 }
 
+std::string surroundings_listing() {
+    std::string out = section("Surroundings (--surroundings)", surroundings_kinds());
+    for (const NumberRow<Surroundings>& row : surroundings_numbers()) {
+        out += line_of(
+            fmt::format("--{}", row.flag),
+            fmt::format("{}; {} to {}, by default the scene's", row.help, row.min, row.max));
+    }
+    return out;
+}
+
 std::string cube_listing() {
     std::string out = section_of("Cube view", cube_numbers());
     for (const SwitchRow<CubeView>& row : cube_switches()) {
@@ -302,6 +321,7 @@ void declare(CLI::App& app, Options& options) {
     declare<PictureSettings>(app, picture_numbers(), options.frame);
     declare_effects(app, options);
     declare_camera(app, options);
+    declare_surroundings(app, options);
     declare_cube(app, options);
     for (const ChoiceRow<Options>& row : option_choices()) {
         declare(app, row, options);
@@ -351,6 +371,31 @@ std::vector<PointLight> lights_of(const Options& options, const std::optional<Sc
     return lights;
 }
 
+std::string surroundings_file(const Options& options) {
+    const bool is_kind = lutlib::find_named(surroundings_kinds(), options.surroundings) != nullptr;
+    return is_kind ? std::string() : options.surroundings;
+}
+
+Surroundings surroundings_of(const Options& options, const Scene& scene) {
+    Surroundings out = scene.surroundings;
+    if (const SurroundingsInfo* const row =
+            lutlib::find_named(surroundings_kinds(), options.surroundings)) {
+        out.kind = row->kind;
+    } else if (!options.surroundings.empty()) {
+        out.kind = SurroundingsKind::picture;
+    }
+    if (out.kind == SurroundingsKind::picture && surroundings_file(options).empty()) {
+        throw lutlib::UsageError("--surroundings picture: name the picture's file in its place");
+    }
+    for (std::size_t i = 0; i < options.surroundings_numbers.size(); ++i) {
+        if (options.surroundings_numbers[i]) {
+            surroundings_numbers()[i].of(out) = *options.surroundings_numbers[i];
+        }
+    }
+    out.seconds = options.seconds;
+    return out;
+}
+
 namespace {
 
 Orbit named_camera(const Options& options, const Scene& scene) {
@@ -385,8 +430,9 @@ std::string listing() {
     for (const ChoiceRow<Options>& row : option_choices()) {
         out += section_of(row);
     }
-    return out + section_of("Settings", picture_numbers()) + camera_listing() + cube_listing() +
-           effects_listing() + section("Parts of the frame (--without, as effects)", effects) +
+    return out + section_of("Settings", picture_numbers()) + camera_listing() +
+           surroundings_listing() + cube_listing() + effects_listing() +
+           section("Parts of the frame (--without, as effects)", effects) +
            section("Lights' controls (--light)", light_controls());
 }
 

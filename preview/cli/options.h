@@ -5,6 +5,7 @@
 #include "preview/look/cube_view.h"
 #include "preview/look/look_standing.h"
 #include "preview/scene/camera_settings.h"
+#include "preview/scene/surroundings.h"
 
 #include <optional>
 #include <string>
@@ -35,6 +36,10 @@ struct Options {
     EffectUses effects;               ///< that are put in
     std::vector<std::string> without; ///< names of parts of the frame and of effects
     std::vector<std::string> lights;  ///< changes, as edit_light() takes them
+    std::string surroundings;         ///< a kind's name or a picture file; empty: the scene's own
+    /// Of each row of surroundings_numbers(), in place of the scene's.
+    std::vector<std::optional<float>> surroundings_numbers =
+        std::vector<std::optional<float>>(preview::surroundings_numbers().size());
     const RasterChoice* raster = &rasters().front();
     std::string size, probe, scope_size;
     double seconds = 0;
@@ -63,6 +68,11 @@ FrameSettings settings_of(const Options& options, Size input_size);
 
 /// The scene's lights, changed as the options say. Throws lutlib::UsageError.
 std::vector<PointLight> lights_of(const Options& options, const std::optional<Scene>& scene);
+
+/// What surrounds the scene, changed as the options say.
+Surroundings surroundings_of(const Options& options, const Scene& scene);
+/// The file that --surroundings names; empty where it is none.
+std::string surroundings_file(const Options& options);
 
 /// The scene's camera, or the one of its cameras that is named, moved as the options say. Throws
 /// lutlib::UsageError when none has the name.

@@ -43,6 +43,7 @@ editor::State opening_state(const Options& options, const FrameSettings& given,
     state.lights = lights_of(options, shown->scene);
     if (shown->scene) {
         state.orbit = orbit_of(options, *shown->scene);
+        state.surroundings = surroundings_of(options, *shown->scene);
     }
     for (std::size_t i = 0; i < state.sides.size(); ++i) {
         const GpuLookup* const lookup = lookup_of(i == 0 ? options.engine_a : options.engine_b);
@@ -58,7 +59,7 @@ editor::State opening_state(const Options& options, const FrameSettings& given,
 } // namespace
 
 void open_window(const Options& options) {
-    const auto shown = std::make_shared<const Shown>(load_shown(options.input, options.seconds));
+    const auto shown = std::make_shared<const Shown>(shown_of(options));
     WindowSetup setup;
     const FrameSettings given = settings_of(options, shown->picture_size());
     setup.frame.shadow_size = given.shadow_size;

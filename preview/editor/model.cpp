@@ -18,7 +18,7 @@ auto values_of(const Orbit& o) {
 
 auto values_of(const State& s) {
     return std::tie(s.recipe_path, s.base_path, s.sides, s.picture, s.shown, s.lights,
-                    s.scopes_seen, s.cube);
+                    s.surroundings, s.scopes_seen, s.cube);
 }
 
 } // namespace

@@ -76,6 +76,7 @@ struct State : PictureSettings {
     std::shared_ptr<const Shown> shown; ///< the scene or picture
     Orbit orbit;
     std::vector<PointLight> lights; ///< in place of the scene's
+    Surroundings surroundings;      ///< likewise
     ScopeChoice scopes_seen;
     CubeChoice cube;
 };

@@ -3,6 +3,7 @@
 #include "preview/scene/gpu_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <string>
 
@@ -11,7 +12,8 @@ namespace preview {
 namespace {
 
 /// The lights that reach the frame, named.
-std::vector<PointLight> shining_lights(Graph& graph, const std::vector<PointLight>& lights,
+std::vector<PointLight> shining_lights(Graph& graph, const Scene& scene, const Geometry& geometry,
+                                       const std::vector<PointLight>& lights,
                                        const FrameSettings& settings) {
     std::vector<PointLight> shining;
     if (settings.without.has(Effect::lights)) {
@@ -25,10 +27,50 @@ std::vector<PointLight> shining_lights(Graph& graph, const std::vector<PointLigh
         } else if (!settings.force_all && light.intensity == glm::vec3(0)) {
             graph.withhold(light.name, "its intensity is 0");
         } else {
+            if (light.is_sun) {
+                light.casters = caster_bounds(scene, geometry);
+            }
             shining.push_back(std::move(light));
         }
     }
     return shining;
+}
+
+/// The sky's sun, which casts shadows.
+PointLight sun_of(const Surroundings& surroundings) {
+    PointLight sun;
+    sun.name = "sun";
+    sun.is_sun = true;
+    sun.casts_shadow = true;
+    sun.position = glm::vec3(towards_sun(surroundings.sky));
+    sun.intensity = glm::vec3(sun_irradiance(surroundings.sky)) * std::exp2(surroundings.exposure);
+    return sun;
+}
+
+/// The lights of the scene and of its surroundings.
+std::vector<PointLight> lights_of(const FrameInputs& inputs, const Surroundings& surroundings) {
+    std::vector<PointLight> lights =
+        inputs.lights != nullptr ? *inputs.lights : inputs.scene->lights;
+    if (surroundings.kind == SurroundingsKind::sky) {
+        lights.push_back(sun_of(surroundings));
+    }
+    return lights;
+}
+
+/// What surrounds the scene in this frame; says why nothing does.
+Surroundings shown_surroundings(Graph& graph, const FrameInputs& inputs,
+                                const FrameSettings& settings) {
+    Surroundings out =
+        inputs.surroundings != nullptr ? *inputs.surroundings : inputs.scene->surroundings;
+    if (out.kind == SurroundingsKind::picture && inputs.surroundings_picture == nullptr) {
+        graph.withhold("surroundings levels", "no picture of them is given");
+        out.kind = SurroundingsKind::gradient;
+    } else if (settings.without.has(Effect::environment)) {
+        out.kind = SurroundingsKind::gradient; // switched off
+    } else if (!has_map(out.kind)) {
+        graph.withhold("surroundings levels", "the gradient and soft boxes need none");
+    }
+    return out;
 }
 
 } // namespace
@@ -41,8 +83,9 @@ DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const Frame
     const Scene& scene = *inputs.scene;
     const GpuScene& gpu_scene = *inputs.gpu_scene;
     const Geometry& geometry = gpu_scene.geometry;
+    const Surroundings surroundings = shown_surroundings(graph, inputs, settings);
     const std::vector<PointLight> lights =
-        shining_lights(graph, inputs.lights != nullptr ? *inputs.lights : scene.lights, settings);
+        shining_lights(graph, scene, geometry, lights_of(inputs, surroundings), settings);
     std::vector<int> layers;
     for (std::uint32_t index = 0; index < lights.size(); ++index) {
         if (settings.without.has(Effect::shadows)) {
@@ -73,6 +116,20 @@ DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const Frame
     handles.has_spots =
         settings.force_all || std::any_of(lights.begin(), lights.end(),
                                           [](const PointLight& light) { return light.is_spot(); });
+    handles.has_suns =
+        settings.force_all || std::any_of(lights.begin(), lights.end(),
+                                          [](const PointLight& light) { return light.is_sun; });
+    if (surroundings.kind != SurroundingsKind::gradient) {
+        SurroundingsInputs from;
+        from.are_kept = !settings.force_all;
+        from.exposure = settings.exposure + scene.exposure;
+        if (surroundings.kind == SurroundingsKind::picture) {
+            const GpuPicture& picture = *inputs.surroundings_picture;
+            from.picture =
+                graph.import("surroundings picture", picture.image, picture.image.desc());
+        }
+        out.surroundings = add_surroundings(graph, surroundings, from);
+    }
     if (!gpu_scene.detail) {
         graph.withhold("textures", "no surface has any");
     } else if (gpu_scene.detail->halvings > 0) {

@@ -4,6 +4,7 @@
 
 #include "preview/frame/settings.h"
 #include "preview/passes/shadow.h"
+#include "preview/passes/surroundings.h"
 #include "preview/scene/scene_data.h"
 
 #include <vector>
@@ -12,6 +13,7 @@ namespace preview {
 
 struct DeclaredScene {
     SceneHandles handles;
+    SurroundingsHandles surroundings;
     ShadowMaps shadows;
     std::vector<Draw> visible;
 };

@@ -37,9 +37,12 @@ ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSet
     LightingInputs lighting;
     lighting.surfaces = handles.surfaces;
     lighting.shadow_maps = handles.shadow_maps;
+    lighting.surroundings = declared.surroundings;
     const bool has_surroundings = !settings.without.has(Effect::environment);
     lighting.environment =
-        has_surroundings && (settings.force_all || !scene.environment.is_black());
+        has_surroundings &&
+        (settings.force_all || lighting.surroundings.kind != SurroundingsKind::gradient ||
+         !scene.environment.is_black());
     if (has_surroundings && !lighting.environment) {
         graph.withhold("environment", "the surroundings are black");
     }

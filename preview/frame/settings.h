@@ -66,7 +66,9 @@ struct FrameSettings : PictureSettings {
 struct FrameInputs {
     const Scene* scene = nullptr;
     const GpuScene* gpu_scene = nullptr;
-    const std::vector<PointLight>* lights = nullptr; ///< null: the scene's own
+    const std::vector<PointLight>* lights = nullptr;  ///< null: the scene's own
+    const Surroundings* surroundings = nullptr;       ///< null: the scene's own
+    const GpuPicture* surroundings_picture = nullptr; ///< null: there is none
     const GpuPicture* picture = nullptr;
     const GpuLook* look_a = nullptr; ///< null: no look
     const GpuLook* look_b = nullptr;

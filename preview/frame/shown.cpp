@@ -23,7 +23,7 @@ void to_rec709(std::vector<float>& rgba, const lutlib::Encoding& from) {
     }
 }
 
-void load_picture(Shown& shown, const std::string& path) {
+ShownPicture read_picture(Shown& shown, const std::string& path) {
     lutlib::io::FloatImage image = lutlib::io::read_image(path);
     const std::optional<lutlib::Encoding> encoding = encoding_of(image);
     ShownPicture picture;
@@ -44,7 +44,7 @@ void load_picture(Shown& shown, const std::string& path) {
                     static_cast<std::uint32_t>(image.height)};
     picture.has_alpha = image.alpha;
     picture.rgba = std::move(image.rgba);
-    shown.picture = std::move(picture);
+    return picture;
 }
 
 } // namespace
@@ -69,9 +69,34 @@ Shown load_shown(const std::string& input, double seconds) {
         shown.scene = std::move(imported.scene);
         shown.left_out = std::move(imported.left_out);
     } else {
-        load_picture(shown, input);
+        shown.picture = read_picture(shown, input);
     }
     return shown;
+}
+
+void load_surroundings(Shown& shown, const std::string& path) {
+    if (!shown.scene) {
+        throw lutlib::UsageError("--surroundings stand about a scene, and '" + shown.name +
+                                 "' is a picture: drop one of them");
+    }
+    if (!std::filesystem::exists(path)) {
+        throw lutlib::UsageError("--surroundings: '" + path +
+                                 "' is neither a file nor one of the kinds of surroundings that "
+                                 "--list has");
+    }
+    ShownPicture picture = read_picture(shown, path);
+    if (picture.display_encoded) {
+        const lutlib::Encoding& display = lutlib::srgb();
+        for (std::size_t at = 0; at < picture.rgba.size(); ++at) {
+            if (at % 4 != 3) {
+                picture.rgba[at] =
+                    static_cast<float>(display.decode(static_cast<double>(picture.rgba[at])));
+            }
+        }
+        picture.display_encoded = false;
+        shown.told.push_back("'" + path + "' holds no light: its codes are decoded as sRGB");
+    }
+    shown.surroundings = std::move(picture);
 }
 
 GpuShown::GpuShown(const gpu::Device& device, std::shared_ptr<const Shown> shown)
@@ -83,6 +108,10 @@ GpuShown::GpuShown(const gpu::Device& device, std::shared_ptr<const Shown> shown
         picture_.emplace(device, shown_->picture->size, shown_->picture->rgba,
                          shown_->picture->display_encoded);
     }
+    if (shown_->surroundings) {
+        surroundings_.emplace(device, shown_->surroundings->size, shown_->surroundings->rgba,
+                              false);
+    }
 }
 
 FrameInputs GpuShown::inputs() const {
@@ -90,6 +119,7 @@ FrameInputs GpuShown::inputs() const {
     out.scene = shown_->scene ? &*shown_->scene : nullptr;
     out.gpu_scene = scene_ ? &*scene_ : nullptr;
     out.picture = picture_ ? &*picture_ : nullptr;
+    out.surroundings_picture = surroundings_ ? &*surroundings_ : nullptr;
     return out;
 }
 

@@ -26,6 +26,7 @@ struct Shown {
     std::string name;
     std::optional<Scene> scene;
     std::optional<ShownPicture> picture;
+    std::optional<ShownPicture> surroundings; ///< a picture of all directions about the scene
     std::vector<std::string> left_out; ///< what its file has and the scene has not, with counts
     std::vector<std::string> told;     ///< what was made of a picture's colours, a line each
 
@@ -36,6 +37,10 @@ struct Shown {
 /// A row of scenes() as it stands at `seconds`, else a model or picture file. Throws lutlib::Error,
 /// and UsageError for what is none of them.
 Shown load_shown(const std::string& input, double seconds);
+
+/// Reads the picture of what surrounds `shown`, a scene; codes become light by sRGB's curve. Throws
+/// lutlib::Error for a file that is no picture, and UsageError for surroundings of a picture.
+void load_surroundings(Shown& shown, const std::string& path);
 
 /// What must outlive the frames that show it.
 class GpuShown {
@@ -48,7 +53,7 @@ class GpuShown {
   private:
     std::shared_ptr<const Shown> shown_;
     std::optional<GpuScene> scene_;
-    std::optional<GpuPicture> picture_;
+    std::optional<GpuPicture> picture_, surroundings_;
 };
 
 } // namespace preview

@@ -39,6 +39,7 @@ struct Facts {
     std::string device, input;
     std::vector<std::string> left_out; ///< of the input, by its import
     bool is_scene = true;              ///< there is a camera to move
+    bool has_surroundings_picture = false;
     float aspect = 0;             ///< a picture's width over its height; 0: a scene fills any area
     bool display_encoded = false; ///< there is nothing to tone map
     double bake_milliseconds = 0;

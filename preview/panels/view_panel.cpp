@@ -144,6 +144,27 @@ void side_controls(Ui& ui, Side& side, const std::string& name, const std::strin
     ImGui::PopID();
 }
 
+/// What stands around the scene; a picture of it comes from the command line.
+void surroundings_controls(Ui& ui, Surroundings& surroundings) {
+    const auto kinds = surroundings_kinds();
+    const SurroundingsInfo& chosen = kinds[static_cast<std::size_t>(surroundings.kind)];
+    const bool open = ImGui::BeginCombo("Surroundings", std::string(chosen.help).c_str());
+    mark(ui, "Surroundings");
+    if (open) {
+        for (const SurroundingsInfo& row : kinds) {
+            const bool is_there =
+                row.kind != SurroundingsKind::picture || ui.facts.has_surroundings_picture;
+            if (is_there && ImGui::Selectable(std::string(row.help).c_str(), &row == &chosen)) {
+                surroundings.kind = row.kind;
+            }
+        }
+        ImGui::EndCombo();
+    }
+    for (const NumberRow<Surroundings>& row : chosen.numbers) {
+        number(ui, row, surroundings);
+    }
+}
+
 } // namespace
 
 void view_panel(Ui& ui) {
@@ -175,6 +196,8 @@ void view_panel(Ui& ui) {
         for (const NumberRow<Orbit>& row : camera_numbers()) {
             number(ui, row, state.orbit);
         }
+        ImGui::Separator();
+        surroundings_controls(ui, state.surroundings);
     }
 }
 

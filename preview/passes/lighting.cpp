@@ -6,8 +6,9 @@ ImageHandle add_lighting(Graph& graph, const SceneHandles& scene, const Lighting
     const Size size = size_of(graph, inputs.surfaces.depth);
     const bool has_detail = static_cast<bool>(inputs.surfaces.albedo);
     Pass pass = graph.compute("lighting", has_detail ? "lighting_detail.comp" : "lighting.comp");
-    pass.constants(
-        {inputs.shadow_maps ? 1U : 0U, inputs.environment ? 1U : 0U, scene.has_spots ? 1U : 0U});
+    pass.constants({inputs.shadow_maps ? 1U : 0U, inputs.environment ? 1U : 0U,
+                    scene.has_spots ? 1U : 0U, scene.has_suns ? 1U : 0U,
+                    static_cast<std::uint32_t>(inputs.surroundings.kind)});
     pass.uniform(scene.view);
     pass.uniform(scene.environment);
     pass.storage(scene.lights);
@@ -25,6 +26,13 @@ ImageHandle add_lighting(Graph& graph, const SceneHandles& scene, const Lighting
     if (has_detail) {
         pass.read(inputs.surfaces.emission);
     }
+    const SurroundingsHandles& surroundings = inputs.surroundings;
+    pass.uniform(surroundings.block);
+    pass.storage(surroundings.harmonics);
+    pass.sample(surroundings.levels, Sampler::linear_repeat);
+    pass.sample(surroundings.mirror, Sampler::linear_repeat);
+    pass.sample(surroundings.picture, Sampler::linear_repeat);
+    pass.sample(surroundings.reflectance, Sampler::linear_clamp);
     pass.push(scene.light_count);
     pass.dispatch_over(size.width, size.height);
     return lit;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "preview/passes/gbuffer.h"
+#include "preview/passes/surroundings.h"
 
 namespace preview {
 
@@ -10,6 +11,7 @@ struct LightingInputs {
     GBuffer surfaces;
     ImageHandle shadow_maps; ///< empty: no light casts
     bool environment = true;
+    SurroundingsHandles surroundings; ///< of the gradient: nothing but the scene's environment
 };
 
 /// Radiance, rgba16f. May hold anything that the inputs make of it; the HDR resolve comes next.

@@ -100,16 +100,14 @@ void aim_shadow(PointLight& light, const Ball& ball) {
 }
 
 PointLight light_of(const FileLight& given, const glm::mat4& fit, const Ball& ball) {
-    constexpr float sun_distance = 100; // in radii: its rays are parallel to half a degree
     const glm::mat4 place = fit * given.place;
     const glm::vec3 along = -glm::normalize(glm::vec3(place[2]));
     PointLight light;
     light.name = given.name;
     light.intensity = given.intensity;
     if (given.kind == FileLight::Kind::sun) {
-        const float distance = sun_distance * ball.radius;
-        light.position = ball.centre - distance * along;
-        light.intensity *= distance * distance;
+        light.is_sun = true;
+        light.position = ball.centre - 2 * ball.radius * along;
     } else {
         const float scale = glm::length(glm::vec3(fit[0]));
         light.position = glm::vec3(place[3]);
@@ -157,8 +155,9 @@ void import_lights(const std::vector<FileLight>& lights, const glm::mat4& fit, c
     for (const PointLight& light : scene.lights) {
         const glm::vec3 away = light.position - ball.centre;
         const float nearest = 0.25F * ball.radius;
-        irradiance += std::max({light.intensity.x, light.intensity.y, light.intensity.z}) /
-                      std::max(glm::dot(away, away), nearest * nearest);
+        const float squared =
+            light.is_sun ? 1.0F : std::max(glm::dot(away, away), nearest * nearest);
+        irradiance += std::max({light.intensity.x, light.intensity.y, light.intensity.z}) / squared;
     }
     if (irradiance > 0) {
         scene.exposure =

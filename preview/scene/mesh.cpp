@@ -57,6 +57,15 @@ void Bounds::include(glm::vec3 point) {
     max = glm::max(max, point);
 }
 
+void Bounds::include(const Bounds& box, const glm::mat4& transform) {
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec4 p{(corner & 1) != 0 ? box.max.x : box.min.x,
+                          (corner & 2) != 0 ? box.max.y : box.min.y,
+                          (corner & 4) != 0 ? box.max.z : box.min.z, 1};
+        include(glm::vec3{transform * p});
+    }
+}
+
 Bounds bounds_of(const Mesh& mesh) {
     Bounds bounds;
     for (const Vertex& vertex : mesh.vertices) {

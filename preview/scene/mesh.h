@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -39,6 +40,9 @@ struct Bounds {
 
     bool empty() const { return min.x > max.x; }
     void include(glm::vec3 point);
+    /// The corners of a box, carried by `transform`.
+    void include(const Bounds& box, const glm::mat4& transform);
+    friend bool operator==(const Bounds&, const Bounds&) = default;
 };
 
 /// Lists two triangles for each cell of a grid of (rows + 1) x (columns + 1) vertices from `first`

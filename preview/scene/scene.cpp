@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/vec4.hpp>
+#include <glm/geometric.hpp>
 
 namespace preview {
 
@@ -33,15 +33,15 @@ bool Scene::has_emitter() const {
 Bounds Scene::bounds() const {
     Bounds all;
     for (const Object& object : objects) {
-        const Bounds box = bounds_of(meshes[object.mesh]);
-        for (int corner = 0; corner < 8; ++corner) {
-            const glm::vec4 p{corner & 1 ? box.max.x : box.min.x,
-                              corner & 2 ? box.max.y : box.min.y,
-                              corner & 4 ? box.max.z : box.min.z, 1};
-            all.include(glm::vec3{object.transform * p});
-        }
+        all.include(bounds_of(meshes[object.mesh]), object.transform);
     }
     return all;
+}
+
+glm::vec3 PointLight::towards_sun() const {
+    const glm::vec3 towards = position - aim;
+    const float length = glm::length(towards);
+    return length > 0 ? towards / length : glm::vec3{0, 1, 0};
 }
 
 std::span<const SceneInfo> scenes() {

@@ -9,6 +9,7 @@
 #include "preview/scene/camera.h"
 #include "preview/scene/environment.h"
 #include "preview/scene/mesh.h"
+#include "preview/scene/surroundings.h"
 #include "preview/scene/texture.h"
 
 #include <glm/mat4x4.hpp>
@@ -31,8 +32,9 @@ struct Object {
     bool casts_shadow = true;
 };
 
-/// A point that shines in all directions, or a spot. Its shadow, if it casts one, falls inside the
-/// cone-like frustum from `position` towards `aim`; outside of it the light is unshadowed.
+/// A point that shines in all directions, a spot, or a sun. Its shadow, if it casts one, falls
+/// inside the cone-like frustum from `position` towards `aim`; outside of it the light is
+/// unshadowed.
 struct PointLight {
     glm::vec3 position{0};
     glm::vec3 intensity{0};
@@ -47,6 +49,11 @@ struct PointLight {
     glm::vec3 axis{0, -1, 0};
     float inner_angle = 0, outer_angle = 180;
     bool is_spot() const { return outer_angle < 180; }
+    /// A sun's rays are parallel, from `position` towards `aim`, and `intensity` is its irradiance
+    /// at normal incidence. Its shadow map holds the box `casters`, in the world.
+    bool is_sun = false;
+    Bounds casters{};
+    glm::vec3 towards_sun() const; ///< unit; up where position and aim are the same
     friend bool operator==(const PointLight&, const PointLight&) = default;
 };
 
@@ -61,6 +68,7 @@ struct Scene {
     std::vector<Object> objects;
     std::vector<PointLight> lights;
     Environment environment;
+    Surroundings surroundings; ///< in place of the environment, where they are of another kind
     Orbit orbit;
     std::vector<NamedCamera> cameras; ///< of the file that it comes from
     float exposure = 0;               ///< stops, added to the command line's

@@ -78,12 +78,13 @@ struct MaterialDetailBlock {
 };
 
 struct LightBlock {
-    glm::vec4 position_layer{0, 0, 0, -1}; ///< w: layer of the shadow maps, -1 for none
-    glm::vec4 intensity_texel{0};          ///< w: size of a shadow texel at distance 1
+    /// A sun's unit direction in place of a position; w: layer of the shadow maps, -1 for none.
+    glm::vec4 position_layer{0, 0, 0, -1};
+    glm::vec4 intensity_texel{0}; ///< w: size of a shadow texel at distance 1, or at any of a sun
     /// How much of the light arrives: the square of (axis . direction) w + offset.x, held in 0..1.
     glm::vec4 axis_scale{0};
-    glm::vec4 offset{1, 0, 0, 0};
-    glm::mat4 clip{1}; ///< world to the light's clip space, depth 0..1
+    glm::vec4 offset{1, 0, 0, 0}; ///< y: 1 of a sun
+    glm::mat4 clip{1};            ///< world to the light's clip space, depth 0..1
 };
 
 struct EnvironmentBlock {
@@ -108,6 +109,9 @@ std::vector<std::uint32_t> caster_materials(const Scene& scene);
 std::vector<MaterialDetailBlock> material_detail_blocks(const Scene& scene);
 EnvironmentBlock environment_block(const Environment& environment);
 ViewBlock view_block(const Orbit& orbit, float aspect);
+
+/// Of the objects that cast shadows, in the world.
+Bounds caster_bounds(const Scene& scene, const Geometry& geometry);
 
 /// World to clip space of a light's shadow map; y points down, depth runs from 0 to 1.
 glm::mat4 shadow_clip(const PointLight& light);
@@ -137,7 +141,7 @@ std::vector<LightBlock> light_blocks(const std::vector<PointLight>& lights,
 struct SceneHandles {
     BufferHandle vertices, indices, objects, materials, lights, environment, view;
     std::uint32_t light_count = 0;
-    bool has_spots = false;
+    bool has_spots = false, has_suns = false;
     /// Of a scene with detail; else empty.
     struct Detail {
         BufferHandle vertices, materials, textures, texels;

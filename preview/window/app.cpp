@@ -110,6 +110,7 @@ void App::follow_shown() {
     ui_.facts.input = shown->name;
     ui_.facts.left_out = shown->left_out;
     ui_.facts.is_scene = shown->scene.has_value();
+    ui_.facts.has_surroundings_picture = shown->surroundings.has_value();
     ui_.facts.aspect = shown->picture ? static_cast<float>(shown->picture->size.width) /
                                             static_cast<float>(shown->picture->size.height)
                                       : 0.0F;
@@ -239,12 +240,13 @@ void App::render(const panels::Rect& area) {
     for (std::size_t i = 0; i < scopes.size(); ++i) {
         settings.scope_sizes[i] = {scope_places[i].extent.width, scope_places[i].extent.height};
     }
-    const std::vector<PointLight>& lights = ui_.history.draft().lights;
+    const editor::State& state = ui_.history.draft();
     FrameInputs inputs = screen.shown->inputs();
-    inputs.lights = &lights;
+    inputs.lights = &state.lights;
+    inputs.surroundings = &state.surroundings;
     inputs.look_a = screen.looks[0].look();
     inputs.look_b = screen.looks[1].look();
-    inputs.hdr_maximum = reader_.hdr_maximum_for(settings, lights);
+    inputs.hdr_maximum = reader_.hdr_maximum_for(settings, state.lights, state.surroundings);
     Graph graph;
     const FrameHandles handles = build_frame(graph, inputs, settings);
 

@@ -18,9 +18,11 @@ void take_shown(editor::State& state, std::shared_ptr<const Shown> shown) {
     }
     set_usual(state.effects, shown->scene.has_value());
     state.lights.clear();
+    state.surroundings = {};
     if (shown->scene) {
         state.orbit = shown->scene->orbit;
         state.lights = shown->scene->lights;
+        state.surroundings = shown->scene->surroundings;
     }
     state.picture.has_light = !shown->display_encoded();
     state.shown = std::move(shown);

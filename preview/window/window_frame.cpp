@@ -86,11 +86,14 @@ void FrameReader::forget() {
 }
 
 std::optional<float> FrameReader::hdr_maximum_for(const FrameSettings& settings,
-                                                  const std::vector<PointLight>& lights) {
-    if (!same_light(settings, measured_for_) || lights != lights_) {
+                                                  const std::vector<PointLight>& lights,
+                                                  const Surroundings& surroundings) {
+    if (!same_light(settings, measured_for_) || lights != lights_ ||
+        surroundings != surroundings_) {
         forget();
         measured_for_ = settings;
         lights_ = lights;
+        surroundings_ = surroundings;
     }
     return hdr_maximum_;
 }

@@ -32,7 +32,8 @@ class FrameReader {
     /// The largest value of the HDR picture that a frame with these settings has, when frames of
     /// the same light have measured it.
     std::optional<float> hdr_maximum_for(const FrameSettings& settings,
-                                         const std::vector<PointLight>& lights);
+                                         const std::vector<PointLight>& lights,
+                                         const Surroundings& surroundings);
     /// After a frame was submitted, with the handles that build_frame() gave. Whether there are new
     /// measurements, which a further frame shows.
     bool read(Executor& executor, const Graph& graph, const FrameHandles& handles, panels::Ui& ui);
@@ -41,6 +42,7 @@ class FrameReader {
     int frames_in_flight_;
     FrameSettings measured_for_; ///< of the light in the newest frames
     std::vector<PointLight> lights_;
+    Surroundings surroundings_;
     int frames_of_light_ = 0; ///< how many of those frames there are
     std::optional<float> hdr_maximum_;
 };

@@ -8,6 +8,7 @@ layout(local_size_x = 16, local_size_y = 16) in;
 layout(constant_id = 0) const bool has_shadows = true;
 layout(constant_id = 1) const bool has_environment = true;
 layout(constant_id = 2) const bool has_spots = true;
+layout(constant_id = 3) const bool has_suns = true;
 layout(binding = 0) uniform Views { View view; };
 layout(binding = 1) uniform Environments { Environment environment; };
 layout(std430, binding = 2) readonly buffer Lights { Light lights[]; };
@@ -17,12 +18,19 @@ layout(binding = 5) uniform usampler2D material_numbers;
 #ifdef HAS_DETAIL
 layout(binding = 6) uniform sampler2D albedos;
 layout(binding = 9) uniform sampler2D emissions;
+#define SURROUNDINGS_BINDING 10
 #else
+#define SURROUNDINGS_BINDING 9
 layout(std430, binding = 6) readonly buffer Materials { Material materials[]; };
 #endif
 layout(binding = 7) uniform sampler2DArrayShadow shadow_maps;
 layout(binding = 8) writeonly uniform image2D target;
 layout(push_constant) uniform Push { uint light_count; };
+#include "common/surroundings.glsl"
+
+bool is_sun(Light light) {
+    return has_suns && light.offset.y > 0.0;
+}
 
 /// 1 where the light reaches the point, 0 where not; 1 outside its frustum. Four bilinear
 /// comparisons over 3.5 texels. The point is moved out along its normal by what a texel can be
@@ -31,6 +39,9 @@ float lit(Light light, vec3 position, vec3 normal, float n_dot_l, float distance
     float slant = sqrt(max(1.0 - n_dot_l * n_dot_l, 0.0));
     float texel = light.intensity_texel.w * distance_to_light;
     vec4 clip = light.clip * vec4(position + normal * (texel * (0.5 + 2.0 * slant)), 1.0);
+    if (is_sun(light)) {
+        clip.z = min(clip.z, clip.w); // shadows go on behind the box of the casters
+    }
     if (!(clip.w > 0.0) || any(greaterThan(abs(clip.xy), vec2(clip.w))) || clip.z > clip.w ||
         clip.z < 0.0) {
         return 1.0;
@@ -75,8 +86,13 @@ void main() {
     vec3 ray = view.forward.xyz + screen.x * view.right.xyz + screen.y * view.up.xyz;
     float depth = texelFetch(depths, at, 0).r;
     if (depth >= 1.0) {
-        vec3 background =
-            has_environment ? environment_radiance(environment, normalize(ray), 0.0) : vec3(0.0);
+        vec3 background = vec3(0.0);
+        if (has_environment) {
+            float pixel = 2.0 * length(view.up.xyz) / float(size.y);
+            background = surroundings_kind == kind_gradient
+                             ? environment_radiance(environment, normalize(ray), 0.0)
+                             : surroundings_behind(normalize(ray), pixel);
+        }
         imageStore(target, at, vec4(background, 1.0));
         return;
     }
@@ -95,7 +111,7 @@ void main() {
     vec3 radiance = surface.emission;
     for (uint index = 0; index < light_count; ++index) {
         Light light = lights[index];
-        vec3 towards = light.position_layer.xyz - position;
+        vec3 towards = light.position_layer.xyz - (is_sun(light) ? vec3(0.0) : position);
         // A light that touches the surface is held at a millimetre.
         float squared = max(dot(towards, towards), 1e-6);
         float distance_to_light = sqrt(squared);
@@ -117,7 +133,10 @@ void main() {
         }
         radiance += shaded * light.intensity_texel.rgb / squared;
     }
-    if (has_environment) {
+    if (has_environment && has_map()) {
+        radiance += surface.occlusion *
+                    surroundings_light(normal, to_eye, albedo, roughness, metalness);
+    } else if (has_environment) {
         float n_dot_v = clamp(dot(normal, to_eye), 0.0, 1.0);
         vec3 f0 = mix(vec3(0.04), albedo, metalness);
         vec3 mirrored = environment_reflectance(f0, roughness, n_dot_v);

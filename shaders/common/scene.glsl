@@ -26,7 +26,7 @@ struct Light {
     vec4 position_layer;
     vec4 intensity_texel;
     vec4 axis_scale; // of a spot's cone
-    vec4 offset;     // x
+    vec4 offset;     // x; y: 1 of a sun, whose position is a direction
     mat4 clip;
 };
 

@@ -76,6 +76,30 @@ TEST(Options, move_the_scenes_camera_by_every_number) {
     }
 }
 
+TEST(Options, surround_the_scene_by_every_number_and_kind) {
+    Scene scene = scene_at(scenes().front(), 0);
+    scene.surroundings.sky.turbidity = 7;
+    EXPECT_EQ(surroundings_of(parsed(""), scene), scene.surroundings);
+    for (const NumberRow<Surroundings>& row : surroundings_numbers()) {
+        const std::string flag = "--" + std::string(row.flag);
+        for (const NumberRow<Surroundings>& other : surroundings_numbers()) {
+            EXPECT_EQ(
+                other.value(surroundings_of(parsed(flag + " " + std::to_string(row.max)), scene)),
+                &other == &row ? static_cast<float>(row.max) : other.value(scene.surroundings))
+                << flag << ' ' << other.flag;
+        }
+        EXPECT_THROW(parsed(flag + "=" + std::to_string(row.max + 1)), CLI::ValidationError);
+        EXPECT_THROW(parsed(flag + " nan"), CLI::ValidationError);
+    }
+    EXPECT_EQ(surroundings_of(parsed("--surroundings sky"), scene).kind, SurroundingsKind::sky);
+    EXPECT_EQ(surroundings_file(parsed("--surroundings sky")), "");
+    const Options file = parsed("--surroundings room.exr");
+    EXPECT_EQ(surroundings_of(file, scene).kind, SurroundingsKind::picture);
+    EXPECT_EQ(surroundings_file(file), "room.exr");
+    EXPECT_THROW(surroundings_of(parsed("--surroundings picture"), scene), lutlib::UsageError);
+    EXPECT_THROW(shown_of(file), lutlib::UsageError) << "there is no such file";
+}
+
 TEST(Options, set_every_number_and_every_choice) {
     for (const NumberRow<PictureSettings>& row : picture_numbers()) {
         const std::string flag(row.flag);
@@ -230,6 +254,12 @@ TEST(Listing, names_every_row_of_every_table) {
     }
     for (const NumberRow<Orbit>& row : camera_numbers()) {
         expect("--" + std::string(row.flag));
+    }
+    for (const NumberRow<Surroundings>& row : surroundings_numbers()) {
+        expect("--" + std::string(row.flag));
+    }
+    for (const SurroundingsInfo& row : surroundings_kinds()) {
+        expect(row.name);
     }
     for (const NumberRow<CubeView>& row : cube_numbers()) {
         expect("--" + std::string(row.flag));

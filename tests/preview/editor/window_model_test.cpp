@@ -53,6 +53,11 @@ TEST(History, undoes_and_redoes_a_change_of_every_operator_and_of_the_view) {
         EXPECT_TRUE(history.settle()) << row.flag;
         states.push_back(history.draft());
     }
+    for (const NumberRow<Surroundings>& row : surroundings_numbers()) {
+        row.of(history.draft().surroundings) = static_cast<float>(row.max);
+        EXPECT_TRUE(history.settle()) << row.flag;
+        states.push_back(history.draft());
+    }
     for (const NumberRow<CubeView>& row : cube_numbers()) {
         row.of(history.draft().cube.view) = static_cast<float>(row.max);
         EXPECT_TRUE(history.settle()) << row.flag;

@@ -162,6 +162,16 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
         changed.view = debug_view_named("albedo");
         check(detailed, changed);
     }
+    const GpuPicture around(device(), {4, 2}, std::vector<float>(std::size_t{4} * 4 * 2), false);
+    for (const SurroundingsInfo& row : surroundings_kinds()) {
+        Surroundings surroundings;
+        surroundings.kind = row.kind;
+        for (FrameInputs surrounded : {inputs, detailed}) {
+            surrounded.surroundings = &surroundings;
+            surrounded.surroundings_picture = &around;
+            check(surrounded, settings());
+        }
+    }
     for (const Tonemap& row : tonemaps()) {
         FrameSettings changed = settings();
         changed.tonemap = &row;

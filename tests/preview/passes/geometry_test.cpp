@@ -76,6 +76,8 @@ class GeometryTest : public GpuTest {
             }
         }
         const auto lights = light_blocks(scene.lights, layers, 512);
+        handles.has_suns = std::any_of(scene.lights.begin(), scene.lights.end(),
+                                       [](const PointLight& light) { return light.is_sun; });
         if (!lights.empty()) {
             handles.lights = graph.data("lights", std::as_bytes(std::span(lights)));
         }
@@ -95,6 +97,64 @@ class GeometryTest : public GpuTest {
     }
 };
 
+/// Where the ray of a pixel's centre meets the floor; above the horizon, nothing sensible.
+glm::dvec3 on_floor(const ViewBlock& view, std::uint32_t x, std::uint32_t y, glm::dvec3& ray) {
+    const double sx = (x + 0.5) / size.width * 2 - 1;
+    const double sy = (y + 0.5) / size.height * 2 - 1;
+    ray = glm::dvec3(view.forward) + sx * glm::dvec3(view.right) + sy * glm::dvec3(view.up);
+    const glm::dvec3 eye(view.position_near);
+    return eye - ray * (eye.y / ray.y);
+}
+
+TEST_F(GeometryTest, a_sun_shines_in_parallel_and_its_shadow_goes_on_behind_its_casters) {
+    Scene scene = floor_scene({{0.8F, 0.4F, 0.1F}, 0.5F, 0, {}});
+    scene.objects[0].casts_shadow = false;
+    Object ball;
+    ball.mesh = 1;
+    ball.transform = glm::scale(glm::translate(glm::mat4(1), {-1, 1, 0}), glm::vec3(0.3F));
+    scene.meshes.push_back(sphere(24, 48));
+    scene.objects.push_back(ball);
+    PointLight& sun = scene.lights[0];
+    sun.is_sun = sun.casts_shadow = true;
+    sun.intensity = {3, 2, 1};
+    sun.position = glm::vec3(-std::sqrt(3.0F), 1, 0); // 30 degrees high
+    const glm::dvec3 towards(sun.towards_sun());
+    sun.casters = caster_bounds(scene, geometry_of(scene));
+    const auto pixels = light(scene);
+    const ViewBlock view = view_block(scene.orbit, 1.5F);
+    int shaded = 0;
+    int shining = 0;
+    for (std::uint32_t y = 0; y < size.height; ++y) {
+        for (std::uint32_t x = 0; x < size.width; ++x) {
+            glm::dvec3 ray;
+            const glm::dvec3 at = on_floor(view, x, y, ray);
+            const glm::dvec3 to_ball = glm::dvec3(-1, 1, 0) - at;
+            const double miss = glm::length(to_ball - towards * glm::dot(to_ball, towards)) / 0.3;
+            const glm::dvec3 eye(view.position_near);
+            const glm::dvec3 before = glm::dvec3(-1, 1, 0) - eye;
+            const glm::dvec3 unit = glm::normalize(ray);
+            const bool is_hidden = glm::length(before - unit * glm::dot(before, unit)) < 0.35;
+            // The outermost tenth is the filter's.
+            if (ray.y >= 0 || std::abs(at.x) > 9 || std::abs(at.z) > 9 || is_hidden ||
+                std::abs(miss - 1) < 0.1) {
+                continue;
+            }
+            const float found = pixels[(std::size_t{y} * size.width + x) * 4];
+            if (miss < 1) {
+                EXPECT_EQ(found, 0) << x << ' ' << y;
+                ++shaded;
+                continue;
+            }
+            const lutlib::RgbD expected = reference::shade({{0, 1, 0}, {0.8, 0.4, 0.1}, 0.5, 0},
+                                                           -glm::normalize(ray), towards);
+            EXPECT_NEAR(found, expected[0] * 3, 0.004 * expected[0] * 3) << x << ' ' << y;
+            ++shining;
+        }
+    }
+    EXPECT_GT(shaded, 20);
+    EXPECT_GT(shining, 1000);
+}
+
 TEST_F(GeometryTest, lights_a_floor_as_the_double_reference_does) {
     for (const float metalness : {0.0F, 1.0F}) {
         for (const float roughness : {0.0F, 0.2F, 0.5F, 1.0F}) {
@@ -104,12 +164,8 @@ TEST_F(GeometryTest, lights_a_floor_as_the_double_reference_does) {
             const ViewBlock view = view_block(scene.orbit, 1.5F);
             for (std::uint32_t y = 0; y < size.height; ++y) {
                 for (std::uint32_t x = 0; x < size.width; ++x) {
-                    const double sx = (x + 0.5) / size.width * 2 - 1;
-                    const double sy = (y + 0.5) / size.height * 2 - 1;
-                    const glm::dvec3 ray = glm::dvec3(view.forward) + sx * glm::dvec3(view.right) +
-                                           sy * glm::dvec3(view.up);
-                    const glm::dvec3 eye(view.position_near);
-                    const glm::dvec3 at = eye - ray * (eye.y / ray.y);
+                    glm::dvec3 ray;
+                    const glm::dvec3 at = on_floor(view, x, y, ray);
                     if (ray.y >= 0 || std::abs(at.x) > 9 || std::abs(at.z) > 9) {
                         continue;
                     }

@@ -120,14 +120,15 @@ TEST_F(ImportTest, shines_with_the_file_s_lights_as_bright_as_they_were) {
     const glm::vec3 middle(fit * glm::vec4(0, 0, 0, 1));
     const auto irradiance = [&](const PointLight& light) {
         const glm::vec3 away = light.position - middle;
-        return light.intensity / glm::dot(away, away);
+        return light.is_sun ? light.intensity : light.intensity / glm::dot(away, away);
     };
     EXPECT_EQ(scene.lights[0].name, "lamp");
     expect_near(scene.lights[0].position, glm::vec3(fit * glm::vec4(0, 0, 4, 1)), rounding);
     expect_near(irradiance(scene.lights[0]), glm::vec3(1, 0.5F, 0.25F) * 8.0F / 16.0F, rounding);
     expect_near(irradiance(scene.lights[1]), glm::vec3(3), 1e-3F);
     expect_near(glm::normalize(scene.lights[1].position - middle), {0, 0, 1}, rounding);
-    EXPECT_FALSE(scene.lights[0].is_spot());
+    EXPECT_TRUE(scene.lights[1].is_sun);
+    EXPECT_FALSE(scene.lights[0].is_spot() || scene.lights[0].is_sun);
     EXPECT_TRUE(scene.lights[2].is_spot());
     EXPECT_NEAR(scene.lights[2].outer_angle, 0.5 * 180 / std::numbers::pi, 1e-3);
     expect_near(scene.lights[2].axis, {0, 0, -1}, rounding);

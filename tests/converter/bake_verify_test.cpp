@@ -3,6 +3,7 @@
 #include "lutlib/io/file.h"
 #include "lutlib/io/png.h"
 #include "tests/converter/run_program.h"
+#include "tests/support/thorough.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ using nlohmann::json;
 
 class BakeEngine : public testing::TestWithParam<lutlib::Engine> {};
 INSTANTIATE_TEST_SUITE_P(Engines, BakeEngine,
-                         testing::ValuesIn(lutlib::engines().begin(), lutlib::engines().end()),
+                         testing::ValuesIn(support::rows_to_try(lutlib::engines())),
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST_P(BakeEngine, bakes_what_verify_proves_against_opencolorio) {

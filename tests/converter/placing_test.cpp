@@ -5,6 +5,7 @@
 #include "lutlib/io/lut_picture.h"
 #include "lutlib/io/png.h"
 #include "tests/converter/run_program.h"
+#include "tests/support/thorough.h"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +30,7 @@ json run(std::vector<std::string> words, int exit_code = 0) {
 
 class LogLook : public testing::TestWithParam<lutlib::Engine> {};
 INSTANTIATE_TEST_SUITE_P(Engines, LogLook,
-                         testing::ValuesIn(lutlib::engines().begin(), lutlib::engines().end()),
+                         testing::ValuesIn(support::rows_to_try(lutlib::engines())),
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST_P(LogLook, is_converted_to_the_codes_of_the_engine_and_never_passes_left_as_it_is) {

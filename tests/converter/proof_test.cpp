@@ -3,6 +3,7 @@
 #include "lutlib/io/png.h"
 #include "tests/converter/run_program.h"
 #include "tests/support/names.h"
+#include "tests/support/thorough.h"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +30,8 @@ std::vector<std::string> readable_files() {
 }
 
 class BakeFile : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(ReadFiles, BakeFile, testing::ValuesIn(readable_files()),
+INSTANTIATE_TEST_SUITE_P(ReadFiles, BakeFile,
+                         testing::ValuesIn(support::rows_to_try(readable_files())),
                          [](const auto& row) { return support::test_name(row.param); });
 
 TEST_P(BakeFile, bakes_what_verify_proves) {

@@ -163,7 +163,7 @@ lutlib::Lut of_few_nodes(lutlib::Lut lut) {
     }
     return lut;
 }
-INSTANTIATE_TEST_SUITE_P(Suite, EveryVerb, testing::ValuesIn(stiff_looks()),
+INSTANTIATE_TEST_SUITE_P(Suite, EveryVerb, testing::ValuesIn(support::rows_to_try(stiff_looks())),
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST_P(EveryVerb, gives_a_defined_answer_or_a_clear_error) {

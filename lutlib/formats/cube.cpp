@@ -187,8 +187,12 @@ class CubeReader {
 
     // What of a row's form makes other readers, or its writer's end, suspect.
     void note_form(const Words& words, std::string_view line) {
-        const bool commas = line.find(',') != std::string_view::npos;
-        if (commas && line.find('.') != std::string_view::npos) {
+        const auto any_has = [&](char c) {
+            return std::any_of(words.items.begin(), words.items.begin() + 3,
+                               [c](std::string_view w) { return w.find(c) != w.npos; });
+        };
+        const bool commas = any_has(',');
+        if (commas && any_has('.')) {
             fail("a row with decimal commas and decimal points; write all of them as points", line);
         }
         if (commas && !has_commas_) {

@@ -89,8 +89,8 @@ std::size_t offset_of(const OIIO::ImageSpec& spec, int channel) {
 
 } // namespace
 
-std::vector<std::string> OiioSource::beyond_text() const {
-    std::vector<std::string> out, channels, names;
+std::vector<std::string> OiioSource::beside_picture() const {
+    std::vector<std::string> out, channels;
     const OIIO::ImageSpec& spec = picture_spec();
     for (int c = 0; c < spec.nchannels; ++c) {
         if (std::find(picture.at.begin(), picture.at.end(), c) == picture.at.end()) {
@@ -104,6 +104,12 @@ std::vector<std::string> OiioSource::beyond_text() const {
         out.push_back(std::to_string(parts.size() - 1) + " other part" +
                       (parts.size() > 2 ? "s" : ""));
     }
+    return out;
+}
+
+std::vector<std::string> OiioSource::beyond_text() const {
+    std::vector<std::string> out = beside_picture(), names;
+    const OIIO::ImageSpec& spec = picture_spec();
     if (has_display_window(spec)) {
         out.push_back(window_text(spec));
     }
@@ -247,13 +253,8 @@ std::vector<std::string> give_metadata(OIIO::ImageSpec& spec, const OIIO::ImageO
             names.push_back(name);
         }
     }
-    std::vector<std::string> channels = source->beyond_text();
-    for (std::string& words : channels) {
-        if (words.substr(0, 12) == "the channels" ||
-            words.find("other part") != std::string::npos) {
-            lost.push_back(std::move(words));
-        }
-    }
+    const std::vector<std::string> others = source->beside_picture();
+    lost.insert(lost.end(), others.begin(), others.end());
     if (!names.empty()) {
         lost.push_back("what it says of " + joined(names));
     }

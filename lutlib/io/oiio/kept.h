@@ -23,6 +23,8 @@ struct OiioSource final : PictureSource {
     PictureChannels picture;
 
     const OIIO::ImageSpec& picture_spec() const { return parts[picture.part].spec; }
+    /// Channels that are not the picture's, and other parts; a phrase each.
+    std::vector<std::string> beside_picture() const;
     std::vector<std::string> beyond_text() const override;
 };
 

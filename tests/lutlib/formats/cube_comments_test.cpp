@@ -51,6 +51,10 @@ TEST(CubeNotes, say_decimal_commas_once_and_a_file_cut_inside_its_last_number) {
     const Lut commas = read_cube("LUT_1D_SIZE 3\n0 0 0\n0,25 0,5 0,75\n0,5 1 1", "x.cube");
     ASSERT_EQ(commas.notes.size(), 1U);
     EXPECT_EQ(commas.notes[0].find("line 3: decimal commas, read as points"), 0U);
+    const Lut remarked =
+        read_cube("LUT_1D_SIZE 2\n0 0 0 # black, v. 1.0\n0,5 0,5 1 # white, v. 1.0\n", "x.cube");
+    EXPECT_EQ(remarked.notes.size(), 1U) << "points of a comment are none of the row's";
+    EXPECT_EQ(remarked.shaper->entries[1].r, 0.5F);
     const std::string whole = "LUT_1D_SIZE 2\n0 0 0\n0.98431 0.97213 0.95002";
     EXPECT_TRUE(read_cube(whole, "x.cube").notes.empty());
     EXPECT_TRUE(read_cube(whole.substr(0, whole.size() - 3) + "\n", "x.cube").notes.empty());

@@ -16,8 +16,17 @@
 
 namespace preview {
 
+/// Ambient occlusion: how much of the surroundings nearby surfaces hide.
+struct OcclusionSettings {
+    float strength = 1;  ///< 0..2, times the scene's
+    float radius = 0.3F; ///< metres: what lies farther away hides nothing
+    float samples = 16;  ///< of a pixel; a whole number in 1..64
+    friend bool operator==(const OcclusionSettings&, const OcclusionSettings&) = default;
+};
+
 struct PictureSettings {
     float exposure = 0; ///< stops, added to the scene's
+    OcclusionSettings occlusion;
     const Tonemap* tonemap = tonemap_named("agx");
     const Bloom* bloom = bloom_named("glare");
     BloomSettings bloom_settings;

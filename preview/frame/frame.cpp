@@ -10,6 +10,7 @@
 #include "preview/passes/dither.h"
 #include "preview/passes/finish.h"
 #include "preview/passes/lighting.h"
+#include "preview/passes/occlusion.h"
 #include "preview/passes/resolve.h"
 #include "preview/passes/shadow.h"
 #include "preview/passes/split_line.h"
@@ -22,6 +23,29 @@
 namespace preview {
 
 namespace {
+
+/// Empty where the frame has none; says why.
+ImageHandle occlusion_of(Graph& graph, const Scene& scene, const SceneHandles& declared,
+                         const GBuffer& surfaces, const FrameSettings& settings,
+                         bool has_surroundings) {
+    const float strength = std::clamp(settings.occlusion.strength * scene.occlusion, 0.0F, 2.0F);
+    if (settings.without.has(Effect::occlusion)) {
+        return {};
+    }
+    const std::string_view reason = settings.occlusion.strength <= 0 ? "its strength is 0"
+                                    : scene.occlusion <= 0 ? "the scene does not ask for it"
+                                    : !has_surroundings    ? "there is no light of surroundings"
+                                                           : "";
+    if (!reason.empty()) {
+        graph.withhold("ambient occlusion", reason);
+        return {};
+    }
+    return add_occlusion(graph, declared, surfaces,
+                         {.strength = strength,
+                          .radius = settings.occlusion.radius,
+                          .samples = static_cast<std::uint32_t>(
+                              std::clamp(std::lround(settings.occlusion.samples), 1L, 64L))});
+}
 
 /// Radiance of the scene; fills in what it is made of.
 ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
@@ -46,6 +70,8 @@ ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSet
     if (has_surroundings && !lighting.environment) {
         graph.withhold("environment", "the surroundings are black");
     }
+    lighting.occlusion = handles.occlusion = occlusion_of(
+        graph, scene, declared.handles, handles.surfaces, settings, lighting.environment);
     return add_lighting(graph, declared.handles, lighting);
 }
 
@@ -169,6 +195,10 @@ constexpr DebugView views[] = {
      .help = "the shadow maps side by side, near is bright",
      .handle = [](const FrameHandles& h) { return h.shadow_maps; },
      .view = {.shader = "view_shadow.comp"}},
+    {.name = "occlusion",
+     .help = "what nearby surfaces leave of the light of the surroundings",
+     .handle = [](const FrameHandles& h) { return h.occlusion; },
+     .view = {.shader = "view_occlusion.comp"}},
     {.name = "lit",
      .help = "radiance before the HDR resolve",
      .handle = [](const FrameHandles& h) { return h.lit; },

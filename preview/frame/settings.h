@@ -89,7 +89,7 @@ struct EffectPicture {
 struct FrameHandles {
     GBuffer surfaces;
     BufferHandle materials; ///< the scene's buffer
-    ImageHandle shadow_maps, lit, hdr, bloom, graded;
+    ImageHandle shadow_maps, occlusion, lit, hdr, bloom, graded;
     BufferHandle hdr_maximum, figures; ///< a picture that no resolve changes has no maximum
     std::array<ImageHandle, scopes.size()> scope_pictures; ///< of those looked at, presented
     BufferHandle probe, axis_counts;

@@ -189,6 +189,12 @@ void view_panel(Ui& ui) {
     choice(ui, "tonemap");
     bloom_controls(ui);
     ImGui::EndDisabled();
+    if (ui.facts.is_scene) {
+        for (const std::string_view flag :
+             {"occlusion-strength", "occlusion-radius", "occlusion-samples"}) {
+            number(ui, flag);
+        }
+    }
     ImGui::Separator();
     effect_controls(ui);
     if (ui.facts.is_scene) {

@@ -10,6 +10,7 @@ namespace preview {
 struct LightingInputs {
     GBuffer surfaces;
     ImageHandle shadow_maps; ///< empty: no light casts
+    ImageHandle occlusion;   ///< of the surroundings; empty: there is none
     bool environment = true;
     SurroundingsHandles surroundings; ///< of the gradient: nothing but the scene's environment
 };

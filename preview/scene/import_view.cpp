@@ -198,6 +198,7 @@ Scene settled(FileScene file, const std::string& path, LeftOut& left_out) {
     const Ball ball = ball_about(scene);
     import_cameras(file.cameras, fit, ball, scene, left_out);
     import_lights(file.lights, fit, ball, scene, left_out);
+    scene.occlusion = 1;
     return scene;
 }
 

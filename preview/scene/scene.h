@@ -72,6 +72,7 @@ struct Scene {
     Orbit orbit;
     std::vector<NamedCamera> cameras; ///< of the file that it comes from
     float exposure = 0;               ///< stops, added to the command line's
+    float occlusion = 0;              ///< strength of the ambient occlusion that it asks for, 0..1
     std::vector<Picture> pictures;
     std::vector<Texture> textures; ///< of the pictures
 

@@ -9,6 +9,7 @@ layout(constant_id = 0) const bool has_shadows = true;
 layout(constant_id = 1) const bool has_environment = true;
 layout(constant_id = 2) const bool has_spots = true;
 layout(constant_id = 3) const bool has_suns = true;
+layout(constant_id = 5) const bool has_occlusion = false;
 layout(binding = 0) uniform Views { View view; };
 layout(binding = 1) uniform Environments { Environment environment; };
 layout(std430, binding = 2) readonly buffer Lights { Light lights[]; };
@@ -17,14 +18,15 @@ layout(binding = 4) uniform usampler2D normals;
 layout(binding = 5) uniform usampler2D material_numbers;
 #ifdef HAS_DETAIL
 layout(binding = 6) uniform sampler2D albedos;
-layout(binding = 9) uniform sampler2D emissions;
-#define SURROUNDINGS_BINDING 10
+layout(binding = 10) uniform sampler2D emissions;
+#define SURROUNDINGS_BINDING 11
 #else
-#define SURROUNDINGS_BINDING 9
+#define SURROUNDINGS_BINDING 10
 layout(std430, binding = 6) readonly buffer Materials { Material materials[]; };
 #endif
 layout(binding = 7) uniform sampler2DArrayShadow shadow_maps;
-layout(binding = 8) writeonly uniform image2D target;
+layout(binding = 8) uniform sampler2D occlusions;
+layout(binding = 9) writeonly uniform image2D target;
 layout(push_constant) uniform Push { uint light_count; };
 #include "common/surroundings.glsl"
 
@@ -74,6 +76,13 @@ float cone(Light light, vec3 direction) {
     float share = clamp(dot(light.axis_scale.xyz, -direction) * light.axis_scale.w + light.offset.x,
                         0.0, 1.0);
     return share * share;
+}
+
+/// Of what a surface mirrors, from what is left of its diffuse surroundings: Lagarde and de Rousiers
+/// 2014, "Moving Frostbite to physically based rendering", with alpha for their roughness.
+float mirrored_occlusion(float occlusion, float n_dot_v, float roughness) {
+    float sharpness = exp2(-16.0 * roughness * roughness - 1.0);
+    return clamp(pow(n_dot_v + occlusion, sharpness) - 1.0 + occlusion, 0.0, 1.0);
 }
 
 void main() {
@@ -133,17 +142,25 @@ void main() {
         }
         radiance += shaded * light.intensity_texel.rgb / squared;
     }
-    if (has_environment && has_map()) {
-        radiance += surface.occlusion *
-                    surroundings_light(normal, to_eye, albedo, roughness, metalness);
-    } else if (has_environment) {
+    if (has_environment) {
         float n_dot_v = clamp(dot(normal, to_eye), 0.0, 1.0);
-        vec3 f0 = mix(vec3(0.04), albedo, metalness);
-        vec3 mirrored = environment_reflectance(f0, roughness, n_dot_v);
-        radiance += surface.occlusion * mirrored *
-                    environment_radiance(environment, reflect(-to_eye, normal), roughness);
-        radiance += surface.occlusion * (1.0 - mirrored) * (1.0 - metalness) * albedo / pi *
-                    environment_irradiance(environment, normal);
+        float seen_mirrored = surface.occlusion, seen = surface.occlusion;
+        if (has_occlusion) {
+            float occlusion = texelFetch(occlusions, at, 0).r;
+            seen *= occlusion;
+            seen_mirrored *= mirrored_occlusion(occlusion, n_dot_v, roughness);
+        }
+        if (has_map()) {
+            radiance += surroundings_light(normal, to_eye, albedo, roughness, metalness, seen,
+                                           seen_mirrored);
+        } else {
+            vec3 f0 = mix(vec3(0.04), albedo, metalness);
+            vec3 mirrored = environment_reflectance(f0, roughness, n_dot_v);
+            radiance += seen_mirrored * mirrored *
+                        environment_radiance(environment, reflect(-to_eye, normal), roughness);
+            radiance += seen * (1.0 - mirrored) * (1.0 - metalness) * albedo / pi *
+                        environment_irradiance(environment, normal);
+        }
     }
     imageStore(target, at, vec4(radiance, 1.0));
 }

@@ -91,7 +91,9 @@ vec3 surroundings_behind(vec3 direction, float pixel) {
 
 /// What a surface reflects of the surroundings. With what its facets reflect more than once:
 /// Fdez-Aguera 2019, "A multiple-scattering microfacet model for real-time image-based lighting".
-vec3 surroundings_light(vec3 normal, vec3 to_eye, vec3 albedo, float roughness, float metalness) {
+/// `seen` of the diffuse surroundings and `seen_mirrored` of what it mirrors are not hidden.
+vec3 surroundings_light(vec3 normal, vec3 to_eye, vec3 albedo, float roughness, float metalness,
+                        float seen, float seen_mirrored) {
     vec2 node = clamp(vec2(dot(normal, to_eye), roughness), 0.0, 1.0);
     vec2 nodes = vec2(textureSize(surroundings_reflectance, 0));
     vec2 part =
@@ -103,7 +105,8 @@ vec3 surroundings_light(vec3 normal, vec3 to_eye, vec3 albedo, float roughness, 
     vec3 more = missing * once * mean / (1.0 - mean * missing);
     vec3 diffuse = (1.0 - once - more) * (1.0 - metalness) * albedo;
     vec3 mirrored = mirrored_surroundings(reflect(-to_eye, normal), roughness);
-    return once * mirrored + (more + diffuse) / pi * surroundings_irradiance(normal);
+    return seen_mirrored * once * mirrored +
+           seen * (more + diffuse) / pi * surroundings_irradiance(normal);
 }
 
 #endif

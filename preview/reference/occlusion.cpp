@@ -1,0 +1,184 @@
+#include "preview/reference/occlusion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace preview::reference {
+
+namespace {
+
+constexpr double golden = 0.61803398875;
+
+/// Jarzynski and Olano 2020, "Hash functions for GPU rendering".
+std::array<std::uint32_t, 3> pcg3d(std::array<std::uint32_t, 3> v) {
+    for (std::uint32_t& word : v) {
+        word = word * 1664525U + 1013904223U;
+    }
+    const auto mix = [&] {
+        v[0] += v[1] * v[2];
+        v[1] += v[2] * v[0];
+        v[2] += v[0] * v[1];
+    };
+    mix();
+    for (std::uint32_t& word : v) {
+        word ^= word >> 16U;
+    }
+    mix();
+    return v;
+}
+
+double unit_of(std::uint32_t bits) {
+    return (bits >> 8U) / 16777216.0;
+}
+
+std::uint32_t reversed(std::uint32_t bits) {
+    std::uint32_t out = 0;
+    for (int i = 0; i < 32; ++i) {
+        out = out << 1U | (bits >> static_cast<unsigned>(i) & 1U);
+    }
+    return out;
+}
+
+double fraction(double v) {
+    return v - std::floor(v);
+}
+
+struct Frame {
+    glm::dvec3 tangent, bitangent, normal;
+    /// Of a cosine-weighted hemisphere: `share` and `turn` even in 0..1.
+    glm::dvec3 direction(double share, double turn) const {
+        const double angle = 2 * std::numbers::pi * turn;
+        return std::sqrt(share) * (std::cos(angle) * tangent + std::sin(angle) * bitangent) +
+               std::sqrt(1 - share) * normal;
+    }
+};
+
+Frame frame_about(glm::dvec3 normal) {
+    const glm::dvec3 a = glm::abs(normal);
+    const glm::dvec3 axis = a.x <= a.y && a.x <= a.z ? glm::dvec3(1, 0, 0)
+                            : a.y <= a.z             ? glm::dvec3(0, 1, 0)
+                                                     : glm::dvec3(0, 0, 1);
+    const glm::dvec3 tangent = glm::normalize(glm::cross(normal, axis));
+    return {tangent, glm::cross(normal, tangent), normal};
+}
+
+glm::dvec3 ray_at(const SeenSurfaces& seen, int x, int y) {
+    return glm::dvec3(seen.view.forward) +
+           ((x + 0.5) / seen.width * 2 - 1) * glm::dvec3(seen.view.right) +
+           ((y + 0.5) / seen.height * 2 - 1) * glm::dvec3(seen.view.up);
+}
+
+double z_at(const SeenSurfaces& seen, int x, int y) {
+    return static_cast<double>(seen.view.position_near.w) /
+           (1 - static_cast<double>(seen.depth[seen.index(x, y)]));
+}
+
+/// Whether what the picture shows in front of a point hides it from the pixel at `position`.
+bool is_hidden(const SeenSurfaces& seen, double radius, glm::dvec3 position, glm::dvec3 normal,
+               glm::dvec3 point) {
+    const double z = glm::dot(point, glm::dvec3(seen.view.forward));
+    if (!(z > static_cast<double>(seen.view.position_near.w))) {
+        return false;
+    }
+    const auto place = [&](glm::dvec3 axis, int size) {
+        const double screen = glm::dot(point, axis) / glm::dot(axis, axis) / z;
+        return std::floor((screen * 0.5 + 0.5) * size);
+    };
+    const double x = place(glm::dvec3(seen.view.right), seen.width);
+    const double y = place(glm::dvec3(seen.view.up), seen.height);
+    if (x < 0 || y < 0 || x >= seen.width || y >= seen.height ||
+        !seen.shows(static_cast<int>(x), static_cast<int>(y))) {
+        return false;
+    }
+    const double gap = z - z_at(seen, static_cast<int>(x), static_cast<int>(y));
+    const glm::dvec3 surface = seen.position(static_cast<int>(x), static_cast<int>(y));
+    return gap > 0 && gap < 2 * radius && glm::dot(normal, surface - position) > 0.01 * radius;
+}
+
+} // namespace
+
+bool SeenSurfaces::shows(int x, int y) const {
+    return depth[index(x, y)] < 1;
+}
+
+glm::dvec3 SeenSurfaces::position(int x, int y) const {
+    return ray_at(*this, x, y) * z_at(*this, x, y);
+}
+
+std::vector<double> occlusion(const SeenSurfaces& seen, const OcclusionModel& model) {
+    std::vector<double> out(seen.depth.size(), 1);
+    for (int y = 0; y < seen.height; ++y) {
+        for (int x = 0; x < seen.width; ++x) {
+            if (!seen.shows(x, y)) {
+                continue;
+            }
+            const auto bits =
+                pcg3d({static_cast<std::uint32_t>(x & 3), static_cast<std::uint32_t>(y & 3), 0});
+            const glm::dvec3 position = seen.position(x, y);
+            const Frame frame = frame_about(seen.normal[seen.index(x, y)]);
+            int hidden = 0;
+            for (int i = 0; i < model.samples; ++i) {
+                const double share = (i + unit_of(bits[0])) / model.samples;
+                const double turn = fraction(i * golden + unit_of(bits[1]));
+                const double reach =
+                    fraction(unit_of(reversed(static_cast<std::uint32_t>(i))) + unit_of(bits[2]));
+                const glm::dvec3 point =
+                    position + model.radius * reach * reach * frame.direction(share, turn);
+                hidden += is_hidden(seen, model.radius, position, frame.normal, point) ? 1 : 0;
+            }
+            out[seen.index(x, y)] = std::max(1 - model.strength * hidden / model.samples, 0.0);
+        }
+    }
+    return out;
+}
+
+std::vector<double> blurred(const SeenSurfaces& seen, const OcclusionModel& model,
+                            std::vector<double> occlusion) {
+    for (const bool is_along_x : {true, false}) {
+        std::vector<double> out = occlusion;
+        for (int y = 0; y < seen.height; ++y) {
+            for (int x = 0; x < seen.width; ++x) {
+                if (!seen.shows(x, y)) {
+                    continue;
+                }
+                double sum = 0, total = 0;
+                for (int i = -2; i <= 2; ++i) {
+                    const int tx = x + (is_along_x ? i : 0), ty = y + (is_along_x ? 0 : i);
+                    if (tx < 0 || ty < 0 || tx >= seen.width || ty >= seen.height ||
+                        !seen.shows(tx, ty)) {
+                        continue;
+                    }
+                    const double away =
+                        std::abs(glm::dot(seen.normal[seen.index(x, y)],
+                                          seen.position(tx, ty) - seen.position(x, y)));
+                    const double weight = (std::abs(i) == 2 ? 0.5 : 1) *
+                                          std::max(1 - away / (0.1 * model.radius), 0.0);
+                    sum += weight * occlusion[seen.index(tx, ty)];
+                    total += weight;
+                }
+                out[seen.index(x, y)] = sum / total;
+            }
+        }
+        occlusion = std::move(out);
+    }
+    return occlusion;
+}
+
+double
+ray_cast_occlusion(glm::dvec3 normal, double radius, int rays,
+                   const std::function<std::optional<double>(const glm::dvec3& direction)>& hit) {
+    const Frame frame = frame_about(normal);
+    double hidden = 0;
+    for (int i = 0; i < rays; ++i) {
+        const auto distance = hit(frame.direction((i + 0.5) / rays, fraction((i + 0.5) * golden)));
+        if (distance && *distance < radius) {
+            hidden += 1 - std::sqrt(*distance / radius);
+        }
+    }
+    return 1 - hidden / rays;
+}
+
+} // namespace preview::reference

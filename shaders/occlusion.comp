@@ -42,21 +42,22 @@ vec3 tangent_to(vec3 n) {
 }
 
 void main() {
-    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    ivec2 size = imageSize(target);
-    if (any(greaterThanEqual(at, size))) {
+    ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 size = textureSize(depths, 0);
+    if (any(greaterThanEqual(cell, imageSize(target)))) {
         return;
     }
+    ivec2 at = 2 * cell;
     float depth = texelFetch(depths, at, 0).r;
     if (depth >= 1.0) {
-        imageStore(target, at, vec4(1.0));
+        imageStore(target, cell, vec4(1.0));
         return;
     }
     vec3 position = ray_at(view, vec2(at) + 0.5, vec2(size)) * z_of(view, depth);
     vec3 normal = decode_octahedral(from_bits(texelFetch(normals, at, 0).xy));
     vec3 tangent = tangent_to(normal);
     vec3 bitangent = cross(normal, tangent);
-    vec3 offset = unit_of(hash(uvec3(at & 3, 0)));
+    vec3 offset = unit_of(hash(uvec3(cell & 3, 0)));
     vec3 right = view.right.xyz / dot(view.right.xyz, view.right.xyz);
     vec3 up = view.up.xyz / dot(view.up.xyz, view.up.xyz);
     float least_rise = 0.01 * radius, most_gap = 2.0 * radius;
@@ -88,5 +89,5 @@ void main() {
                       ? 1
                       : 0;
     }
-    imageStore(target, at, vec4(max(1.0 - strength * float(hidden) / float(samples), 0.0)));
+    imageStore(target, cell, vec4(max(1.0 - strength * float(hidden) / float(samples), 0.0)));
 }

@@ -1,4 +1,4 @@
-// Averages the ambient occlusion over the four texels in which its offsets repeat, along one axis,
+// Averages the ambient occlusion over the four cells in which its offsets repeat, along one axis,
 // and over the same surface only.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -14,15 +14,16 @@ layout(binding = 4) writeonly uniform image2D target;
 layout(push_constant) uniform Push { float radius; };
 
 void main() {
-    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    ivec2 size = imageSize(target);
-    if (any(greaterThanEqual(at, size))) {
+    ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 cells = imageSize(target), size = textureSize(depths, 0);
+    if (any(greaterThanEqual(cell, cells))) {
         return;
     }
-    float own = texelFetch(source, at, 0).r;
+    ivec2 at = 2 * cell;
+    float own = texelFetch(source, cell, 0).r;
     float depth = texelFetch(depths, at, 0).r;
     if (depth >= 1.0) {
-        imageStore(target, at, vec4(own));
+        imageStore(target, cell, vec4(own));
         return;
     }
     vec3 position = ray_at(view, vec2(at) + 0.5, vec2(size)) * z_of(view, depth);
@@ -30,10 +31,12 @@ void main() {
     float per_metre = 1.0 / (0.1 * radius);
     float sum = own, total = 1.0;
     for (int i = -2; i <= 2; ++i) {
-        ivec2 there = at + (along_x ? ivec2(i, 0) : ivec2(0, i));
-        if (i == 0 || any(lessThan(there, ivec2(0))) || any(greaterThanEqual(there, size))) {
+        ivec2 other_cell = cell + (along_x ? ivec2(i, 0) : ivec2(0, i));
+        if (i == 0 || any(lessThan(other_cell, ivec2(0))) ||
+            any(greaterThanEqual(other_cell, cells))) {
             continue;
         }
+        ivec2 there = 2 * other_cell;
         float depth_there = texelFetch(depths, there, 0).r;
         if (depth_there >= 1.0) {
             continue;
@@ -41,8 +44,8 @@ void main() {
         vec3 other = ray_at(view, vec2(there) + 0.5, vec2(size)) * z_of(view, depth_there);
         float away = abs(dot(normal, other - position));
         float weight = (abs(i) == 2 ? 0.5 : 1.0) * max(1.0 - away * per_metre, 0.0);
-        sum += weight * texelFetch(source, there, 0).r;
+        sum += weight * texelFetch(source, other_cell, 0).r;
         total += weight;
     }
-    imageStore(target, at, vec4(sum / total));
+    imageStore(target, cell, vec4(sum / total));
 }

@@ -108,17 +108,44 @@ glm::dvec3 SeenSurfaces::position(int x, int y) const {
     return ray_at(*this, x, y) * z_at(*this, x, y);
 }
 
-std::vector<double> occlusion(const SeenSurfaces& seen, const OcclusionModel& model) {
-    std::vector<double> out(seen.depth.size(), 1);
-    for (int y = 0; y < seen.height; ++y) {
-        for (int x = 0; x < seen.width; ++x) {
-            if (!seen.shows(x, y)) {
+namespace {
+
+/// One value for each cell of two by two pixels.
+struct Cells {
+    int width = 0, height = 0;
+    std::vector<double> values;
+
+    explicit Cells(const SeenSurfaces& seen)
+        : width((seen.width + 1) / 2), height((seen.height + 1) / 2),
+          values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 1) {}
+    double& at(int x, int y) {
+        return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x)];
+    }
+};
+
+/// How far a pixel's surface lies in the tangent plane of another's, 1 to 0.
+double shares_plane(const SeenSurfaces& seen, const OcclusionModel& model, int x, int y, int to_x,
+                    int to_y) {
+    if (!seen.shows(to_x, to_y)) {
+        return 0;
+    }
+    const double away = std::abs(
+        glm::dot(seen.normal[seen.index(x, y)], seen.position(to_x, to_y) - seen.position(x, y)));
+    return std::max(1 - away / (0.1 * model.radius), 0.0);
+}
+
+Cells occlusion_of_cells(const SeenSurfaces& seen, const OcclusionModel& model) {
+    Cells out(seen);
+    for (int y = 0; y < out.height; ++y) {
+        for (int x = 0; x < out.width; ++x) {
+            if (!seen.shows(2 * x, 2 * y)) {
                 continue;
             }
             const auto bits =
                 pcg3d({static_cast<std::uint32_t>(x & 3), static_cast<std::uint32_t>(y & 3), 0});
-            const glm::dvec3 position = seen.position(x, y);
-            const Frame frame = frame_about(seen.normal[seen.index(x, y)]);
+            const glm::dvec3 position = seen.position(2 * x, 2 * y);
+            const Frame frame = frame_about(seen.normal[seen.index(2 * x, 2 * y)]);
             int hidden = 0;
             for (int i = 0; i < model.samples; ++i) {
                 const double share = (i + unit_of(bits[0])) / model.samples;
@@ -129,42 +156,64 @@ std::vector<double> occlusion(const SeenSurfaces& seen, const OcclusionModel& mo
                     position + model.radius * reach * reach * frame.direction(share, turn);
                 hidden += is_hidden(seen, model.radius, position, frame.normal, point) ? 1 : 0;
             }
-            out[seen.index(x, y)] = std::max(1 - model.strength * hidden / model.samples, 0.0);
+            out.at(x, y) = std::max(1 - model.strength * hidden / model.samples, 0.0);
         }
     }
     return out;
 }
 
-std::vector<double> blurred(const SeenSurfaces& seen, const OcclusionModel& model,
-                            std::vector<double> occlusion) {
-    for (const bool is_along_x : {true, false}) {
-        std::vector<double> out = occlusion;
-        for (int y = 0; y < seen.height; ++y) {
-            for (int x = 0; x < seen.width; ++x) {
-                if (!seen.shows(x, y)) {
+Cells blurred(const SeenSurfaces& seen, const OcclusionModel& model, Cells from, bool is_along_x) {
+    Cells out = from;
+    for (int y = 0; y < out.height; ++y) {
+        for (int x = 0; x < out.width; ++x) {
+            if (!seen.shows(2 * x, 2 * y)) {
+                continue;
+            }
+            double sum = 0, total = 0;
+            for (int i = -2; i <= 2; ++i) {
+                const int to_x = x + (is_along_x ? i : 0), to_y = y + (is_along_x ? 0 : i);
+                if (to_x < 0 || to_y < 0 || to_x >= out.width || to_y >= out.height) {
                     continue;
                 }
-                double sum = 0, total = 0;
-                for (int i = -2; i <= 2; ++i) {
-                    const int tx = x + (is_along_x ? i : 0), ty = y + (is_along_x ? 0 : i);
-                    if (tx < 0 || ty < 0 || tx >= seen.width || ty >= seen.height ||
-                        !seen.shows(tx, ty)) {
-                        continue;
-                    }
-                    const double away =
-                        std::abs(glm::dot(seen.normal[seen.index(x, y)],
-                                          seen.position(tx, ty) - seen.position(x, y)));
-                    const double weight = (std::abs(i) == 2 ? 0.5 : 1) *
-                                          std::max(1 - away / (0.1 * model.radius), 0.0);
-                    sum += weight * occlusion[seen.index(tx, ty)];
+                const double weight = (std::abs(i) == 2 ? 0.5 : 1) *
+                                      shares_plane(seen, model, 2 * x, 2 * y, 2 * to_x, 2 * to_y);
+                sum += weight * from.at(to_x, to_y);
+                total += weight;
+            }
+            out.at(x, y) = sum / total;
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+std::vector<double> occlusion(const SeenSurfaces& seen, const OcclusionModel& model) {
+    Cells cells = occlusion_of_cells(seen, model);
+    for (const bool is_along_x : {true, false}) {
+        cells = blurred(seen, model, std::move(cells), is_along_x);
+    }
+    std::vector<double> out(seen.depth.size(), 1);
+    for (int y = 0; y < seen.height; ++y) {
+        for (int x = 0; x < seen.width; ++x) {
+            if (!seen.shows(x, y)) {
+                continue;
+            }
+            double sum = 0, total = 0;
+            for (int cell_y = y / 2; cell_y <= (y + 1) / 2; ++cell_y) {
+                for (int cell_x = x / 2; cell_x <= (x + 1) / 2; ++cell_x) {
+                    const int to_x = std::min(cell_x, cells.width - 1);
+                    const int to_y = std::min(cell_y, cells.height - 1);
+                    const double weight =
+                        1e-4 + shares_plane(seen, model, x, y, 2 * to_x, 2 * to_y);
+                    sum += weight * cells.at(to_x, to_y);
                     total += weight;
                 }
-                out[seen.index(x, y)] = sum / total;
             }
+            out[seen.index(x, y)] = sum / total;
         }
-        occlusion = std::move(out);
     }
-    return occlusion;
+    return out;
 }
 
 double

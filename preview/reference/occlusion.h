@@ -34,11 +34,8 @@ struct OcclusionModel {
     int samples = 16;
 };
 
-/// What is left of the light from the surroundings at each pixel, before the blurs.
+/// What is left of the light from the surroundings at each pixel.
 std::vector<double> occlusion(const SeenSurfaces& seen, const OcclusionModel& model);
-/// After both.
-std::vector<double> blurred(const SeenSurfaces& seen, const OcclusionModel& model,
-                            std::vector<double> occlusion);
 
 /// By rays in cosine-weighted directions: a hit at distance d < radius hides 1 - sqrt(d / radius),
 /// which is what points at radius u^2 along the ray come to. `hit` gives the distance along a unit

@@ -5,6 +5,8 @@
 #include "common/scene.glsl"
 #define DETAIL_BINDING 5
 #include "common/detail_surface.glsl"
+#include "common/normal_filter.glsl"
+layout(constant_id = 0) const bool filters_normals = false;
 layout(std430, binding = 4) readonly buffer Materials { Material materials[]; };
 layout(location = 0) in vec3 normal;
 layout(location = 1) flat in uint material;
@@ -19,12 +21,14 @@ layout(location = 3) out vec4 out_emission;
 void main() {
     Footprint at = Footprint(uv, dFdx(uv), dFdy(uv));
     vec3 turned = unit_or_up(normal);
+    float added = filters_normals ? added_by(dFdx(turned), dFdy(turned)) : 0.0;
     float coverage;
     Surface s = surface_of(materials[material], material, at, color, tangent, turned, coverage);
     float least_coverage = material_details[material].least_coverage;
     if (least_coverage > 0.0 && coverage < least_coverage) {
         discard;
     }
+    s.roughness = filtered_roughness(s.roughness, added);
     out_normal = to_bits(encode_octahedral(turned));
     out_material = pack_surface(s);
     out_albedo = vec4(s.albedo, 1.0);

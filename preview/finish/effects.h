@@ -9,7 +9,16 @@
 
 namespace preview {
 
-enum class Effect : std::uint8_t { lights, shadows, environment, occlusion, bloom, tonemap, looks };
+enum class Effect : std::uint8_t {
+    lights,
+    shadows,
+    environment,
+    occlusion,
+    specular_aa,
+    bloom,
+    tonemap,
+    looks,
+};
 
 struct EffectInfo {
     Effect effect;
@@ -19,12 +28,14 @@ struct EffectInfo {
 };
 
 /// In the order of the enumeration, which is that of the frame.
-inline constexpr std::array<EffectInfo, 7> effects{{
+inline constexpr std::array<EffectInfo, 8> effects{{
     {Effect::lights, "lights", "Lights", "no light of the scene shines, and none casts a shadow"},
     {Effect::shadows, "shadows", "Shadows", "lights shine through everything"},
     {Effect::environment, "environment", "Surroundings", "the surroundings are black"},
     {Effect::occlusion, "occlusion", "Ambient occlusion",
      "light of the surroundings reaches every corner"},
+    {Effect::specular_aa, "specular-aa", "Specular antialiasing",
+     "highlights of what is curved within a pixel glitter"},
     {Effect::bloom, "bloom", "Bloom", "bright light does not spread"},
     {Effect::tonemap, "tonemap", "Tone map", "light above 1 is clipped"},
     {Effect::looks, "looks", "Looks", "both sides show the picture without a LUT"},

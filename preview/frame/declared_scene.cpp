@@ -12,8 +12,7 @@ namespace preview {
 namespace {
 
 /// The lights that reach the frame, named.
-std::vector<PointLight> shining_lights(Graph& graph, const Scene& scene, const Geometry& geometry,
-                                       const std::vector<PointLight>& lights,
+std::vector<PointLight> shining_lights(Graph& graph, const std::vector<PointLight>& lights,
                                        const FrameSettings& settings) {
     std::vector<PointLight> shining;
     if (settings.without.has(Effect::lights)) {
@@ -27,9 +26,6 @@ std::vector<PointLight> shining_lights(Graph& graph, const Scene& scene, const G
         } else if (!settings.force_all && light.intensity == glm::vec3(0)) {
             graph.withhold(light.name, "its intensity is 0");
         } else {
-            if (light.is_sun) {
-                light.casters = caster_bounds(scene, geometry);
-            }
             shining.push_back(std::move(light));
         }
     }
@@ -85,21 +81,18 @@ DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const Frame
     const Geometry& geometry = gpu_scene.geometry;
     const Surroundings surroundings = shown_surroundings(graph, inputs, settings);
     const std::vector<PointLight> lights =
-        shining_lights(graph, scene, geometry, lights_of(inputs, surroundings), settings);
-    std::vector<int> layers;
-    for (std::uint32_t index = 0; index < lights.size(); ++index) {
-        if (settings.without.has(Effect::shadows)) {
-            layers.push_back(-1);
-            continue;
+        shining_lights(graph, lights_of(inputs, surroundings), settings);
+    std::vector<LightBlock> blocks;
+    for (const PointLight& light : lights) {
+        LightShadow shadow;
+        if (!settings.without.has(Effect::shadows)) {
+            shadow = shadow_of(scene, geometry, light, settings.shadow_size);
+            if (shadow.views.empty()) {
+                graph.withhold("shadow of " + light.name, shadow.reason);
+            }
         }
-        const ShadowCasters casters = shadow_casters(scene, geometry, lights[index]);
-        if (casters.objects.empty()) {
-            graph.withhold("shadow of " + lights[index].name, casters.reason);
-            layers.push_back(-1);
-        } else {
-            layers.push_back(static_cast<int>(out.shadows.maps.size()));
-            out.shadows.add(lights[index], scene, geometry, casters.objects);
-        }
+        const int layer = out.shadows.add(light, scene, geometry, shadow);
+        blocks.push_back(light_block(light, shadow, layer, settings.shadow_size));
     }
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
     const ViewBlock view = view_block(settings.orbit, aspect);
@@ -107,7 +100,6 @@ DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const Frame
 
     out.handles = import_scene(graph, scene, gpu_scene, view);
     SceneHandles& handles = out.handles;
-    const auto blocks = light_blocks(lights, layers, settings.shadow_size);
     if (!blocks.empty()) {
         handles.lights = graph.data("lights", std::as_bytes(std::span(blocks)));
     }
@@ -116,6 +108,8 @@ DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const Frame
     handles.has_spots =
         settings.force_all || std::any_of(lights.begin(), lights.end(),
                                           [](const PointLight& light) { return light.is_spot(); });
+    handles.has_areas = std::any_of(lights.begin(), lights.end(),
+                                    [](const PointLight& light) { return !light.is_point(); });
     handles.has_suns =
         settings.force_all || std::any_of(lights.begin(), lights.end(),
                                           [](const PointLight& light) { return light.is_sun; });

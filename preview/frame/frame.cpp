@@ -53,10 +53,12 @@ ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSet
     const Scene& scene = *inputs.scene;
     DeclaredScene declared = declare_scene(graph, inputs, settings, size);
     handles.shadow_maps = add_shadows(graph, declared.handles, std::move(declared.shadows));
-    handles.surfaces =
-        settings.raster == Raster::compute
-            ? add_visibility(graph, declared.handles, size, declared.visible, settings.visibility)
-            : add_gbuffer(graph, declared.handles, size, std::move(declared.visible));
+    const bool filters_normals = !settings.without.has(Effect::specular_aa);
+    handles.surfaces = settings.raster == Raster::compute
+                           ? add_visibility(graph, declared.handles, size, declared.visible,
+                                            settings.visibility, filters_normals)
+                           : add_gbuffer(graph, declared.handles, size, std::move(declared.visible),
+                                         filters_normals);
     handles.materials = declared.handles.materials;
     LightingInputs lighting;
     lighting.surfaces = handles.surfaces;

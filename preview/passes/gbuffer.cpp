@@ -10,13 +10,15 @@ void read_detail(Pass& pass, const SceneHandles& scene) {
     pass.storage(scene.detail.texels);
 }
 
-GBuffer add_gbuffer(Graph& graph, const SceneHandles& scene, Size size, std::vector<Draw> draws) {
+GBuffer add_gbuffer(Graph& graph, const SceneHandles& scene, Size size, std::vector<Draw> draws,
+                    bool filters_normals) {
     const auto target = [&](std::string_view name, Format format) {
         return graph.image(name, {format, size.width, size.height});
     };
     const bool has_detail = static_cast<bool>(scene.detail);
     Pass pass = has_detail ? graph.raster("g-buffer", "gbuffer_detail.vert", "gbuffer_detail.frag")
                            : graph.raster("g-buffer", "gbuffer.vert", "gbuffer.frag");
+    pass.constants({filters_normals ? 1U : 0U});
     pass.storage(scene.vertices);
     pass.storage(scene.objects);
     pass.uniform(scene.view);

@@ -10,7 +10,8 @@ namespace preview {
 struct [[nodiscard]] GBuffer {
     ImageHandle depth;  ///< d32 or r32f, 0 near to 1 at infinity; 1 where there is nothing
     ImageHandle normal; ///< rg16ui, octahedral, world space
-    /// r32ui, 0 where there is nothing: number of the material + 1, or in a scene with detail what
+    /// r32ui, 0 where there is nothing: number of the material + 1 and what its normals add to its
+    /// roughness (shaders/common/normal_filter.glsl), or in a scene with detail what
     /// shaders/common/surface.glsl says.
     ImageHandle material;
     ImageHandle albedo, emission; ///< rgba16f; only in a scene with detail
@@ -19,6 +20,9 @@ struct [[nodiscard]] GBuffer {
 /// The buffers that surfaces with detail are made from, in the order of their bindings.
 void read_detail(Pass& pass, const SceneHandles& scene);
 
-GBuffer add_gbuffer(Graph& graph, const SceneHandles& scene, Size size, std::vector<Draw> draws);
+/// With `filters_normals`, surfaces whose normals vary within a pixel are rougher: specular
+/// antialiasing.
+GBuffer add_gbuffer(Graph& graph, const SceneHandles& scene, Size size, std::vector<Draw> draws,
+                    bool filters_normals = false);
 
 } // namespace preview

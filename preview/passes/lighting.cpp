@@ -9,7 +9,7 @@ ImageHandle add_lighting(Graph& graph, const SceneHandles& scene, const Lighting
     pass.constants({inputs.shadow_maps ? 1U : 0U, inputs.environment ? 1U : 0U,
                     scene.has_spots ? 1U : 0U, scene.has_suns ? 1U : 0U,
                     static_cast<std::uint32_t>(inputs.surroundings.kind),
-                    inputs.occlusion ? 1U : 0U});
+                    inputs.occlusion ? 1U : 0U, scene.has_areas ? 1U : 0U});
     pass.uniform(scene.view);
     pass.uniform(scene.environment);
     pass.storage(scene.lights);
@@ -21,7 +21,7 @@ ImageHandle add_lighting(Graph& graph, const SceneHandles& scene, const Lighting
     } else {
         pass.storage(scene.materials);
     }
-    pass.sample(inputs.shadow_maps, Sampler::shadow_compare, Neutral::lit);
+    pass.sample(inputs.shadow_maps, Sampler::nearest_clamp, Neutral::lit);
     pass.read(inputs.occlusion, Neutral::white);
     const ImageHandle lit =
         pass.write(graph.image("lit", {Format::rgba16f, size.width, size.height}));

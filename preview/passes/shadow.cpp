@@ -4,22 +4,31 @@
 
 namespace preview {
 
-void ShadowMaps::add(const PointLight& light, const Scene& scene, const Geometry& geometry,
-                     const std::vector<std::uint32_t>& objects) {
+int ShadowMaps::add(const PointLight& light, const Scene& scene, const Geometry& geometry,
+                    const LightShadow& shadow) {
+    if (shadow.views.empty()) {
+        return -1;
+    }
     if (casters.empty()) {
         casters = caster_blocks(scene);
         materials = caster_materials(scene);
     }
-    ShadowMap map{light.name, shadow_clip(light), draws_of(scene, geometry, objects)};
-    std::uint32_t object = 0;
-    std::uint32_t caster = 0;
-    for (Draw& draw : map.draws) { // by object, in rising order
-        for (; object < draw.first_instance; ++object) {
-            caster += scene.objects[object].casts_shadow ? 1U : 0U;
+    const auto first = static_cast<int>(maps.size());
+    for (const ShadowView& view : shadow.views) {
+        const std::string side = view.side.empty() ? "" : " towards " + std::string(view.side);
+        ShadowMap map{light.name + side, shadow_clip(light, view.frustum),
+                      draws_of(scene, geometry, view.casters)};
+        std::uint32_t object = 0;
+        std::uint32_t caster = 0;
+        for (Draw& draw : map.draws) { // by object, in rising order
+            for (; object < draw.first_instance; ++object) {
+                caster += scene.objects[object].casts_shadow ? 1U : 0U;
+            }
+            draw.first_instance = caster;
         }
-        draw.first_instance = caster;
+        maps.push_back(std::move(map));
     }
-    maps.push_back(std::move(map));
+    return first;
 }
 
 ImageHandle add_shadows(Graph& graph, const SceneHandles& scene, ShadowMaps shadows) {
@@ -55,12 +64,10 @@ ImageHandle add_shadows(Graph& graph, const SceneHandles& scene, ShadowMaps shad
         pass.index_buffer(scene.indices);
         pass.push(map.clip);
         pass.draws(std::move(map.draws));
-        // Meshes may be open, so both sides cast. The bias grows with the slope; the lighting pass
-        // moves along the normal for the rest.
+        // Meshes may be open, so both sides cast. No bias: the lighting pass compares each texel
+        // with the surface's own plane.
         RasterState state;
         state.cull = RasterState::Cull::none;
-        state.depth_bias_constant = 2;
-        state.depth_bias_slope = 1.5F;
         pass.state(state);
         array = layer == 0 ? pass.depth(array, 1, 0) : pass.depth_layer(array, 1, layer);
     }

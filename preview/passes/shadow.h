@@ -1,7 +1,8 @@
-// Shadow maps: one layer of a depth array for each light that casts, seen from the light.
+// Shadow maps: layers of a depth array for each light that casts, seen from the light: one, or up
+// to six around it.
 #pragma once
 
-#include "preview/scene/scene_data.h"
+#include "preview/scene/light_data.h"
 
 #include <string>
 #include <vector>
@@ -23,9 +24,9 @@ struct ShadowMaps {
     std::vector<CasterBlock> casters;     ///< of the scene; as many whatever a light sees of them
     std::vector<std::uint32_t> materials; ///< of the casters
 
-    /// The map of a light over these casters, in rising order.
-    void add(const PointLight& light, const Scene& scene, const Geometry& geometry,
-             const std::vector<std::uint32_t>& objects);
+    /// The maps of a light. Returns the layer of the first, -1 where there is none.
+    int add(const PointLight& light, const Scene& scene, const Geometry& geometry,
+            const LightShadow& shadow);
 };
 
 /// The array of all maps in their order; empty where there are none.

@@ -89,7 +89,8 @@ std::uint64_t visibility_bytes(Size size) {
 }
 
 GBuffer add_visibility(Graph& graph, const SceneHandles& scene, Size size,
-                       const std::vector<Draw>& draws, const VisibilityLimits& limits) {
+                       const std::vector<Draw>& draws, const VisibilityLimits& limits,
+                       bool filters_normals) {
     const std::vector<ClusterBlock> blocks = cluster_blocks(draws);
     BufferHandle clusters;
     BufferHandle keys =
@@ -108,6 +109,7 @@ GBuffer add_visibility(Graph& graph, const SceneHandles& scene, Size size,
     const bool has_detail = static_cast<bool>(scene.detail);
     Pass pass = graph.compute("g-buffer", has_detail ? "visibility_gbuffer_detail.comp"
                                                      : "visibility_gbuffer.comp");
+    pass.constants({filters_normals ? 1U : 0U});
     pass.storage(scene.vertices);
     pass.storage(scene.indices);
     pass.storage(scene.objects);

@@ -39,6 +39,7 @@ struct VisibilityLimits {
 /// round that differently. The depth is an r32f image here. Needs 64-bit atomics on buffers
 /// (gpu::Device::has_int64_atomics()).
 GBuffer add_visibility(Graph& graph, const SceneHandles& scene, Size size,
-                       const std::vector<Draw>& draws, const VisibilityLimits& limits = {});
+                       const std::vector<Draw>& draws, const VisibilityLimits& limits = {},
+                       bool filters_normals = false);
 
 } // namespace preview

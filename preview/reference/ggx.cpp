@@ -9,6 +9,12 @@ namespace preview::reference {
 
 using lutlib::RgbD;
 
+double filtered_roughness(double roughness, glm::dvec3 dx, glm::dvec3 dy) {
+    const double variance = (glm::dot(dx, dx) + glm::dot(dy, dy)) / (2 * std::numbers::pi);
+    const double alpha = roughness * roughness;
+    return std::sqrt(std::sqrt(std::min(alpha * alpha + std::min(2 * variance, 0.18), 1.0)));
+}
+
 double ggx_distribution(double n_dot_h, double alpha) {
     const double a2 = alpha * alpha;
     const double d = n_dot_h * n_dot_h * (a2 - 1) + 1;

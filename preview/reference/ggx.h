@@ -18,6 +18,10 @@ struct Surface {
 
 inline constexpr double least_roughness = 0.045;
 
+/// The roughness of a pixel in which the unit normal changes by dx and dy to those beside:
+/// Tokuyoshi and Kaplanyan 2019, "Improved geometric specular antialiasing", isotropic.
+double filtered_roughness(double roughness, glm::dvec3 dx, glm::dvec3 dy);
+
 /// The GGX distribution of normals, per steradian.
 double ggx_distribution(double n_dot_h, double alpha);
 /// G2 / (4 n.l n.v).

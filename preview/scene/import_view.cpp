@@ -90,10 +90,10 @@ void aim_shadow(PointLight& light, const Ball& ball) {
     const float distance = glm::length(ball.centre - light.position);
     light.casts_shadow = true;
     light.aim = ball.centre;
-    light.shadow_angle = 120;
+    light.shadow_angle = PointLight::all_round;
     if (distance > ball.radius) {
-        light.shadow_angle =
-            std::min(glm::degrees(2 * std::asin(ball.radius / distance)) + 1, 120.0F);
+        const float angle = glm::degrees(2 * std::asin(ball.radius / distance)) + 1;
+        light.shadow_angle = angle < 120 ? angle : PointLight::all_round;
     }
     light.shadow_near = std::max(distance - ball.radius, 0.02F * ball.radius) * 0.99F;
     light.shadow_far = (distance + ball.radius) * 1.01F;

@@ -47,8 +47,9 @@ const LightControl rows[] = {
     {"aim", "Shadow's aim", "the middle of what its shadow map sees, metres", Kind::point,
      -farthest, farthest, false, [](const PointLight& light) { return light.aim; },
      [](PointLight& light, glm::vec3 v) { light.aim = v; }},
-    {"angle", "Shadow's angle", "what its shadow map sees, degrees; no shadow falls outside",
-     Kind::number, 1, 170, false,
+    {"angle", "Shadow's angle",
+     "what its shadow map sees, degrees; no shadow falls outside. Over 170: all round, by six maps",
+     Kind::number, 1, PointLight::all_round, false,
      [](const PointLight& light) { return glm::vec3(light.shadow_angle, 0, 0); },
      [](PointLight& light, glm::vec3 v) { light.shadow_angle = v.x; }},
 };

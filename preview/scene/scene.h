@@ -32,15 +32,17 @@ struct Object {
     bool casts_shadow = true;
 };
 
-/// A point that shines in all directions, a spot, or a sun. Its shadow, if it casts one, falls
-/// inside the cone-like frustum from `position` towards `aim`; outside of it the light is
-/// unshadowed.
+/// A light that shines in all directions, a spot, or a sun. Its shadow, if it casts one, falls
+/// inside the cone-like frustum from `position` towards `aim`, and outside of it the light is
+/// unshadowed; or it falls all round.
 struct PointLight {
+    enum class Shape : std::uint8_t { point, rod, ring };
+    static constexpr float all_round = 360; ///< a shadow_angle
     glm::vec3 position{0};
     glm::vec3 intensity{0};
     bool casts_shadow = false;
     glm::vec3 aim{0};
-    float shadow_angle = 60; ///< full angle of the square shadow frustum, degrees
+    float shadow_angle = 60; ///< full angle of the square shadow frustum, 1..170 degrees, or more
     float shadow_near = 0.1f, shadow_far = 20;
     std::string name; ///< for people
     bool is_on = true;
@@ -50,10 +52,17 @@ struct PointLight {
     float inner_angle = 0, outer_angle = 180;
     bool is_spot() const { return outer_angle < 180; }
     /// A sun's rays are parallel, from `position` towards `aim`, and `intensity` is its irradiance
-    /// at normal incidence. Its shadow map holds the box `casters`, in the world.
+    /// at normal incidence.
     bool is_sun = false;
-    Bounds casters{};
     glm::vec3 towards_sun() const; ///< unit; up where position and aim are the same
+    /// What shines with all of `intensity`: a point or ball, a rod from position - extent to
+    /// position + extent, or a ring about position and across `extent`, which is as long as its
+    /// radius.
+    Shape shape = Shape::point;
+    glm::vec3 extent{0};
+    float thickness = 0; ///< radius of the ball, the rod or the ring's tube
+    bool is_point() const { return shape == Shape::point && thickness == 0; }
+    bool shadows_all_round() const { return shadow_angle > 170; }
     friend bool operator==(const PointLight&, const PointLight&) = default;
 };
 

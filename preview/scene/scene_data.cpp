@@ -1,11 +1,8 @@
 #include "preview/scene/scene_data.h"
 
-#include <glm/ext/matrix_clip_space.hpp>
-#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/packing.hpp>
-#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -221,48 +218,6 @@ ViewBlock view_block(const Orbit& orbit, float aspect) {
     return block;
 }
 
-namespace {
-
-/// A sun's axes, and the box about its casters in them; the sun is up along z.
-struct SunFrame {
-    glm::mat4 view{1};
-    Bounds box;
-};
-
-SunFrame sun_frame(const PointLight& sun) {
-    const glm::vec3 towards = sun.towards_sun();
-    const glm::vec3 up = std::abs(towards.y) > 0.99F ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
-    SunFrame out{glm::lookAt(towards, glm::vec3(0), up), {}};
-    const Bounds around = sun.casters.empty() ? Bounds{glm::vec3(-1), glm::vec3(1)} : sun.casters;
-    out.box.include(around, out.view);
-    // Room for the filter's taps beside the casters.
-    const glm::vec3 margin(std::max(0.02F * glm::length(out.box.max - out.box.min), 1e-4F));
-    out.box.min -= margin;
-    out.box.max += margin;
-    return out;
-}
-
-glm::mat4 sun_clip(const PointLight& sun) {
-    const SunFrame frame = sun_frame(sun);
-    glm::mat4 projection = glm::orthoRH_ZO(frame.box.min.x, frame.box.max.x, frame.box.min.y,
-                                           frame.box.max.y, -frame.box.max.z, -frame.box.min.z);
-    projection[1][1] = -projection[1][1];
-    projection[3][1] = -projection[3][1];
-    return projection * frame.view;
-}
-
-/// The side of a texel of the light's shadow map at distance 1; of a sun's, at any.
-float texel_of(const PointLight& light, std::uint32_t map_size) {
-    const auto texels = static_cast<float>(std::max(map_size, 1U));
-    if (light.is_sun) {
-        const glm::vec3 sides = sun_frame(light).box.max - sun_frame(light).box.min;
-        return std::max(sides.x, sides.y) / texels;
-    }
-    return 2 * std::tan(glm::radians(light.shadow_angle) / 2) / texels;
-}
-
-} // namespace
-
 Bounds caster_bounds(const Scene& scene, const Geometry& geometry) {
     Bounds all;
     for (const Object& object : scene.objects) {
@@ -272,22 +227,6 @@ Bounds caster_bounds(const Scene& scene, const Geometry& geometry) {
         }
     }
     return all;
-}
-
-glm::mat4 shadow_clip(const PointLight& light) {
-    if (light.is_sun) {
-        return sun_clip(light);
-    }
-    glm::vec3 direction = light.aim - light.position;
-    if (!(glm::dot(direction, direction) > 0)) {
-        direction = {0, -1, 0};
-    }
-    const glm::vec3 up =
-        std::abs(glm::normalize(direction).y) > 0.99F ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
-    const float angle = glm::radians(std::clamp(light.shadow_angle, 1.0F, 170.0F));
-    glm::mat4 projection = glm::perspectiveRH_ZO(angle, 1.0F, light.shadow_near, light.shadow_far);
-    projection[1][1] = -projection[1][1];
-    return projection * glm::lookAt(light.position, light.position + direction, up);
 }
 
 std::vector<std::uint32_t> visible_objects(const Scene& scene, const Geometry& geometry,
@@ -303,28 +242,6 @@ std::vector<std::uint32_t> visible_objects(const Scene& scene, const Geometry& g
     return visible;
 }
 
-ShadowCasters shadow_casters(const Scene& scene, const Geometry& geometry,
-                             const PointLight& light) {
-    ShadowCasters casters;
-    if (!light.casts_shadow) {
-        casters.reason = "the light casts none";
-        return casters;
-    }
-    if (light.intensity == glm::vec3(0)) {
-        casters.reason = "the light's intensity is 0";
-        return casters;
-    }
-    for (const std::uint32_t index : visible_objects(scene, geometry, shadow_clip(light))) {
-        if (scene.objects[index].casts_shadow) {
-            casters.objects.push_back(index);
-        }
-    }
-    if (casters.objects.empty()) {
-        casters.reason = "no caster in the light's frustum";
-    }
-    return casters;
-}
-
 std::vector<Draw> draws_of(const Scene& scene, const Geometry& geometry,
                            const std::vector<std::uint32_t>& objects) {
     std::vector<Draw> draws;
@@ -338,29 +255,6 @@ std::vector<Draw> draws_of(const Scene& scene, const Geometry& geometry,
                          mesh.vertex_offset, 1, index});
     }
     return draws;
-}
-
-std::vector<LightBlock> light_blocks(const std::vector<PointLight>& lights,
-                                     const std::vector<int>& layers, std::uint32_t map_size) {
-    std::vector<LightBlock> blocks;
-    for (std::size_t index = 0; index < lights.size(); ++index) {
-        const PointLight& light = lights[index];
-        LightBlock& block = blocks.emplace_back();
-        block.position_layer = glm::vec4(light.is_sun ? light.towards_sun() : light.position,
-                                         static_cast<float>(layers[index]));
-        block.intensity_texel = glm::vec4(light.intensity, texel_of(light, map_size));
-        block.offset.y = light.is_sun ? 1 : 0;
-        block.clip = shadow_clip(light);
-        if (light.is_spot()) {
-            // KHR_lights_punctual.
-            const float inner = std::cos(glm::radians(light.inner_angle));
-            const float outer = std::cos(glm::radians(light.outer_angle));
-            const float scale = 1 / std::max(inner - outer, 0.001F);
-            block.axis_scale = glm::vec4(light.axis, scale);
-            block.offset.x = -outer * scale;
-        }
-    }
-    return blocks;
 }
 
 } // namespace preview

@@ -78,13 +78,17 @@ struct MaterialDetailBlock {
 };
 
 struct LightBlock {
-    /// A sun's unit direction in place of a position; w: layer of the shadow maps, -1 for none.
+    /// A sun's unit direction in place of a position; w: first layer of the shadow maps, -1: none.
     glm::vec4 position_layer{0, 0, 0, -1};
     glm::vec4 intensity_texel{0}; ///< w: size of a shadow texel at distance 1, or at any of a sun
-    /// How much of the light arrives: the square of (axis . direction) w + offset.x, held in 0..1.
+    /// How much of the light arrives: the square of (axis . direction) w + range.x, held in 0..1.
     glm::vec4 axis_scale{0};
-    glm::vec4 offset{1, 0, 0, 0}; ///< y: 1 of a sun
-    glm::mat4 clip{1};            ///< world to the light's clip space, depth 0..1
+    glm::vec4 range{1, 0, 0, 0}; ///< y, z: near and far plane of its shadow maps; w: 1 of a sun
+    glm::vec4 right_tangent{0};  ///< of a shadow map; w: of half its angle; a sun's: half its side
+    glm::vec4 up_thickness{0};   ///< w: of a rod or ring
+    glm::vec4 forward{0};
+    glm::vec4 extent_shape{0}; ///< w: number of PointLight::Shape; a sun's: its map's origin
+    glm::uvec4 faces{0};       ///< x: of six maps those that show casters, by bits; 0: one map
 };
 
 struct EnvironmentBlock {
@@ -113,16 +117,6 @@ ViewBlock view_block(const Orbit& orbit, float aspect);
 /// Of the objects that cast shadows, in the world.
 Bounds caster_bounds(const Scene& scene, const Geometry& geometry);
 
-/// World to clip space of a light's shadow map; y points down, depth runs from 0 to 1.
-glm::mat4 shadow_clip(const PointLight& light);
-
-/// What a shadow map would show, or why there is none.
-struct ShadowCasters {
-    std::vector<std::uint32_t> objects;
-    std::string reason; ///< empty when `objects` is not
-};
-ShadowCasters shadow_casters(const Scene& scene, const Geometry& geometry, const PointLight& light);
-
 /// The objects whose boxes meet the frustum of `clip`.
 std::vector<std::uint32_t> visible_objects(const Scene& scene, const Geometry& geometry,
                                            const glm::mat4& clip);
@@ -133,15 +127,12 @@ std::vector<std::uint32_t> visible_objects(const Scene& scene, const Geometry& g
 std::vector<Draw> draws_of(const Scene& scene, const Geometry& geometry,
                            const std::vector<std::uint32_t>& objects);
 
-/// The light blocks; light i has the shadow layer layers[i].
-std::vector<LightBlock> light_blocks(const std::vector<PointLight>& lights,
-                                     const std::vector<int>& layers, std::uint32_t map_size);
-
 /// The scene on the graph.
 struct SceneHandles {
     BufferHandle vertices, indices, objects, materials, lights, environment, view;
     std::uint32_t light_count = 0;
     bool has_spots = false, has_suns = false;
+    bool has_areas = false; ///< lights that are no points
     /// Of a scene with detail; else empty.
     struct Detail {
         BufferHandle vertices, materials, textures, texels;

@@ -168,16 +168,38 @@ Scene studio_scene() {
     SceneBuilder build;
     add_still_life(build);
     build.light({{-2.6f, 3.9f, 3.2f}, {104, 91, 73}, true, {0.2f, 0.3f, -0.2f}, 62, 1, 16, "key"});
-    build.light({spark_rest, {3.4f, 2.9f, 2.2f}, true, {0.3f, 0, 0.3f}, 118, 0.05f, 8, "spark"});
+    build.scene.lights.back().thickness = 0.3f; // a soft box
     build.light(
-        {{knot_rest.x, 0.98f, -1.25f}, {0.22f, 1.9f, 2.5f}, false, {}, 60, 0.1f, 20, "ring"});
-    build.light({{2.3f, 0.7f, -0.9f}, {2.6f, 0.26f, 1.3f}, false, {}, 60, 0.1f, 20, "rod"});
+        {spark_rest, {3.4f, 2.9f, 2.2f}, true, {}, PointLight::all_round, 0.05f, 8, "spark"});
+    PointLight ring;
+    ring.position = {knot_rest.x, 0.98f, -1.35f};
+    ring.intensity = {0.22f, 1.9f, 2.5f};
+    ring.casts_shadow = true;
+    ring.shape = PointLight::Shape::ring;
+    ring.extent = {0, 0, 0.86f};
+    ring.thickness = 0.023f;
+    ring.shadow_angle = PointLight::all_round;
+    ring.shadow_far = 8;
+    ring.name = "ring";
+    build.light(ring);
+    PointLight rod;
+    rod.position = {2.35f, 0.66f, -1.0f};
+    rod.intensity = {2.6f, 0.26f, 1.3f};
+    rod.casts_shadow = true;
+    rod.shape = PointLight::Shape::rod;
+    rod.extent = glm::vec3(turned(glm::mat4{1}, -14, {0, 0, 1}) * glm::vec4(0, 0.62f, 0, 0));
+    rod.thickness = 0.02f;
+    rod.shadow_angle = PointLight::all_round;
+    rod.shadow_far = 8;
+    rod.name = "rod";
+    build.light(rod);
     build.scene.environment.zenith = {0.095f, 0.108f, 0.140f};
     build.scene.environment.horizon = {0.070f, 0.077f, 0.098f};
     build.scene.environment.ground = {0.036f, 0.035f, 0.038f};
     build.soft_box({-0.7f, 0.65f, 0.55f}, 26, {3.4f, 3.0f, 2.5f});
     build.soft_box({0.9f, 0.35f, 0.25f}, 40, {1.1f, 1.4f, 2.1f});
     build.soft_box({0.1f, 0.9f, -0.5f}, 24, {1.0f, 1.05f, 1.2f});
+    build.scene.occlusion = 1;
     return std::move(build.scene);
 }
 

@@ -18,12 +18,13 @@ float smith_visibility(float n_dot_l, float n_dot_v, float alpha) {
     return 0.5 / max(l + v, 1e-9);
 }
 
-/// Radiance towards `view` per unit of irradiance at normal incidence from `light`.
-vec3 shade(vec3 normal, vec3 view, vec3 light, vec3 albedo, float roughness, float metalness) {
-    float n_dot_l = dot(normal, light);
-    if (!(n_dot_l > 0.0)) {
-        return vec3(0.0);
-    }
+/// Of the model without n.l.
+struct Lobes {
+    vec3 diffuse, specular;
+};
+
+Lobes lobes_of(vec3 normal, vec3 view, vec3 light, vec3 albedo, float roughness, float metalness) {
+    float n_dot_l = max(dot(normal, light), 0.0);
     float n_dot_v = max(dot(normal, view), 1e-4);
     vec3 sum = view + light;
     float squared = dot(sum, sum);
@@ -37,8 +38,17 @@ vec3 shade(vec3 normal, vec3 view, vec3 light, vec3 albedo, float roughness, flo
     float grazing2 = grazing * grazing;
     vec3 f0 = mix(vec3(0.04), albedo, metalness);
     vec3 fresnel = f0 + (1.0 - f0) * (grazing2 * grazing2 * grazing);
-    vec3 diffuse = (1.0 - fresnel) * (1.0 - metalness) * albedo / pi;
-    return (diffuse + fresnel * lobe) * n_dot_l;
+    return Lobes((1.0 - fresnel) * (1.0 - metalness) * albedo / pi, fresnel * lobe);
+}
+
+/// Radiance towards `view` per unit of irradiance at normal incidence from `light`.
+vec3 shade(vec3 normal, vec3 view, vec3 light, vec3 albedo, float roughness, float metalness) {
+    float n_dot_l = dot(normal, light);
+    if (!(n_dot_l > 0.0)) {
+        return vec3(0.0);
+    }
+    Lobes lobes = lobes_of(normal, view, light, albedo, roughness, metalness);
+    return (lobes.diffuse + lobes.specular) * n_dot_l;
 }
 
 /// What a surface mirrors of its surroundings, integrated over the lobe: scale and bias of f0.

@@ -4,12 +4,14 @@
 #include "common/brdf.glsl"
 #include "common/environment.glsl"
 #include "common/surface.glsl"
+#include "common/normal_filter.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(constant_id = 0) const bool has_shadows = true;
 layout(constant_id = 1) const bool has_environment = true;
 layout(constant_id = 2) const bool has_spots = true;
 layout(constant_id = 3) const bool has_suns = true;
 layout(constant_id = 5) const bool has_occlusion = false;
+layout(constant_id = 6) const bool has_areas = false;
 layout(binding = 0) uniform Views { View view; };
 layout(binding = 1) uniform Environments { Environment environment; };
 layout(std430, binding = 2) readonly buffer Lights { Light lights[]; };
@@ -24,56 +26,67 @@ layout(binding = 10) uniform sampler2D emissions;
 #define SURROUNDINGS_BINDING 10
 layout(std430, binding = 6) readonly buffer Materials { Material materials[]; };
 #endif
-layout(binding = 7) uniform sampler2DArrayShadow shadow_maps;
+layout(binding = 7) uniform sampler2DArray shadow_maps;
 layout(binding = 8) uniform sampler2D occlusions;
 layout(binding = 9) writeonly uniform image2D target;
 layout(push_constant) uniform Push { uint light_count; };
 #include "common/surroundings.glsl"
+#include "common/seen.glsl"
 
+/// A sun has its direction in place of a position.
 bool is_sun(Light light) {
-    return has_suns && light.offset.y > 0.0;
+    return has_suns && light.range.w > 0.0;
 }
-
-/// 1 where the light reaches the point, 0 where not; 1 outside its frustum. Four bilinear
-/// comparisons over 3.5 texels. The point is moved out along its normal by what a texel can be
-/// wrong at its slant.
-float lit(Light light, vec3 position, vec3 normal, float n_dot_l, float distance_to_light) {
-    float slant = sqrt(max(1.0 - n_dot_l * n_dot_l, 0.0));
-    float texel = light.intensity_texel.w * distance_to_light;
-    vec4 clip = light.clip * vec4(position + normal * (texel * (0.5 + 2.0 * slant)), 1.0);
-    if (is_sun(light)) {
-        clip.z = min(clip.z, clip.w); // shadows go on behind the box of the casters
-    }
-    if (!(clip.w > 0.0) || any(greaterThan(abs(clip.xy), vec2(clip.w))) || clip.z > clip.w ||
-        clip.z < 0.0) {
-        return 1.0;
-    }
-    vec3 at = clip.xyz / clip.w;
-    vec2 uv = at.xy * 0.5 + 0.5;
-    vec2 reach = 0.75 / vec2(textureSize(shadow_maps, 0).xy);
-    float sum = 0.0;
-    for (int corner = 0; corner < 4; ++corner) {
-        vec2 offset = vec2(corner & 1, corner >> 1) * 2.0 - 1.0;
-        sum += texture(shadow_maps,
-                       vec4(uv + offset * reach, light.position_layer.w, at.z));
-    }
-    return sum / 4.0;
-}
+#include "common/shadow.glsl"
+#include "common/area_light.glsl"
 
 Surface surface_at(ivec2 at) {
     uint word = texelFetch(material_numbers, at, 0).r;
 #ifdef HAS_DETAIL
     return unpack_surface(word, texelFetch(albedos, at, 0).rgb, texelFetch(emissions, at, 0).rgb);
 #else
-    Material material = materials[word - 1u];
-    return Surface(material.albedo_roughness.rgb, material.albedo_roughness.a,
+    Material material = materials[material_number(word)];
+    return Surface(material.albedo_roughness.rgb,
+                   filtered_roughness(material.albedo_roughness.a, unpack_added(word)),
                    material.emission_metalness.a, 1.0, material.emission_metalness.rgb, false);
 #endif
 }
 
+#ifdef HAS_DETAIL
+/// Of the geometry, where textures have turned the shading's normal: from what the picture shows
+/// beside it, on the side of each axis that is nearer in depth.
+vec3 face_normal(ivec2 at, ivec2 size, float depth, vec3 normal) {
+    vec3 along[2];
+    vec3 position = ray_at(view, vec2(at) + 0.5, vec2(size)) * z_of(view, depth);
+    for (int axis = 0; axis < 2; ++axis) {
+        float least = 2.0;
+        along[axis] = vec3(0.0);
+        for (int side = -1; side <= 1; side += 2) {
+            ivec2 there = at + (axis == 0 ? ivec2(side, 0) : ivec2(0, side));
+            if (any(lessThan(there, ivec2(0))) || any(greaterThanEqual(there, size))) {
+                continue;
+            }
+            float beside = texelFetch(depths, there, 0).r;
+            if (beside < 1.0 && abs(beside - depth) < least) {
+                least = abs(beside - depth);
+                along[axis] = (ray_at(view, vec2(there) + 0.5, vec2(size)) * z_of(view, beside) -
+                               position) * float(side);
+            }
+        }
+    }
+    vec3 found = cross(along[0], along[1]);
+    float squared = dot(found, found);
+    if (!(squared > 0.0)) {
+        return normal;
+    }
+    found *= inversesqrt(squared);
+    return dot(found, normal) < 0.0 ? -found : found;
+}
+#endif
+
 /// What a spot's cone lets through: KHR_lights_punctual's own fall-off.
 float cone(Light light, vec3 direction) {
-    float share = clamp(dot(light.axis_scale.xyz, -direction) * light.axis_scale.w + light.offset.x,
+    float share = clamp(dot(light.axis_scale.xyz, -direction) * light.axis_scale.w + light.range.x,
                         0.0, 1.0);
     return share * share;
 }
@@ -91,8 +104,7 @@ void main() {
     if (any(greaterThanEqual(at, size))) {
         return;
     }
-    vec2 screen = (vec2(at) + 0.5) / vec2(size) * 2.0 - 1.0;
-    vec3 ray = view.forward.xyz + screen.x * view.right.xyz + screen.y * view.up.xyz;
+    vec3 ray = ray_at(view, vec2(at) + 0.5, vec2(size));
     float depth = texelFetch(depths, at, 0).r;
     if (depth >= 1.0) {
         vec3 background = vec3(0.0);
@@ -105,7 +117,7 @@ void main() {
         imageStore(target, at, vec4(background, 1.0));
         return;
     }
-    vec3 position = view.position_near.xyz + ray * (view.position_near.w / (1.0 - depth));
+    vec3 position = view.position_near.xyz + ray * z_of(view, depth);
     vec3 normal = decode_octahedral(from_bits(texelFetch(normals, at, 0).xy));
     Surface surface = surface_at(at);
     if (surface.is_unlit) {
@@ -117,6 +129,11 @@ void main() {
     float metalness = surface.metalness;
     vec3 to_eye = -normalize(ray);
 
+#ifdef HAS_DETAIL
+    vec3 face = has_shadows ? face_normal(at, size, depth, normal) : normal;
+#else
+    vec3 face = normal;
+#endif
     vec3 radiance = surface.emission;
     for (uint index = 0; index < light_count; ++index) {
         Light light = lights[index];
@@ -125,8 +142,9 @@ void main() {
         float squared = max(dot(towards, towards), 1e-6);
         float distance_to_light = sqrt(squared);
         vec3 direction = towards / distance_to_light;
-        float n_dot_l = dot(normal, direction);
-        if (!(n_dot_l > 0.0)) {
+        bool is_area =
+            has_areas && (light.extent_shape.w > 0.0 || light.up_thickness.w > 0.0);
+        if (!is_area && !(dot(normal, direction) > 0.0)) {
             continue;
         }
         if (has_spots) {
@@ -136,9 +154,15 @@ void main() {
             }
             squared /= share;
         }
-        vec3 shaded = shade(normal, to_eye, direction, albedo, roughness, metalness);
+        vec3 shaded;
+        if (is_area) {
+            shaded = shade_area(light, position, normal, to_eye, albedo, roughness, metalness) *
+                     distance_to_light * distance_to_light;
+        } else {
+            shaded = shade(normal, to_eye, direction, albedo, roughness, metalness);
+        }
         if (has_shadows && light.position_layer.w >= 0.0) {
-            shaded *= lit(light, position, normal, n_dot_l, distance_to_light);
+            shaded *= lit(light, position, face);
         }
         radiance += shaded * light.intensity_texel.rgb / squared;
     }

@@ -26,8 +26,10 @@ struct Light {
     vec4 position_layer;
     vec4 intensity_texel;
     vec4 axis_scale; // of a spot's cone
-    vec4 offset;     // x; y: 1 of a sun, whose position is a direction
-    mat4 clip;
+    vec4 range; // x: of the cone; y, z: of the shadow maps' depths; w: 1 of a sun
+    vec4 right_tangent, up_thickness, forward; // of a shadow map
+    vec4 extent_shape; // of a sun: where its shadow map is looked at from
+    uvec4 faces; // x
 };
 
 struct View {

@@ -3,6 +3,7 @@
 #define VIEW_UNSIGNED
 #include "common/scene.glsl"
 #include "common/surface.glsl"
+#include "common/normal_filter.glsl"
 #include "common/view.glsl"
 layout(constant_id = 1) const bool has_detail = false;
 layout(std430, binding = 2) readonly buffer Materials { Material materials[]; };
@@ -16,7 +17,10 @@ vec3 shown(uvec4 texel) {
         return vec3(0.0);
     }
     if (!has_detail) {
-        return shown_material(materials[texel.r - 1u]);
+        Material material = materials[material_number(texel.r)];
+        material.albedo_roughness.a =
+            filtered_roughness(material.albedo_roughness.a, unpack_added(texel.r));
+        return shown_material(material);
     }
     Surface s = unpack_surface(texel.r, texelFetch(albedos, shown_at, 0).rgb,
                                texelFetch(emissions, shown_at, 0).rgb);

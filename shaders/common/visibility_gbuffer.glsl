@@ -2,7 +2,9 @@
 // HAS_DETAIL that is what textures make of it.
 #include "common/scene.glsl"
 #include "common/keys.glsl"
+#include "common/normal_filter.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
+layout(constant_id = 0) const bool filters_normals = false;
 layout(std430, binding = 0) readonly buffer Vertices { Vertex vertices[]; };
 layout(std430, binding = 1) readonly buffer Indices { uint indices[]; };
 layout(std430, binding = 2) readonly buffer Objects { Object objects[]; };
@@ -50,21 +52,32 @@ void main() {
     }
     vec2 screen = (vec2(at) + 0.5) / vec2(size) * 2.0 - 1.0;
     vec3 weights = weights_at(screen, corners[0], corners[1], corners[2]);
-    vec3 normal = transform_normal(
-        object, mat3(normal_of[0], normal_of[1], normal_of[2]) * weights);
+    mat3 normals_of = mat3(normal_of[0], normal_of[1], normal_of[2]);
+    vec3 normal = unit_or_up(transform_normal(object, normals_of * weights));
+    float added = 0.0;
+    if (filters_normals) {
+        vec2 step = 2.0 / vec2(size);
+        vec3 beside[2];
+        for (int i = 0; i < 2; ++i) {
+            vec2 place = screen + (i == 0 ? vec2(step.x, 0.0) : vec2(0.0, step.y));
+            vec3 shares = shares_of(areas_at(place, corners[0], corners[1], corners[2]));
+            beside[i] = unit_or_up(transform_normal(object, normals_of * shares)) - normal;
+        }
+        added = added_by(beside[0], beside[1]);
+    }
 #ifdef HAS_DETAIL
-    normal = unit_or_up(normal);
     DetailAt point = detail_at(object, cluster, first, corners, screen, vec2(size), weights);
     float coverage;
     Surface s = surface_of(materials[object.material.x], object.material.x, point.footprint,
                            point.color, point.tangent, normal, coverage);
+    s.roughness = filtered_roughness(s.roughness, added);
     uint word = pack_surface(s);
     imageStore(albedos, at, vec4(s.albedo, 1.0));
     imageStore(emissions, at, vec4(s.emission, 1.0));
 #else
-    uint word = object.material.x + 1u;
+    uint word = (object.material.x + 1u) | (filters_normals ? pack_added(added) : 0u);
 #endif
-    imageStore(normals, at, uvec4(to_bits(encode_octahedral(unit_or_up(normal))), 0u, 0u));
+    imageStore(normals, at, uvec4(to_bits(encode_octahedral(normal)), 0u, 0u));
     imageStore(material_numbers, at, uvec4(word));
     imageStore(depths, at, vec4(uintBitsToFloat(key.y)));
 }

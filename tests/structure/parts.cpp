@@ -19,10 +19,11 @@ const Names no_vulkan{"vulkan/", "GLFW/"};
 const Names no_big_library{"OpenColorIO/", "OpenImageIO/", "vulkan/", "GLFW/", "glm/", "imgui"};
 
 /// What a frame is made with.
-const Names render = joined({"lutlib/*", "preview/finish", "preview/graph", "preview/look",
-                             "preview/look/gpu_look.*", "preview/scene",
-                             "preview/scene/scene_data.*", "preview/scene/gpu_scene.*"},
-                            plain_gpu);
+const Names render =
+    joined({"lutlib/*", "preview/finish", "preview/graph", "preview/look",
+            "preview/look/gpu_look.*", "preview/scene", "preview/scene/light_data.*",
+            "preview/scene/scene_data.*", "preview/scene/gpu_scene.*"},
+           plain_gpu);
 
 } // namespace
 
@@ -97,6 +98,10 @@ const std::vector<Part>& parts() {
         {"preview/scene", {"lutlib/*", setting_rows}, no_screen},
         {"preview/scene/scene_data.*",
          joined({"lutlib", "preview/graph", "preview/scene"}, plain_gpu), no_screen},
+        {"preview/scene/light_data.*",
+         joined({"lutlib", "preview/graph", "preview/scene", "preview/scene/scene_data.*"},
+                plain_gpu),
+         no_screen},
         {"preview/scene/gpu_scene.*",
          joined({"preview/gpu", "preview/graph", "preview/scene", "preview/scene/scene_data.*"},
                 plain_gpu)},
@@ -131,7 +136,9 @@ const std::vector<Part>& parts() {
         {"preview/cli/light_edit.*", {"lutlib", "preview/scene"}, no_screen},
         {"preview", {"lutlib", "preview/cli"}},
         // Oracles, which nothing but tests includes.
-        {"preview/reference", {"lutlib/*", "preview/finish", "preview/scene"}, no_screen},
+        {"preview/reference",
+         {"lutlib/*", "preview/finish", "preview/scene", "preview/scene/scene_data.*"},
+         no_screen},
 
         {"tests", {"*"}},
     };

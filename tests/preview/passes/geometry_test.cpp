@@ -2,7 +2,9 @@
 #include "preview/passes/lighting.h"
 #include "preview/passes/resolve.h"
 #include "preview/passes/shadow.h"
+#include "preview/reference/area_light.h"
 #include "preview/reference/ggx.h"
+#include "preview/reference/shadow.h"
 #include "preview/scene/gpu_scene.h"
 #include "tests/preview/graph/gpu_test.h"
 
@@ -59,23 +61,20 @@ Scene floor_scene(const Material& material) {
 class GeometryTest : public GpuTest {
   protected:
     /// Radiance of the scene, four floats a pixel.
-    std::vector<float> light(const Scene& scene) {
+    std::vector<float> light(const Scene& scene, std::uint32_t map_size = 512) {
         const GpuScene gpu_scene(device(), scene);
         Graph graph;
         const ViewBlock view = view_block(scene.orbit, 1.5F);
         SceneHandles handles = import_scene(graph, scene, gpu_scene, view);
         handles.environment = graph.data_of("environment", environment_block(scene.environment));
         ShadowMaps shadows;
-        shadows.size = 512;
-        std::vector<int> layers;
-        for (std::uint32_t index = 0; index < scene.lights.size(); ++index) {
-            const auto casters = shadow_casters(scene, gpu_scene.geometry, scene.lights[index]);
-            layers.push_back(casters.objects.empty() ? -1 : static_cast<int>(shadows.maps.size()));
-            if (!casters.objects.empty()) {
-                shadows.add(scene.lights[index], scene, gpu_scene.geometry, casters.objects);
-            }
+        shadows.size = map_size;
+        std::vector<LightBlock> lights;
+        for (const PointLight& light : scene.lights) {
+            const LightShadow shadow = shadow_of(scene, gpu_scene.geometry, light, shadows.size);
+            const int layer = shadows.add(light, scene, gpu_scene.geometry, shadow);
+            lights.push_back(light_block(light, shadow, layer, shadows.size));
         }
-        const auto lights = light_blocks(scene.lights, layers, 512);
         handles.has_suns = std::any_of(scene.lights.begin(), scene.lights.end(),
                                        [](const PointLight& light) { return light.is_sun; });
         if (!lights.empty()) {
@@ -84,6 +83,10 @@ class GeometryTest : public GpuTest {
         handles.light_count = static_cast<std::uint32_t>(lights.size());
         handles.has_spots = std::any_of(scene.lights.begin(), scene.lights.end(),
                                         [](const PointLight& light) { return light.is_spot(); });
+        handles.has_areas =
+            std::any_of(scene.lights.begin(), scene.lights.end(), [](const PointLight& light) {
+                return light.shape != PointLight::Shape::point;
+            });
         LightingInputs inputs;
         inputs.shadow_maps = add_shadows(graph, handles, std::move(shadows));
         inputs.surfaces =
@@ -119,7 +122,6 @@ TEST_F(GeometryTest, a_sun_shines_in_parallel_and_its_shadow_goes_on_behind_its_
     sun.intensity = {3, 2, 1};
     sun.position = glm::vec3(-std::sqrt(3.0F), 1, 0); // 30 degrees high
     const glm::dvec3 towards(sun.towards_sun());
-    sun.casters = caster_bounds(scene, geometry_of(scene));
     const auto pixels = light(scene);
     const ViewBlock view = view_block(scene.orbit, 1.5F);
     int shaded = 0;
@@ -264,6 +266,162 @@ TEST_F(GeometryTest, a_ball_shadows_what_lies_behind_it_and_nothing_else) {
     EXPECT_EQ(pixels[shadowed], 0);
     for (const glm::vec3 point : {glm::vec3(1.4F, 0, 0.5F), glm::vec3(-1.2F, 0, 0.3F)}) {
         EXPECT_EQ(pixels[at_floor(point)], free_of_shadows[at_floor(point)]);
+    }
+}
+
+TEST_F(GeometryTest, shadows_are_what_rays_find_wherever_they_are_not_at_an_edge) {
+    Scene scene = floor_scene({});
+    scene.meshes.push_back(sphere(12, 24));
+    scene.meshes.push_back(box({0.3F, 0.3F, 0.3F}, 0.02F, 2));
+    for (const auto& [mesh, place] : {std::pair{1U, glm::vec3(0.9F, 0.4F, 0.3F)},
+                                      {2U, glm::vec3(-0.6F, 0.3F, -0.2F)},
+                                      {2U, glm::vec3(0.2F, 0.3F, -1.2F)}}) {
+        const float scale = mesh == 1 ? 0.4F : 1.0F;
+        scene.objects.push_back(
+            {mesh, 0, glm::scale(glm::translate(glm::mat4(1), place), glm::vec3(scale)), true});
+    }
+    PointLight& light = scene.lights[0];
+    light.position = {0.15F, 0.5F, -0.1F}; // among the objects
+    light.shadow_near = 0.05F;
+    for (const float angle : {PointLight::all_round, 140.0F}) {
+        const bool is_aimed = angle < 180;
+        const std::uint32_t map_size = is_aimed ? 512 : 256;
+        light.casts_shadow = false;
+        const auto bare = this->light(scene, map_size);
+        light.casts_shadow = true;
+        light.shadow_angle = angle;
+        light.aim = {0.15F, 0, -0.1F};
+        const auto pixels = this->light(scene, map_size);
+        const reference::Casters casters(scene);
+        const ViewBlock view = view_block(scene.orbit, 1.5F);
+        const glm::dvec3 source(light.position);
+        int lit = 0, dark = 0, wrong = 0;
+        for (std::uint32_t y = 0; y < size.height; y += 2) {
+            for (std::uint32_t x = 0; x < size.width; x += 2) {
+                const double sx = (x + 0.5) / size.width * 2 - 1;
+                const double sy = (y + 0.5) / size.height * 2 - 1;
+                const glm::dvec3 ray = glm::dvec3(view.forward) + sx * glm::dvec3(view.right) +
+                                       sy * glm::dvec3(view.up);
+                const glm::dvec3 eye(view.position_near);
+                const glm::dvec3 at = eye - ray * (eye.y / ray.y);
+                const double far = std::max(std::abs(at.x - source.x), std::abs(at.z - source.z));
+                // The frustum of 140 degrees has its edge at 1.37 m.
+                if (ray.y >= 0 || std::abs(at.x) > 3 || std::abs(at.z) > 3 ||
+                    casters.block(at, eye) || (is_aimed && far > 1.3)) {
+                    continue;
+                }
+                // Over what the filter sees, and half a texel more; the floor is parallel to the
+                // aimed map, and to others it slants.
+                const glm::dvec3 towards = source - at;
+                const double length = glm::length(towards);
+                const double texel = is_aimed
+                                         ? 2 * std::tan(glm::radians(70.0)) / map_size * source.y
+                                         : 2 * 1.03 / map_size * length * length / towards.y;
+                int blocked = 0;
+                for (const glm::dvec3 corner : {glm::dvec3(0),
+                                                {1, 0, 1},
+                                                {1, 0, -1},
+                                                {-1, 0, 1},
+                                                {-1, 0, -1},
+                                                {1.4, 0, 0},
+                                                {-1.4, 0, 0},
+                                                {0, 0, 1.4},
+                                                {0, 0, -1.4}}) {
+                    blocked += casters.block(at + 2.0 * texel * corner, source) ? 1 : 0;
+                }
+                const std::size_t index = (std::size_t{y} * size.width + x) * 4;
+                if (blocked == 0) {
+                    ++lit;
+                    wrong += pixels[index] == bare[index] ? 0 : 1;
+                } else if (blocked == 9) {
+                    ++dark;
+                    wrong += pixels[index] == 0 ? 0 : 1;
+                }
+            }
+        }
+        EXPECT_GT(lit, 100);
+        EXPECT_GT(dark, is_aimed ? 20 : 100);
+        EXPECT_EQ(wrong, 0) << angle << ": of " << lit << " lit and " << dark << " dark";
+    }
+}
+
+TEST_F(GeometryTest, a_small_block_shadows_the_floor_right_where_it_stands) {
+    Scene scene = floor_scene({});
+    scene.meshes.push_back(box({0.05F, 0.015F, 0.05F}, 0));
+    Object block;
+    block.mesh = 1;
+    block.transform = glm::translate(glm::mat4(1), glm::vec3(0, 0.015F, 0));
+    scene.objects.push_back(block);
+    PointLight& light = scene.lights[0]; // as far and as wide as the sample's key light
+    light.position = {-3, 3.5F, 0};
+    light.intensity = glm::vec3(100);
+    light.shadow_angle = 62;
+    light.shadow_near = 1;
+    light.shadow_far = 16;
+    scene.orbit.distance = 0.5F;
+    scene.orbit.elevation = 60;
+    const auto bare = this->light(scene);
+    light.casts_shadow = true;
+    const auto pixels = this->light(scene, 1024);
+    const ViewBlock view = view_block(scene.orbit, 1.5F);
+    // The shadow behind the block is 26 mm long, four texels of the map.
+    for (const float beyond : {0.008F, 0.014F}) {
+        const glm::vec4 clip = view.clip * glm::vec4(0.05F + beyond, 0, 0, 1);
+        const auto x = static_cast<std::size_t>((clip.x / clip.w * 0.5F + 0.5F) * size.width);
+        const auto y = static_cast<std::size_t>((clip.y / clip.w * 0.5F + 0.5F) * size.height);
+        const std::size_t at = (y * size.width + x) * 4;
+        EXPECT_GT(bare[at], 0.1F);
+        EXPECT_LT(pixels[at], 0.25F * bare[at]) << beyond;
+    }
+}
+
+TEST_F(GeometryTest, balls_rods_and_rings_light_a_floor_nearly_as_their_integral_does) {
+    struct Case {
+        PointLight::Shape shape;
+        float roughness, metalness;
+        double bound; ///< of the mean error over the mean light
+    };
+    // A rough dielectric is lit by the exact irradiance; highlights are approximations.
+    for (const auto& [shape, roughness, metalness, bound] :
+         {Case{PointLight::Shape::point, 1, 0, 0.01}, Case{PointLight::Shape::point, 0.5F, 1, 0.1},
+          Case{PointLight::Shape::point, 0.25F, 1, 0.3}, Case{PointLight::Shape::rod, 1, 0, 0.01},
+          Case{PointLight::Shape::rod, 0.5F, 1, 0.3}, Case{PointLight::Shape::rod, 0.25F, 1, 0.3},
+          Case{PointLight::Shape::ring, 1, 0, 0.01}, Case{PointLight::Shape::ring, 0.5F, 1, 0.2},
+          Case{PointLight::Shape::ring, 0.25F, 1, 0.25}}) {
+        Scene scene = floor_scene({{0.8F, 0.4F, 0.1F}, roughness, metalness, {}});
+        PointLight& area = scene.lights[0];
+        area.position = {0.2F, 1, -0.8F};
+        area.shape = shape;
+        area.extent =
+            shape == PointLight::Shape::rod ? glm::vec3(0.6F, 0.3F, 0) : glm::vec3(0, 0.1F, 0.5F);
+        const auto pixels = light(scene);
+        const ViewBlock view = view_block(scene.orbit, 1.5F);
+        double sum = 0, error = 0;
+        for (std::uint32_t y = 0; y < size.height; y += 3) {
+            for (std::uint32_t x = 0; x < size.width; x += 3) {
+                const double sx = (x + 0.5) / size.width * 2 - 1;
+                const double sy = (y + 0.5) / size.height * 2 - 1;
+                const glm::dvec3 ray = glm::dvec3(view.forward) + sx * glm::dvec3(view.right) +
+                                       sy * glm::dvec3(view.up);
+                const glm::dvec3 eye(view.position_near);
+                const glm::dvec3 at = eye - ray * (eye.y / ray.y);
+                if (ray.y >= 0 || std::abs(at.x) > 9 || std::abs(at.z) > 9) {
+                    continue;
+                }
+                const lutlib::RgbD expected =
+                    reference::shade_area(area,
+                                          {{0, 1, 0},
+                                           {0.8, 0.4, 0.1},
+                                           static_cast<double>(roughness),
+                                           static_cast<double>(metalness)},
+                                          at, -glm::normalize(ray), 400);
+                const auto found =
+                    static_cast<double>(pixels[(std::size_t{y} * size.width + x) * 4]);
+                sum += expected.r;
+                error += std::abs(found - expected.r);
+            }
+        }
+        EXPECT_LT(error / sum, bound) << static_cast<int>(shape) << " " << roughness;
     }
 }
 

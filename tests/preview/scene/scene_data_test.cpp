@@ -1,4 +1,5 @@
 // The scene in the shaders' form, and what each view needs of it; without a GPU.
+#include "preview/scene/light_data.h"
 #include "preview/scene/scene_data.h"
 
 #include <gtest/gtest.h>
@@ -85,40 +86,67 @@ TEST(SceneDataTest, normals_stay_perpendicular_under_uneven_scales_and_mirrors) 
     }
 }
 
-TEST(SceneDataTest, a_light_without_a_caster_in_its_frustum_says_so) {
+TEST(SceneDataTest, a_light_without_a_caster_or_a_receiver_in_its_frustum_says_so) {
+    const auto shadow = [](const Scene& scene) {
+        return shadow_of(scene, geometry_of(scene), scene.lights[0], 512);
+    };
     const Scene inside = ball_scene({0, 1, 0});
-    const ShadowCasters casters = shadow_casters(inside, geometry_of(inside), inside.lights[0]);
-    EXPECT_EQ(casters.objects, std::vector<std::uint32_t>{0});
-    EXPECT_EQ(casters.reason, "");
+    const LightShadow found = shadow(inside);
+    ASSERT_EQ(found.views.size(), 1U);
+    EXPECT_EQ(found.views[0].casters, std::vector<std::uint32_t>{0});
+    EXPECT_EQ(found.faces, 0U);
+    EXPECT_EQ(found.reason, "");
 
-    const Scene above = ball_scene({0, 9, 0});
-    EXPECT_EQ(shadow_casters(above, geometry_of(above), above.lights[0]).reason,
-              "no caster in the light's frustum");
-    const Scene aside = ball_scene({9, 0, 0});
-    EXPECT_EQ(shadow_casters(aside, geometry_of(aside), aside.lights[0]).reason,
-              "no caster in the light's frustum");
+    EXPECT_EQ(shadow(ball_scene({0, 9, 0})).reason, "no caster in the light's frustum");
+    EXPECT_EQ(shadow(ball_scene({9, 0, 0})).reason, "no caster in the light's frustum");
 
     Scene other = inside;
     other.objects[0].casts_shadow = false;
-    EXPECT_EQ(shadow_casters(other, geometry_of(other), other.lights[0]).reason,
-              "no caster in the light's frustum");
+    EXPECT_EQ(shadow(other).reason, "no caster in the light's frustum");
+    other = inside;
+    other.materials[0].detail.is_unlit = true;
+    EXPECT_EQ(shadow(other).reason, "no receiver in the light's frustum");
     other = inside;
     other.lights[0].intensity = {};
-    EXPECT_EQ(shadow_casters(other, geometry_of(other), other.lights[0]).reason,
-              "the light's intensity is 0");
+    EXPECT_EQ(shadow(other).reason, "the light's intensity is 0");
     other.lights[0].casts_shadow = false;
-    EXPECT_EQ(shadow_casters(other, geometry_of(other), other.lights[0]).reason,
-              "the light casts none");
+    EXPECT_EQ(shadow(other).reason, "the light casts none");
+}
+
+TEST(SceneDataTest, a_light_that_shadows_all_round_has_six_maps_and_looks_up_those_with_casters) {
+    Scene scene = ball_scene({0, 1, 0});
+    scene.lights[0].shadow_angle = PointLight::all_round;
+    const LightShadow below = shadow_of(scene, geometry_of(scene), scene.lights[0], 512);
+    ASSERT_EQ(below.views.size(), 6U);
+    EXPECT_EQ(below.views[3].side, "-y");
+    EXPECT_EQ(below.views[3].casters, std::vector<std::uint32_t>{0});
+    EXPECT_TRUE(below.views[2].casters.empty());
+    EXPECT_EQ(below.faces, 1U << 3U);
+    scene.lights[0].position = {0, 1, 0};
+    const LightShadow about = shadow_of(scene, geometry_of(scene), scene.lights[0], 512);
+    EXPECT_EQ(about.views.size(), 6U);
+    EXPECT_EQ(about.faces, 63U);
+    for (std::size_t face = 0; face < 6; ++face) {
+        const ShadowFrustum& frustum = about.views[face].frustum;
+        const glm::mat4 clip = shadow_clip(scene.lights[0], frustum);
+        // A direction on the edge of the face's own side stands inside of the map, by the filter's
+        // reach.
+        const glm::vec3 edge = frustum.forward + frustum.right;
+        const glm::vec4 p = clip * glm::vec4(scene.lights[0].position + edge, 1);
+        EXPECT_NEAR((1 - p.x / p.w) * 256, 3, 0.01) << face;
+    }
 }
 
 TEST(SceneDataTest, a_shadow_map_looks_at_the_lights_aim_from_near_to_far) {
     for (const glm::vec3 aim : {glm::vec3(0, 0, 0), glm::vec3(3, 1, 2)}) {
-        PointLight light;
-        light.position = {0, 5, 0};
+        Scene scene = ball_scene(0.5F * aim);
+        PointLight& light = scene.lights[0];
         light.aim = aim;
         light.shadow_near = 0.5F;
         light.shadow_far = 10;
-        const glm::mat4 clip = shadow_clip(light);
+        const LightShadow shadow = shadow_of(scene, geometry_of(scene), light, 512);
+        ASSERT_EQ(shadow.views.size(), 1U);
+        const glm::mat4 clip = shadow_clip(light, shadow.views[0].frustum);
         const glm::vec3 towards = glm::normalize(aim - light.position);
         const auto depth = [&](float distance) {
             const glm::vec4 p = clip * glm::vec4(light.position + towards * distance, 1);

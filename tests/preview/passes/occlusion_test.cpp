@@ -144,7 +144,7 @@ TEST_F(OcclusionTest, is_what_rays_find_and_leaves_open_planes_alone) {
 }
 
 TEST_F(FrameTest, ambient_occlusion_darkens_corners_and_costs_nothing_where_it_is_not_wanted) {
-    Loaded loaded(scene_at(*scene_named("sample"), 0));
+    Loaded loaded(scene_at(*scene_named("studio"), 0));
     FrameSettings settings = settings_for(loaded.scene);
     settings.effects.clear();
     settings.bloom = bloom_named("none");

@@ -22,8 +22,8 @@ bool continues_a_letter(std::string_view text, std::size_t i) {
 }
 
 // Bytes of the blank that begins at `i`; 0 where none does. Word processors and web pages put
-// no-break and typographic spaces (Unicode's Zs, and the byte order mark) where a blank was meant;
-// 0xA0 alone is the no-break space of one-byte character sets.
+// no-break and typographic spaces (Unicode's Zs, zero-width marks, and the byte order mark) where a
+// blank was meant; 0xA0 alone is the no-break space of one-byte character sets.
 std::size_t blank_at(std::string_view text, std::size_t i) {
     const auto byte = [&](std::size_t k) {
         return i + k < text.size() ? static_cast<unsigned char>(text[i + k]) : 0U;
@@ -38,7 +38,7 @@ std::size_t blank_at(std::string_view text, std::size_t i) {
     if (first == 0xC2 && second == 0xA0) {
         return 2;
     }
-    if (first == 0xE2 && second == 0x80 && ((third >= 0x80 && third <= 0x8A) || third == 0xAF)) {
+    if (first == 0xE2 && second == 0x80 && ((third >= 0x80 && third <= 0x8D) || third == 0xAF)) {
         return 3;
     }
     if ((first == 0xE3 && second == 0x80 && third == 0x80) ||

@@ -35,11 +35,13 @@ bool is_vlt(const Lut& lut) {
            });
 }
 
-bool is_codes(const Domain& domain) {
-    return std::any_of(usual_depths.begin(), usual_depths.end(), [&](int bits) {
+/// The depth of which an input range is all codes.
+std::optional<int> depth_of(const Domain& domain) {
+    const auto depth = std::find_if(usual_depths.begin(), usual_depths.end(), [&](int bits) {
         const auto top = static_cast<float>(largest_code(bits));
         return domain == Domain{{0, 0, 0}, {top, top, top}};
     });
+    return depth == usual_depths.end() ? std::nullopt : std::optional(*depth);
 }
 
 bool stays_inside(float largest, const Domain& domain) {
@@ -55,10 +57,24 @@ void scale(std::vector<Rgb>& values, int bits) {
     }
 }
 
+std::string whole_numbers_text(const char* which, float largest) {
+    return std::string("the values of the ") + which + " table are all whole numbers, up to " +
+           std::to_string(static_cast<long>(largest));
+}
+
 void scale_table(std::vector<Rgb>& values, Domain& domain, bool vlt, const char* which,
                  std::vector<std::string>& notes) {
     const std::optional<float> largest = largest_whole(values);
-    if (!largest || (!vlt && *largest < least_largest_code)) {
+    if (!largest || (!vlt && *largest <= 1)) {
+        return;
+    }
+    const std::optional<int> of_input = depth_of(domain);
+    if (!vlt && !of_input && *largest < least_largest_code) {
+        if (!stays_inside(*largest, domain)) {
+            notes.push_back(whole_numbers_text(which, *largest) +
+                            ": read as they are; if they are codes, write the range of the codes "
+                            "into the file (DOMAIN_MIN 0 0 0, DOMAIN_MAX 1023 1023 1023)");
+        }
         return;
     }
     const std::optional<int> needed = depth_of_codes(*largest);
@@ -66,19 +82,15 @@ void scale_table(std::vector<Rgb>& values, Domain& domain, bool vlt, const char*
         return;
     }
     const bool declared = vlt && *needed <= vlt_bits;
-    const int bits = declared ? vlt_bits : *needed;
-    const bool input_is_codes = is_codes(domain);
-    if (!declared && !input_is_codes && stays_inside(*largest, domain)) {
+    const int bits = declared ? vlt_bits : std::max(*needed, of_input.value_or(0));
+    if (!declared && !of_input && stays_inside(*largest, domain)) {
         return;
     }
     scale(values, bits);
     const std::string depth = std::to_string(bits) + "-bit codes";
-    std::string note =
-        declared
-            ? std::string("the values are ") + depth + ", as in every .vlt"
-            : std::string("the values of the ") + which + " table are all whole numbers, up to " +
-                  std::to_string(static_cast<long>(*largest)) + ": guessed to be " + depth;
-    if (input_is_codes) {
+    std::string note = declared ? std::string("the values are ") + depth + ", as in every .vlt"
+                                : whole_numbers_text(which, *largest) + ": guessed to be " + depth;
+    if (of_input) {
         domain = {};
         note += ", as is its input range";
     }

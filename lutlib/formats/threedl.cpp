@@ -70,29 +70,38 @@ class ThreedlReader {
     }
 
     void read_comment(std::string_view comment) {
-        const std::string text = upper(comment);
-        declare(output_, text, "OUTPUT BIT DEPTH");
-        declare(input_, text, "INPUT BIT DEPTH");
+        declare_depths(comment);
         lut_.comments.emplace_back(comment);
     }
 
-    void declare(Declared& declared, const std::string& text, std::string_view words) {
+    /// Whether the line speaks of a depth; some writers leave out the comment's mark.
+    bool declare_depths(std::string_view line) {
+        const std::string text = upper(line);
+        const bool of_output = declare(output_, text, "OUTPUT BIT DEPTH");
+        return declare(input_, text, "INPUT BIT DEPTH") || of_output;
+    }
+
+    bool declare(Declared& declared, const std::string& text, std::string_view words) {
         const std::size_t at = text.find(words);
         if (at == std::string::npos) {
-            return;
+            return false;
         }
         const std::size_t digits = text.find_first_of("0123456789", at + words.size());
         const std::size_t between = text.find_first_not_of(" \t:=", at + words.size());
         if (digits != std::string::npos && digits == between) {
             const std::size_t end = text.find_first_not_of("0123456789", digits);
-            set_depth(declared, whole_number(std::string_view(text).substr(digits, end - digits)));
+            return set_depth(declared,
+                             whole_number(std::string_view(text).substr(digits, end - digits)));
         }
+        return false;
     }
 
-    void set_depth(Declared& declared, std::optional<int> bits) {
-        if (bits && *bits >= 8 && *bits <= 16) {
+    bool set_depth(Declared& declared, std::optional<int> bits) {
+        const bool is_depth = bits && *bits >= 8 && *bits <= 16;
+        if (is_depth) {
             declared = {*bits, lines_.line_number()};
         }
+        return is_depth;
     }
 
     void read_line(std::string_view line) {
@@ -129,7 +138,8 @@ class ThreedlReader {
         }
         const bool plain_gamma = keyword == "GAMMA" && words.size() == 2 &&
                                  parse_float(words[1], ignored) == NumberStatus::ok && ignored == 1;
-        if (keyword != "3DMESH" && !keyword.starts_with("LUT") && !plain_gamma) {
+        if (keyword != "3DMESH" && !keyword.starts_with("LUT") && !plain_gamma &&
+            !declare_depths(line)) {
             lut_.keywords.emplace_back(line);
         }
     }

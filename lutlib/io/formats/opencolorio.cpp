@@ -1,5 +1,6 @@
 #include "lutlib/io/formats/opencolorio.h"
 
+#include "lutlib/formats/integer_codes.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats/all.h"
 #include "lutlib/io/ocio.h"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -41,25 +43,58 @@ int recognise_discreet(std::string_view bytes) {
 // The depth of its codes stands behind the table's sizes ("LUT: 1 1024 256"), else behind "to" in
 // the file's name (12to10log.lut); else OpenColorIO takes them for as many bits as the table has
 // entries.
-std::string depth_note(std::string_view bytes, const std::string& file) {
+struct Declaration {
+    bool known;
+    std::string note; ///< where the depth is known from, unless it stands in the file
+};
+Declaration depth_declared(std::string_view bytes, const std::string& file) {
     if (words_of(discreet_head(bytes)).count > 3) {
-        return {};
+        return {true, {}};
     }
     const std::string name = upper(std::filesystem::path(file).stem().string());
     const std::size_t to = name.find("TO");
     const std::string digits = to == std::string::npos ? "" : name.substr(to + 2, 2);
     const bool known = digits.starts_with('8') || digits == "10" || digits == "12" ||
                        digits == "16" || digits == "32";
-    return known ? "the codes' depth is read from the file's name, which says to " +
-                       (digits.front() == '8' ? "8" : digits) + " bits"
-                 : "no depth of the codes is declared: guessed to be that of the input, by the "
-                   "number of entries";
+    return {known, known ? "the codes' depth is read from the file's name, which says to " +
+                               (digits.front() == '8' ? "8" : digits) + " bits"
+                         : "no depth of the codes is declared: guessed to be that of the input, "
+                           "by the number of entries"};
+}
+
+// Codes beyond the depth of the input, of which nothing else is declared, have a depth of their
+// own. Answers what is to be said of that; nothing where all fit.
+std::string scale_codes_beyond(Lut1D& table) {
+    const double top = static_cast<double>(table.entries.size()) - 1;
+    double largest = 0;
+    for (const Rgb& entry : table.entries) {
+        largest = std::max({largest, entry.r * top, entry.g * top, entry.b * top});
+    }
+    const std::optional<int> bits = depth_of_codes(std::round(largest));
+    if (!(std::round(largest) > top) || !bits) {
+        return {};
+    }
+    const auto scale = static_cast<float>(top / largest_code(*bits));
+    for (Rgb& entry : table.entries) {
+        entry = entry * scale;
+    }
+    return "no depth of the codes is declared: guessed to be " + std::to_string(*bits) +
+           " bits by the largest, " + std::to_string(std::lround(largest)) +
+           ", as the input's has none so large";
 }
 
 Reading read_discreet(const FileFormat& format, std::string_view bytes, const std::string& file,
                       const ReadOptions& options) {
     Reading out = read_with_opencolorio(format, bytes, file, options);
-    if (std::string note = depth_note(bytes, file); !note.empty()) {
+    const Declaration declared = depth_declared(bytes, file);
+    std::string note = declared.note;
+    if (!declared.known && out.lut.shaper && !out.lut.cube) {
+        if (const std::string beyond = scale_codes_beyond(*out.lut.shaper); !beyond.empty()) {
+            note = beyond;
+            out.table_losses.clear(); // rounding of values far above 1
+        }
+    }
+    if (!note.empty()) {
         out.lut.notes.push_back(std::move(note));
     }
     return out;

@@ -350,7 +350,8 @@ TEST(ReadCube, takes_utf_16_with_and_without_its_mark) {
 
 TEST(ReadCube, takes_no_break_and_typographic_spaces_for_blanks) {
     const Lut meant = read_cube("LUT_1D_SIZE 2\n0 0.25 0\n1 1 0.5\n", "a.cube");
-    for (const std::string blank : {"\xC2\xA0", "\xA0", "\xE2\x80\x89", "\xE3\x80\x80"}) {
+    for (const std::string blank :
+         {"\xC2\xA0", "\xA0", "\xE2\x80\x89", "\xE3\x80\x80", "\xE2\x80\x8B"}) {
         const std::string text = "LUT_1D_SIZE" + blank + "2\n" + blank + "0" + blank + "0.25" +
                                  blank + blank + "0 \n1" + blank + " 1 0.5" + blank + "\n";
         EXPECT_EQ(read_cube(text, "a.cube").shaper, meant.shaper) << blank.size();

@@ -49,15 +49,37 @@ TEST(IntegerCodes, over_an_input_range_of_codes_lose_that_too) {
 }
 
 TEST(IntegerCodes, are_not_seen_in_intensities) {
-    // Whole numbers that stay inside their own input range, small ones, and a single fraction.
+    // Whole numbers that stay inside their own input range, and a single fraction.
     for (const std::string& text :
-         {curve_text(17, 200, "DOMAIN_MAX 200 200 200\n"), curve_text(17, 100),
+         {curve_text(17, 200, "DOMAIN_MAX 200 200 200\n"),
           std::string("LUT_1D_SIZE 3\n0 0 0\n200.5 200 200\n400 400 400\n"),
           std::string("LUT_1D_SIZE 2\n-1 0 0\n400 400 400\n")}) {
         const Lut lut = read_cube(text, "a.cube");
         EXPECT_GE(lut.shaper->entries.back().r, 100) << text;
         EXPECT_TRUE(lut.notes.empty());
     }
+}
+
+TEST(IntegerCodes, over_an_input_range_of_codes_have_its_depth_however_dark_they_are) {
+    for (const int bits : {10, 12}) {
+        const std::string top = std::to_string(std::lround(largest_code(bits)));
+        for (const double largest : {100.0, 500.0}) {
+            const std::string range = "DOMAIN_MAX " + top + ' ' + top + ' ' + top + '\n';
+            const Lut lut = read_cube(curve_text(17, largest, range), "a.cube");
+            EXPECT_TRUE(lut.domain().is_unit());
+            EXPECT_FLOAT_EQ(lut.shaper->entries.back().r,
+                            static_cast<float>(largest / largest_code(bits)));
+            EXPECT_EQ(lut.notes.size(), 1U);
+        }
+    }
+}
+
+TEST(IntegerCodes, too_small_for_any_depth_are_read_as_they_are_and_said) {
+    const Lut lut = read_cube(curve_text(17, 100), "a.cube");
+    EXPECT_EQ(lut.shaper->entries.back().r, 100);
+    ASSERT_EQ(lut.notes.size(), 1U);
+    EXPECT_NE(lut.notes[0].find("up to 100: read as they are"), std::string::npos) << lut.notes[0];
+    EXPECT_TRUE(read_cube(curve_text(2, 1), "a.cube").notes.empty());
 }
 
 } // namespace

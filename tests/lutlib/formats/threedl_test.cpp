@@ -48,7 +48,7 @@ TEST(Threedl, declares_its_depth_in_lustres_keyword_or_a_comment) {
     const double white = 1023 / .9;
     for (const std::string& head :
          {std::string("3DMESH\nMesh 2 12\n"), std::string("# Output bit depth 12\n"),
-          std::string("#output bit depth: 12 \n"),
+          std::string("#output bit depth: 12 \n"), std::string("Output bit depth 12\n"),
           std::string("# Input bit depth 10\n#  Output Bit Depth = 12\n")}) {
         const Lut lut = read_threedl(head + mesh + rows(5, white), "a.3dl");
         EXPECT_NEAR(white_of(lut).r, 1023 / 4095.0, 1e-6) << head;

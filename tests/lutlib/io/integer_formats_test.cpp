@@ -93,5 +93,19 @@ TEST(DiscreetLut, says_its_depth_in_its_name) {
     EXPECT_NEAR(white("plain.lut"), 255.0 / 1023, 1e-6);
 }
 
+TEST(DiscreetLut, of_codes_beyond_its_input_depth_has_the_depth_that_they_need_and_says_so) {
+    std::string table = "LUT: 1 1024\n";
+    for (int i = 0; i < 1024; ++i) {
+        table += std::to_string(i * i / 41) + '\n';
+    }
+    const Reading read = decode_lut(table, "plain.lut");
+    const Lut& lut = read.lut;
+    EXPECT_NEAR(evaluate_exact(lut, {1, 1, 1}).g, 25525.0 / 65535, 1e-6);
+    EXPECT_TRUE(read.table_losses.empty());
+    ASSERT_EQ(lut.notes.size(), 1U);
+    EXPECT_NE(lut.notes[0].find("16 bits by the largest, 25525"), std::string::npos)
+        << lut.notes[0];
+}
+
 } // namespace
 } // namespace lutlib::io

@@ -3,9 +3,7 @@
 #include "converter/report.h"
 #include "converter/subject.h"
 #include "lutlib/io/file.h"
-#include "lutlib/io/formats.h"
 #include "lutlib/io/lut_picture.h"
-#include "lutlib/io/recipe_file.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -39,13 +37,14 @@ std::string listed(const Names& names) {
 
 } // namespace
 
-std::optional<PictureFacts> picture_facts(const std::string& bytes, const std::string& path) {
-    const std::string file = io::input_name(path);
-    if (io::is_recipe(bytes) || !io::recognise_format(bytes, file).picture) {
+std::optional<PictureFacts> picture_facts(const std::string& bytes, const io::Look& look) {
+    if (!look.kind().layout) {
         return std::nullopt;
     }
+    const std::string file = io::input_name(look.path());
     const io::LutPicture picture = io::read_lut_picture(bytes, file);
-    const auto [found, contradiction] = layout_of(picture, file);
+    const lutlib::Layout& layout = *look.kind().layout;
+    const auto [size, rows] = *arrangement_in(layout, picture.picture.size());
     const bool png = io::is_png(bytes);
     io::PngImage image;
     if (png) {
@@ -57,10 +56,10 @@ std::optional<PictureFacts> picture_facts(const std::string& bytes, const std::s
     nlohmann::ordered_json engines = nlohmann::ordered_json::object();
     std::string others;
     for (const lutlib::Engine& engine : lutlib::engines()) {
-        if (engine.layout != found.layout->name || found.rows > 1) {
+        if (engine.layout != layout.name || rows > 1) {
             continue;
         }
-        const std::vector<std::string> points = contract_points(image, engine, found.size);
+        const std::vector<std::string> points = contract_points(image, engine, size);
         engines[std::string(engine.name)] = points;
         if (points.empty()) {
             takers.push_back(engine.name);
@@ -71,16 +70,16 @@ std::optional<PictureFacts> picture_facts(const std::string& bytes, const std::s
     }
     const std::vector<std::string_view> chunks = colour_chunks(image);
     PictureFacts out;
-    out.text =
-        fmt::format("  picture: {}x{} pixels, {}{}\n  layout: {}, {} nodes per axis{}\n",
-                    picture.picture.width, picture.picture.height, storage(picture, image),
-                    png ? ", colour chunks: " + listed(chunks) : "", found.layout->name, found.size,
-                    found.rows > 1 ? fmt::format(", {} stacked", found.rows) : "");
+    out.text = fmt::format("  picture: {}x{} pixels, {}{}\n  layout: {}, {} nodes per axis{}\n",
+                           picture.picture.width, picture.picture.height, storage(picture, image),
+                           png ? ", colour chunks: " + listed(chunks) : "", layout.name, size,
+                           rows > 1 ? fmt::format(", {} stacked", rows) : "");
     if (picture.engine) {
         out.text += fmt::format("  its text names the engine {}\n", picture.engine->name);
     }
-    if (!contradiction.empty()) {
-        out.text += "  but: " + one_line(contradiction) + "\n";
+    const std::vector<std::string>& remarks = look.files().front().remarks;
+    for (const std::string& remark : remarks) {
+        out.text += "  but: " + one_line(remark) + "\n";
     }
     out.text += "  engines that take it as it is: " + listed(takers) + "\n" + others;
     out.json = {{"width", picture.picture.width},
@@ -91,11 +90,11 @@ std::optional<PictureFacts> picture_facts(const std::string& bytes, const std::s
                 {"grey", image.grey},
                 {"interlaced", image.interlaced},
                 {"colour_chunks", chunks},
-                {"layout", found.layout->name},
-                {"size", found.size},
-                {"rows", found.rows},
+                {"layout", layout.name},
+                {"size", size},
+                {"rows", rows},
                 {"engine_in_text", picture.engine ? picture.engine->name : ""},
-                {"contradiction", contradiction},
+                {"remarks", remarks},
                 {"engines", engines}};
     return out;
 }

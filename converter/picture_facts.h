@@ -1,6 +1,8 @@
 // What a LUT picture is, beside the look in it: its layout, its file, and who takes it as it is.
 #pragma once
 
+#include "lutlib/io/look.h"
+
 #include <nlohmann/json.hpp>
 
 #include <optional>
@@ -13,7 +15,7 @@ struct PictureFacts {
     nlohmann::ordered_json json;
 };
 
-/// Nothing for a file that is no picture. Throws Error where its layout cannot be told.
-std::optional<PictureFacts> picture_facts(const std::string& bytes, const std::string& path);
+/// Nothing of a look that is no picture. `bytes`: its file's.
+std::optional<PictureFacts> picture_facts(const std::string& bytes, const lutlib::io::Look& look);
 
 } // namespace converter

@@ -175,8 +175,13 @@ Subject open_subject(const std::string& path, const Engine* engine) {
     Subject s;
     const std::string name = io::input_name(path);
     const std::string bytes = io::read_file(path);
-    s.image = io::is_png(bytes) ? io::read_png(bytes, name)
-                                : image_of(io::code_picture(io::read_lut_picture(bytes, name)));
+    if (io::is_png(bytes)) {
+        s.image = io::read_png(bytes, name);
+    } else {
+        const io::LutPicture picture = io::read_lut_picture(bytes, name);
+        s.image = image_of(io::code_picture(picture));
+        s.notes = picture.remarks;
+    }
     s.codes = io::code_picture(s.image);
     s.engine = engine;
     if (!engine) {

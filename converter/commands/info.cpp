@@ -86,8 +86,8 @@ std::string encodings_text(const lutlib::LookEncodings& known) {
 
 int run(const std::string& path, bool json) {
     const std::string bytes = lutlib::io::read_file(path);
-    const std::optional<PictureFacts> picture = picture_facts(bytes, path);
     const lutlib::io::Look look = open_look(bytes, path);
+    const std::optional<PictureFacts> picture = picture_facts(bytes, look);
     const auto table = table_of(look);
     const lutlib::Lut& lut = *table;
     const lutlib::ErrorStats moves = distance_from_identity(lut);

@@ -85,6 +85,10 @@ Split split(RgbD c) {
 
 } // namespace
 
+bool falls(const Evidence& evidence) {
+    return *std::max_element(evidence.tone.begin(), evidence.tone.end()) < -tone_slack;
+}
+
 Evidence evidence_of(const Lut3D& cube) {
     Evidence out;
     measure_steps(cube, out);

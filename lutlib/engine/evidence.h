@@ -8,6 +8,9 @@
 
 namespace lutlib {
 
+/// Of Evidence::tone: nearer to 0 is neither brighter nor darker.
+inline constexpr double tone_slack = 0.02;
+
 struct Evidence {
     /// The mean squared step between neighbours against that between nodes taken at random: near 0
     /// for a smooth lattice, 1 for a shuffled one (von Neumann's ratio, halved). Of the roughest of
@@ -31,5 +34,8 @@ struct Evidence {
 };
 
 Evidence evidence_of(const Lut3D& cube);
+
+/// Whether it grows darker along all three axes, as a negative does.
+bool falls(const Evidence& evidence);
 
 } // namespace lutlib

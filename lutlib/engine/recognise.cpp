@@ -29,7 +29,6 @@ constexpr double least_hue_order = 0.1;
 // Greys that gain colour this fast are not read along the grey axis.
 constexpr double grey_axis_missed = 0.6;
 constexpr double clearly_own = 0.1, overruling_own = 0.3;
-constexpr double tone_slack = 0.02;
 
 // What a lattice of n nodes per axis cannot fall below while it moves at all: an identity's.
 double roughness_of_identity(int n) {
@@ -80,7 +79,8 @@ Recognition read_as(const Picture& picture, const Layout& layout, Arrangement he
                     .orientation = 1,
                     .ownership = 0,
                     .tells_hues = false,
-                    .tones_agree = true};
+                    .tones_agree = true,
+                    .falls = false};
     for (int row = 0; row < held.rows; ++row) {
         const Evidence e = evidence_of(from_picture(picture, layout, held.size, row));
         if (!(e.step > 0)) {
@@ -91,6 +91,7 @@ Recognition read_as(const Picture& picture, const Layout& layout, Arrangement he
         out.fold = std::min(out.fold, fold_of(picture, layout, held, row, e.step));
         out.ownership += e.ownership / held.rows;
         out.tones_agree = out.tones_agree && tones_agree(e);
+        out.falls = out.falls || falls(e);
         out.tells_hues = out.tells_hues || (coloured && std::abs(e.hue_order) >= least_hue_order);
         if (coloured) {
             out.grey_drift = std::max(out.grey_drift, e.grey_drift);
@@ -123,6 +124,15 @@ bool contradicts(const Recognition& shown, const Recognition& named) {
     return named.roughness > other_geometry * shown.roughness ||
            named.grey_drift >= grey_axis_missed ||
            std::abs(shown.ownership) >= std::abs(named.ownership) + overruling_own;
+}
+
+// A picture turned by 180 degrees, in any layout, and a strip that is mirrored hold the negative of
+// their look, and nothing in them tells it from a look that is one.
+std::string doubt_of(const Recognition& reading) {
+    return reading.falls
+               ? "it is read as a negative, in which brighter inputs become darker; if the look is "
+                 "none, the picture was mirrored or turned by 180 degrees since it was made"
+               : "";
 }
 
 std::string words_of(const Recognition& reading) {
@@ -205,12 +215,12 @@ Recognised recognise_one(const Picture& picture, const std::string& file, const 
         std::find_if(readings.begin(), readings.end(),
                      [&](const Recognition& reading) { return reading.layout == hint.layout; });
     if (named != readings.end() && (!shown || shown == &*named || !contradicts(*shown, *named))) {
-        return {*named, {}};
+        return {*named, {}, doubt_of(*named)};
     }
     if (!shown) {
         refuse(picture, readings, file);
     }
-    Recognised out{*shown, {}};
+    Recognised out{*shown, {}, doubt_of(*shown)};
     if (named != readings.end()) {
         out.contradiction = hint.source + ", whose layout is " + std::string(hint.layout->name) +
                             ", but the content is laid out as " + std::string(shown->layout->name) +

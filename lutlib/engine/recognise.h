@@ -29,6 +29,7 @@ struct Recognition {
     double ownership = 0;     ///< Evidence::ownership, the mean of all
     bool tells_hues = false;  ///< the look has hues that can be in order
     bool tones_agree = false; ///< it grows brighter along all three axes, or darker along all
+    bool falls = false;       ///< it grows darker along all three axes, as a negative does
 };
 
 /// Every reading that the dimensions allow, smoothest first. Empty: no layout has these dimensions.
@@ -50,6 +51,8 @@ struct Recognised {
     Recognition reading;
     /// A hint that the content contradicts and that was not followed, in a sentence; else empty.
     std::string contradiction;
+    /// Why it may be meant otherwise, in a sentence; else empty.
+    std::string doubt = {};
 };
 
 /// Throws Error where neither content nor hint tells; it names the candidates and what decides.

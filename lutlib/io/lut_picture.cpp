@@ -1,7 +1,11 @@
 #include "lutlib/io/lut_picture.h"
 
+#include "lutlib/engine/evidence.h"
+#include "lutlib/io/alpha.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/image.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +14,7 @@ namespace lutlib::io {
 namespace {
 
 constexpr const char *input_key = "Input encoding", *output_key = "Output encoding",
+                     *tones_key = "Tones", *falling_tones = "falling",
                      *look_input_key = "Look input", *look_output_key = "Look output";
 
 void append_known(PngImage& image, const char* key, const std::string& name) {
@@ -18,7 +23,43 @@ void append_known(PngImage& image, const char* key, const std::string& name) {
     }
 }
 
+// Colours under an alpha below 1 are made straight.
+std::vector<std::string> remarks_of(FloatImage& image) {
+    std::vector<std::string> out;
+    if (image.source && image.source->type == "jpeg") {
+        out.emplace_back("JPEG compresses with losses, so its codes are only near those that were "
+                         "saved; save the look as PNG");
+    }
+    std::size_t translucent = 0, lost = 0;
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
+        translucent += image.rgba[i] != 1.0F;
+        lost += image.rgba[i] == 0.0F;
+    }
+    if (!image.premultiplied || translucent == 0) {
+        return out;
+    }
+    make_straight(image);
+    out.push_back(fmt::format(
+        "its colours are stored multiplied by alpha, which is not 1 in {} "
+        "texels, and were divided by it{}; save it without alpha",
+        translucent,
+        lost == 0 ? "" : fmt::format("; in {} it is 0, so that their colours are lost", lost)));
+    return out;
+}
+
 } // namespace
+
+void append_tones(PngImage& image, const Layout& layout, int size) {
+    const int last = size - 1;
+    const auto tone = [&](int i) {
+        const Pixel at = layout.pixel(size, image.width, i, i, i);
+        return image.at(at, 0) + image.at(at, 1) + image.at(at, 2);
+    };
+    const bool may_fall = tone(last) < tone(0); // spares nearly all looks the rest
+    if (may_fall && falls(evidence_of(from_picture(decoded(image), layout, size)))) {
+        image.text.emplace_back(tones_key, falling_tones);
+    }
+}
 
 void append_encodings(PngImage& image, const EncodingNames& names) {
     append_known(image, input_key, names.input);
@@ -44,6 +85,7 @@ std::string picture_bytes(const Bake& bake, const BakeOrigin& origin) {
                   {"Interpolation", std::string(origin.interpolation)},
                   {"Lattice", origin.fitted ? "fitted" : "point-sampled"},
                   {"Software", "lutconv"}};
+    append_tones(image, *layout_named(bake.engine->layout), bake.size);
     append_encodings(image, origin.encodings);
     append_known(image, look_input_key, origin.look.input);
     append_known(image, look_output_key, origin.look.output);
@@ -81,10 +123,12 @@ LutPicture read_lut_picture(std::string_view bytes, const std::string& file) {
                 .alpha = image.channels == 4,
                 .title = text_entry(image, "Title").value_or(""),
                 .engine = engine_named(text_entry(image, "Engine").value_or("")),
-                .encodings = encodings_of(image)};
+                .encodings = encodings_of(image),
+                .says_negative = text_entry(image, tones_key) == falling_tones};
     }
-    const FloatImage image = decode_image(bytes, extension_of(file), file);
+    FloatImage image = decode_image(bytes, extension_of(file), file);
     LutPicture out;
+    out.remarks = remarks_of(image);
     out.bits = image.depth == Depth::uint8 ? 8 : image.depth == Depth::uint16 ? 16 : 0;
     out.alpha = image.alpha;
     out.picture = {image.width, image.height, std::vector<Rgb>(image.rgba.size() / 4)};
@@ -115,7 +159,14 @@ Recognised layout_of(const LutPicture& picture, const std::string& file, const E
                 std::string(named ? "it was said to be for" : "its text names") + " the engine " +
                     std::string(engine->name)};
     }
-    return recognise_one(picture.picture, file, hint);
+    Recognised out = recognise_one(picture.picture, file, hint);
+    if (picture.says_negative) {
+        out.doubt = out.reading.falls ? ""
+                                      : "its text says that brighter inputs become darker, which "
+                                        "they do not: the picture was mirrored or turned by 180 "
+                                        "degrees since it was made";
+    }
+    return out;
 }
 
 } // namespace lutlib::io

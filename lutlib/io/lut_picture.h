@@ -23,9 +23,14 @@ struct BakeOrigin {
 };
 
 /// The file's bytes, with the engine's sRGB tag and text entries Source, Title, Engine,
-/// Interpolation, Lattice ("fitted" or "point-sampled"), Software, "Input encoding" and "Output
-/// encoding" of the picture, and "Look input" and "Look output": those encodings that are known.
+/// Interpolation, Lattice ("fitted" or "point-sampled"), Tones, Software, "Input encoding" and
+/// "Output encoding" of the picture, and "Look input" and "Look output": those encodings that are
+/// known.
 std::string picture_bytes(const Bake& bake, const BakeOrigin& origin);
+
+/// Text entry "Tones" of a look that is a negative, as nothing else tells it from another look's
+/// picture that was turned by 180 degrees since. Its codes are laid out already.
+void append_tones(PngImage& image, const Layout& layout, int size);
 
 /// Text entries "Input encoding" and "Output encoding", where they are known.
 void append_encodings(PngImage& image, const EncodingNames& names);
@@ -43,10 +48,13 @@ std::optional<std::string> text_entry(const PngImage& image, std::string_view ke
 struct LutPicture {
     Picture picture;    ///< of codes / largest code; floats as they are
     int bits = 8;       ///< of a code: 8 or 16; 0 where the file stores floats
-    bool alpha = false; ///< the file has one, which is left out
+    bool alpha = false; ///< the file has one, by which colours are divided where it multiplies them
     std::string title;
     const Engine* engine = nullptr; ///< the one that its text names
     EncodingNames encodings{};      ///< that its text names
+    bool says_negative = false;     ///< its text says that brighter inputs become darker
+    /// What its file type does to codes, a sentence each.
+    std::vector<std::string> remarks{};
 };
 
 /// PNG by itself, every other type through OpenImageIO. Throws Error.

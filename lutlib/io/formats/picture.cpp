@@ -76,6 +76,7 @@ Reading reading_of(const io::LutPicture& source, const Layout& layout, int size,
                    const ReadOptions& options) {
     const Engine* const engine = options.engine ? options.engine : source.engine;
     Reading out;
+    out.remarks = source.remarks;
     out.lut.title = source.title;
     out.lut.encodings = source.encodings;
     out.lut.cube = from_picture(source.picture, layout, size, options.row);
@@ -127,6 +128,7 @@ std::string write(const FileFormat& format, const Lut& lut, const WriteOptions& 
     }
     const std::string& title = options.title.empty() ? lut.title : options.title;
     codes.text = {{"Title", title}, {"Source", lut.provenance}};
+    io::append_tones(codes, *format.layout, lut.cube->size);
     io::append_encodings(codes, lut.encodings);
     return io::write_png(codes);
 }
@@ -142,10 +144,12 @@ Reading read_recognised(const FileFormat& /*format*/, std::string_view bytes,
     if (options.layout) {
         return read_in(source, *options.layout, file, options);
     }
-    const auto [found, contradiction] = layout_of(source, file, options.engine);
+    const auto [found, contradiction, doubt] = layout_of(source, file, options.engine);
     Reading out = read_in(source, *found.layout, file, options);
-    if (!contradiction.empty()) {
-        out.remarks.push_back(contradiction);
+    for (const std::string& remark : {contradiction, doubt}) {
+        if (!remark.empty()) {
+            out.remarks.push_back(remark);
+        }
     }
     return out;
 }

@@ -205,13 +205,27 @@ TEST(Recognise, refuses_pictures_that_are_turned_or_mirrored) {
             EXPECT_EQ(refusal_of(rearranged(picture, true, false)).find("read as"),
                       std::string::npos)
                 << layout << n;
-            // A mirrored strip is a negative's strip with green up, and is read so.
-            if (layout != std::string("strip")) {
+            // A mirrored strip is a negative's strip with green up, and is read so, but not
+            // without a word.
+            if (layout == std::string("strip")) {
+                const Recognised found = recognise_one(rearranged(picture, false, true), "x.png");
+                EXPECT_NE(found.doubt.find("mirrored or turned"), std::string::npos) << n;
+            } else {
                 EXPECT_EQ(refusal_of(rearranged(picture, false, true)).find("read as"),
                           std::string::npos)
                     << layout << n;
             }
         }
+    }
+}
+
+TEST(Recognise, says_of_a_negative_in_every_layout_that_it_may_be_a_picture_turned_round) {
+    for (const Layout& layout : layouts()) {
+        Picture picture = to_picture(coded(test_looks()[1].f, 16), layout);
+        EXPECT_EQ(recognise_one(picture, "x.png").doubt, "") << layout.name;
+        std::reverse(picture.pixels.begin(), picture.pixels.end());
+        const Recognised found = recognise_one(picture, "x.png", {&layout, "its text says so"});
+        EXPECT_NE(found.doubt.find("turned by 180 degrees"), std::string::npos) << layout.name;
     }
 }
 

@@ -104,6 +104,33 @@ TEST(PictureFormat, goes_by_content_where_a_picture_was_flipped_and_kept_its_tex
     EXPECT_NE(*asked.lut.cube, *read.lut.cube);
 }
 
+TEST(PictureFormat, says_what_may_be_turned_round_but_not_of_a_negative_that_was_baked) {
+    Lut negative = graded();
+    for (Rgb& node : negative.cube->nodes) {
+        node = Rgb{1, 1, 1} - node;
+    }
+    for (const Lut& look : {graded(), negative}) {
+        for (const bool turned : {false, true}) {
+            Bake bake = baked(*engine_named("unreal"), look);
+            const std::string bytes = picture_bytes(bake, {"source", "Title", "tetrahedral"});
+            PngImage image = read_png(bytes, "x.png");
+            if (turned) { // with its text, as image editors keep it
+                const CodeImage upright = bake.picture;
+                for (int y = 0; y < upright.height; ++y) {
+                    for (int x = 0; x < upright.width; ++x) {
+                        for (std::size_t c = 0; c < 3; ++c) {
+                            image.at({x, y}, c) =
+                                upright.at({upright.width - 1 - x, upright.height - 1 - y}, c);
+                        }
+                    }
+                }
+            }
+            const Reading read = decode_lut(write_png(image), "x.png", {}, formats::png.name);
+            EXPECT_EQ(read.remarks.size(), turned ? 1U : 0U);
+        }
+    }
+}
+
 TEST(PictureFormat, takes_the_engine_that_is_named_where_the_content_does_not_tell) {
     Bake bake = baked(*engine_named("unity"), monochrome());
     PngImage plain = read_png(picture_bytes(bake, {}), "x.png");
@@ -154,6 +181,30 @@ TEST(PictureFormat, reads_pictures_of_other_types_and_depths_and_with_alpha) {
         }
         EXPECT_LE(worst, kind.tolerance + 1e-6F) << path;
     }
+}
+
+TEST(PictureFormat, says_that_jpeg_is_lossy_and_divides_colours_by_the_alpha_in_them) {
+    const ScratchFolder folder;
+    const Picture picture = decoded(baked(*engine_named("piccolo"), graded()).picture);
+    FloatImage image;
+    image.width = picture.width;
+    image.height = picture.height;
+    image.premultiplied = true;
+    for (const Rgb& pixel : picture.pixels) {
+        image.rgba.insert(image.rgba.end(), {pixel.r / 2, pixel.g / 2, pixel.b / 2, 0.5F});
+    }
+    const std::string exr = folder.file("half.exr"), jpg = folder.file("a.jpg");
+    write_image(exr, image, {.depth = Depth::float32, .alpha = true, .text = {}});
+    const Reading read = read_lut(exr);
+    EXPECT_EQ(*read.lut.cube, from_picture(picture, *layout_named("strip"), 16));
+    ASSERT_EQ(read.remarks.size(), 1U);
+    EXPECT_NE(read.remarks[0].find("not 1 in 4096 texels"), std::string::npos) << read.remarks[0];
+    for (std::size_t i = 0; i < image.rgba.size(); ++i) {
+        image.rgba[i] *= 2;
+    }
+    write_image(jpg, image, {.depth = Depth::uint8, .alpha = false, .text = {}});
+    ASSERT_EQ(read_lut(jpg).remarks.size(), 1U);
+    EXPECT_NE(read_lut(jpg).remarks[0].find("JPEG"), std::string::npos);
 }
 
 TEST(PictureFormat, goes_by_content_where_the_text_names_an_engine_of_another_size) {

@@ -2,6 +2,7 @@
 
 #include "lutlib/color/transfer.h"
 #include "lutlib/verify/lossy.h"
+#include "lutlib/verify/sampled.h"
 
 #include <algorithm>
 #include <array>
@@ -51,6 +52,14 @@ Pixel flip_green(const Layout& layout, int n, int width, int r, int g, int b) {
 }
 Pixel flip_blue(const Layout& layout, int n, int width, int r, int g, int b) {
     return layout.pixel(n, width, r, g, n - 1 - b);
+}
+Pixel mirrored(const Layout& layout, int n, int width, int r, int g, int b) {
+    const Pixel p = layout.pixel(n, width, r, g, b);
+    return {width - 1 - p.x, p.y};
+}
+Pixel turned(const Layout& layout, int n, int width, int r, int g, int b) {
+    const Pixel p = mirrored(layout, n, width, r, g, b);
+    return {p.x, (n * n * n - 1) / width - p.y};
 }
 
 double engine_input(const Engine& engine, int i, int n) {
@@ -125,6 +134,14 @@ constexpr auto mistakes = std::to_array<Mistake>({
     {
         .words = "it is flipped: blue runs the other way",
         .pixel = flip_blue,
+    },
+    {
+        .words = "the picture is mirrored: left and right are exchanged",
+        .pixel = mirrored,
+    },
+    {
+        .words = "the picture is turned by 180 degrees",
+        .pixel = turned,
     },
     {
         .words = "red and blue channels are swapped (BGR codes)",
@@ -304,7 +321,7 @@ bool is_rounded(int code, double value, int maximum, double tolerance) {
 }
 
 Findings diagnose(const CodeImage& picture, const Engine& engine, int size, const Transform& look,
-                  const Alternatives& alternatives) {
+                  const Breaks& breaks, const Alternatives& alternatives) {
     Values values(look);
     const Agreement plain = agreement(picture, engine, size, none, values);
     Findings out;
@@ -349,6 +366,8 @@ Findings diagnose(const CodeImage& picture, const Engine& engine, int size, cons
     }
     if (out.nearest.explained >= convincing && told >= telling) {
         out.diagnosis = out.nearest;
+    } else if (const auto sampled = sampling_between_nodes(picture, engine, size, look, breaks)) {
+        out.diagnosis = Diagnosis{*sampled, 0};
     } else if (const auto noise = lossy_noise(picture, engine, size, look)) {
         out.diagnosis = Diagnosis{*noise, 0};
     }

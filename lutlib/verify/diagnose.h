@@ -34,10 +34,11 @@ struct Findings {
 /// Tries every row of a table of mistakes (what would the codes be, had somebody made it?), the
 /// pictures of every other engine with these dimensions, and every alternative. Where nearly all
 /// texels are right, single ones are damaged. Else the mistake that explains most is the diagnosis
-/// if it explains nearly all of them, and nearly all that are wrong without it; else the noise of a
-/// lossy format is recognised by what it does to blocks of texels.
+/// if it explains nearly all of them, and nearly all that are wrong without it; else
+/// differences that vanish at the look's own nodes, where its `breaks` are, are its sampling's, and
+/// the noise of a lossy format is recognised by what it does to blocks of texels.
 Findings diagnose(const CodeImage& picture, const Engine& engine, int size, const Transform& look,
-                  const Alternatives& alternatives);
+                  const Breaks& breaks, const Alternatives& alternatives);
 
 /// For each node, red fastest: where it sits in the picture, and the look's value, not clamped, at
 /// the input where the engine reads it.

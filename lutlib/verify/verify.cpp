@@ -45,7 +45,7 @@ Verification verify(const CodeImage& picture, const Engine& engine, int size, co
     out.texels = check_texels(picture, engine, size, look);
     out.lookup = measure_lookup(picture, engine, size, look, breaks, viewing, limits);
     if (out.texels.wrong > 0) {
-        Findings found = diagnose(picture, engine, size, look, alternatives);
+        Findings found = diagnose(picture, engine, size, look, breaks, alternatives);
         out.diagnosis = std::move(found.diagnosis);
         out.nearest = std::move(found.nearest);
     }

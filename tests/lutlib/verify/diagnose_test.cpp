@@ -66,6 +66,34 @@ TEST_F(Diagnosed, flipped) {
         std::string::npos);
 }
 
+TEST_F(Diagnosed, mirrored_and_turned) {
+    EXPECT_NE(words(made([&](int r, int g, int b) {
+                  return codes(at(15 - r, g, 15 - b));
+              })).find("mirrored"),
+              std::string::npos);
+    EXPECT_NE(words(made([&](int r, int g, int b) {
+                  return codes(at(15 - r, 15 - g, 15 - b));
+              })).find("turned by 180 degrees"),
+              std::string::npos);
+}
+
+// A picture of the look itself, held against a table of it.
+TEST_F(Diagnosed, what_a_look_was_sampled_from) {
+    for (const int nodes : {5, 9}) {
+        Lut table;
+        table.cube = sampled(test_looks()[3].f, nodes);
+        const Verification result =
+            verify(right, engine, n, Transform::of(table, Interpolation::tetrahedral),
+                   breaks_of(table), srgb(), hardly_any);
+        ASSERT_GT(result.texels.wrong, 0U);
+        ASSERT_TRUE(result.diagnosis) << nodes;
+        EXPECT_NE(
+            result.diagnosis->words.find("of " + std::to_string(nodes) + " nodes was sampled"),
+            std::string::npos)
+            << result.diagnosis->words;
+    }
+}
+
 TEST_F(Diagnosed, half_texel) {
     EXPECT_NE(words(made([&](int r, int g, int b) {
                   return codes(look({(r + 0.5) / 16, (g + 0.5) / 16, (b + 0.5) / 16}));

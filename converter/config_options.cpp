@@ -21,12 +21,32 @@ void ConfigOptions::declare(Verb& verb) {
         .group(group);
 }
 
-lutlib::Transform ConfigOptions::transform() const {
+void ConfigOptions::check() const {
+    const bool none =
+        config_.empty() && from_.empty() && to_.empty() && display_.empty() && view_.empty();
+    if (none) {
+        return;
+    }
     if (!given() || from_.empty() || to_.empty() == display_.empty() ||
         (display_.empty() && !view_.empty())) {
         throw lutlib::UsageError("an OpenColorIO config needs --ocio-config FILE --from SPACE and "
                                  "either --to SPACE or --display DISPLAY [--view VIEW]");
     }
+}
+
+void ConfigOptions::require_alone(bool others) const {
+    if (given() && others) {
+        throw lutlib::UsageError("--ocio-config says what is converted; leave --look-input, "
+                                 "--look-output, --adaptation and --no-convert out");
+    }
+}
+
+lutlib::Transform ConfigOptions::before(const lutlib::Transform& look) const {
+    return given() ? lutlib::in_sequence({transform(), look}) : look;
+}
+
+lutlib::Transform ConfigOptions::transform() const {
+    check();
     return lutlib::io::ocio().from_config({config_, from_, to_, display_, view_});
 }
 

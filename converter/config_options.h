@@ -13,8 +13,13 @@ class ConfigOptions {
   public:
     void declare(Verb& verb);
     bool given() const { return !config_.empty(); }
-    /// Loads OpenColorIO. Throws UsageError for options that do not belong together, Error for
-    /// what the config lacks.
+    /// Throws UsageError for options that do not belong together.
+    void check() const;
+    /// Throws UsageError where other options say what is converted as well.
+    void require_alone(bool others) const;
+    /// The config's conversion, then the look; the look alone where no config was given.
+    lutlib::Transform before(const lutlib::Transform& look) const;
+    /// Loads OpenColorIO. Throws UsageError as check() does, Error for what the config lacks.
     lutlib::Transform transform() const;
     /// "config.ocio, from A to B"
     std::string text() const;

@@ -12,6 +12,7 @@ namespace {
 namespace io = lutlib::io;
 
 const lutlib::Layout* named_layout = nullptr; ///< by --layout
+bool layout_has_part = false;                 ///< a picture was read as a look
 
 io::LookOptions with_layout(io::LookOptions options) {
     options.layout = options.layout ? options.layout : named_layout;
@@ -29,14 +30,26 @@ void complain_of(const std::vector<lutlib::Loss>& losses, const std::string& nam
     }
 }
 
+void complain_of_keywords(const std::vector<std::string>& lines, const std::string& name) {
+    for (const std::string& line : lines) {
+        complain(name, "kept but not acted on: " + line);
+    }
+}
+
+// The base of a recipe may be a picture too.
+io::Look counted(io::Look look) {
+    layout_has_part = layout_has_part || look.kind().layout || look.files().size() > 1;
+    return look;
+}
+
 // A guessed depth, vendors' keywords: what a table means.
 io::Look told(io::Look look) {
-    tell_remarks(look);
     for (const io::LookFile& file : look.files()) {
-        complain_of(file.losses, file.name);
-        for (const std::string& line : file.keywords) {
-            complain(file.name, "kept but not acted on: " + line);
+        for (const std::string& remark : file.remarks) {
+            complain(file.name, remark);
         }
+        complain_of(file.losses, file.name);
+        complain_of_keywords(file.keywords, file.name);
     }
     return look;
 }
@@ -45,6 +58,7 @@ io::Look told(io::Look look) {
 
 void declare_layout(Verb& verb) {
     named_layout = nullptr;
+    layout_has_part = false;
     verb.add_action(
         "--layout",
         [](const std::string& name) {
@@ -55,24 +69,35 @@ void declare_layout(Verb& verb) {
             lutlib::names_of(lutlib::layouts()));
 }
 
-const lutlib::Layout* layout_option() {
-    return named_layout;
+void tell_of(const lutlib::Lut& table, const std::string& path) {
+    for (const std::string& note : table.notes) {
+        complain(io::input_name(path), note);
+    }
+    complain_of_keywords(table.keywords, io::input_name(path));
 }
 
-void tell_remarks(const io::Look& look) {
-    for (const io::LookFile& file : look.files()) {
-        for (const std::string& remark : file.remarks) {
-            complain(file.name, remark);
-        }
+void tell_unused_layout() {
+    if (named_layout && !layout_has_part) {
+        print(std::string("lutconv: --layout changes nothing here: no look is a picture\n"),
+              std::string(io::standard_stream));
     }
 }
 
+io::Look identity_look() {
+    return io::Look::of_bytes(R"({"schema_version": 1, "operators": []})",
+                              std::string(identity_word));
+}
+
+io::Look open_quietly(const std::string& path, const io::LookOptions& options) {
+    return counted(io::Look::open(path, with_layout(options)));
+}
+
 io::Look open_look(const std::string& path, const io::LookOptions& options) {
-    return told(io::Look::open(path, with_layout(options)));
+    return told(open_quietly(path, options));
 }
 
 io::Look open_look(std::string bytes, const std::string& path) {
-    return told(io::Look::of_bytes(std::move(bytes), path, with_layout({})));
+    return told(counted(io::Look::of_bytes(std::move(bytes), path, with_layout({}))));
 }
 
 std::shared_ptr<const lutlib::Lut> table_of(const io::Look& look) {

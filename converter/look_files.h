@@ -11,17 +11,23 @@ namespace converter {
 
 /// --layout NAME: the layout of the pictures that this run reads as looks.
 void declare_layout(Verb& verb);
-/// The one that was named, or null.
-const lutlib::Layout* layout_option();
+/// Says, once all looks are read, that one was named and none of them is a picture.
+void tell_unused_layout();
+
+inline constexpr std::string_view identity_word = "identity";
+/// The look that changes nothing.
+lutlib::io::Look identity_look();
 
 /// A look of any kind. Throws Error, UsageError.
 lutlib::io::Look open_look(const std::string& path, const lutlib::io::LookOptions& options = {});
+/// The same without a word, for who reports what was guessed and lost by itself.
+lutlib::io::Look open_quietly(const std::string& path, const lutlib::io::LookOptions& options);
 /// The same of bytes that have been read from `path`.
 lutlib::io::Look open_look(std::string bytes, const std::string& path);
 
-/// What was guessed of its files or contradicts itself in them, on standard error; open_look() does
-/// so by itself.
-void tell_remarks(const lutlib::io::Look& look);
+/// What was guessed of a table from `path` and what of its file is not acted on, on standard error;
+/// open_look() does so by itself.
+void tell_of(const lutlib::Lut& table, const std::string& path);
 
 /// The look as a table, for verbs that work on one.
 std::shared_ptr<const lutlib::Lut> table_of(const lutlib::io::Look& look);

@@ -35,6 +35,10 @@ void PlacingOptions::declare(Verb& verb) {
                   "never convert, even where the look is made for other encodings");
 }
 
+bool PlacingOptions::given() const {
+    return no_convert_ || !input_.empty() || !output_.empty() || !adaptation_.empty();
+}
+
 lutlib::LookEncodings PlacingOptions::look() const {
     return {named(input_, "--look-input"), named(output_, "--look-output")};
 }

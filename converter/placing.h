@@ -17,6 +17,8 @@ class PlacingOptions {
     /// What was named. Throws UsageError.
     lutlib::LookEncodings look() const;
     bool convert() const { return !no_convert_; }
+    /// Any of them.
+    bool given() const;
     /// Throws UsageError.
     const lutlib::Adaptation& adaptation() const;
 

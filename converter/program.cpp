@@ -49,7 +49,9 @@ int parse_and_run(CLI::App& app, const Run& run, int argc, const char* const* ar
     } catch (const CLI::ParseError& error) {
         return answer(app, error);
     }
-    return run();
+    const int code = run();
+    tell_unused_layout();
+    return code;
 }
 
 int complain(const char* message, int code) {

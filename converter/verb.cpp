@@ -122,6 +122,10 @@ VerbOption Verb::add_flag(const std::string& names, bool& value, const std::stri
     return VerbOption(*app_.add_flag(names, value, help));
 }
 
+bool Verb::given(std::string_view option) const {
+    return app_.count(std::string(option)) > 0;
+}
+
 void Verb::footer(const std::string& text) {
     app_.footer(text);
 }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <initializer_list>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -60,6 +61,8 @@ class Verb {
                           const std::function<void(const std::string&)>& take,
                           const std::string& help);
     VerbOption add_flag(const std::string& names, bool& value, const std::string& help);
+    /// Whether this option stands on the command line that was read.
+    bool given(std::string_view option) const;
     /// Words under the options in the help.
     void footer(const std::string& text);
 

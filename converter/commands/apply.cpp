@@ -7,6 +7,7 @@
 #include "converter/placing.h"
 #include "converter/recipe_options.h"
 #include "converter/report.h"
+#include "converter/unused.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/io/alpha.h"
@@ -261,7 +262,7 @@ bool keeps_encoding(const lutlib::LookPlace& place) {
     return !place.given || !holds || *holds == *place.given;
 }
 
-int run(const Options& o) {
+int run(const Options& o, const Verb& verb) {
     require_one_standard_input(std::array{o.lut, o.picture});
     alpha_rule(o);
     const std::vector<io::Depth> held = io::depths_of(o.output);
@@ -272,6 +273,9 @@ int run(const Options& o) {
     const std::shared_ptr<const io::PictureSource> source = image.source;
     const lutlib::LookPlace place = place_of(o, look.encodings(), image);
     const io::Depth depth = choose_depth(o, held, image.depth);
+    tell_unused(verb, {interpolation_part(has_lattice(look)),
+                       adaptation_part(place.applied()),
+                       {"--alpha", image.alpha, "the picture has no alpha"}});
     Report report = graded(o, look, place, image, depth);
     report.remarks = source->remarks;
     if (source->orientation > 1 && !io::holds_orientation(o.output)) {
@@ -322,7 +326,7 @@ Run declare_apply(Verb& verb) {
                     "the look keeps its encoding, else what the look gives)");
     o->placing.declare(verb);
     verb.add_flag("--json", o->json, "print the results as JSON");
-    return [o] { return run(*o); };
+    return [o, &verb] { return run(*o, verb); };
 }
 
 } // namespace converter

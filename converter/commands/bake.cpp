@@ -1,11 +1,13 @@
 // lutconv bake: a look becomes an engine's LUT picture.
 #include "lutlib/bake/bake.h"
 #include "converter/command.h"
+#include "converter/config_options.h"
 #include "converter/explain.h"
 #include "converter/look_files.h"
 #include "converter/options.h"
 #include "converter/placing.h"
 #include "converter/report.h"
+#include "converter/unused.h"
 #include "converter/usage.h"
 #include "lutlib/bake/budget.h"
 #include "lutlib/error.h"
@@ -37,6 +39,7 @@ struct Options {
     int size = 0, bits = 0;
     InterpolationOption interpolation;
     PlacingOptions placing;
+    ConfigOptions config;
     double max_delta_e = 0, max_delta_itp = 0;
     double reference_white = lutlib::reference_white_nits;
     bool fit = false, no_measure = false, explain = false, json = false;
@@ -200,8 +203,8 @@ struct BakeReport {
 
 // The look as the engine is to see it.
 lutlib::Lut table_to_explain(const lutlib::io::Look& look, const lutlib::Transform& placed,
-                             const lutlib::Placement& placement) {
-    if (!placement.converts()) {
+                             bool converted) {
+    if (!converted) {
         return *look.table().lut;
     }
     lutlib::Lut out;
@@ -209,30 +212,51 @@ lutlib::Lut table_to_explain(const lutlib::io::Look& look, const lutlib::Transfo
     return out;
 }
 
-BakeReport make_report(const Options& o) {
+lutlib::io::Look opened(const Options& o) {
+    return o.config.given() && o.input == identity_word
+               ? identity_look()
+               : open_look(o.input,
+                           {.interpolation = o.interpolation.get(), .encodings = o.placing.look()});
+}
+
+// A config says what is converted, of spaces that have no encoding here.
+lutlib::LookPlace place_of(const Options& o, const lutlib::Engine& engine,
+                           const lutlib::io::Look& look) {
+    if (o.config.given()) {
+        return {};
+    }
+    lutlib::LookPlace out = lutlib::io::place_in(engine, look.encodings(), o.placing.convert());
+    out.adaptation = &o.placing.adaptation();
+    return out;
+}
+
+BakeReport make_report(const Options& o, const Verb& verb) {
     const lutlib::Engine& engine = o.engine.get();
-    const lutlib::io::Look look =
-        open_look(o.input, {.interpolation = o.interpolation.get(), .encodings = o.placing.look()});
+    const lutlib::io::Look look = opened(o);
     BakeReport out;
-    out.place = lutlib::io::place_in(engine, look.encodings(), o.placing.convert());
-    out.place.adaptation = &o.placing.adaptation();
+    out.place = place_of(o, engine, look);
     const lutlib::Placement placement = out.place.applied();
-    const lutlib::Transform exact = placement.around(look.exact());
+    const lutlib::Transform exact = o.config.before(placement.around(look.exact()));
+    tell_unused(verb, {interpolation_part(has_lattice(look)),
+                       adaptation_part(placement),
+                       {"--reference-white", !o.no_measure, "nothing is measured"}});
     out.title = look.title();
     out.interpolation = look.interpolation();
-    out.domain = look.domain();
+    out.domain = o.config.given() ? Domain{} : look.domain();
     out.viewing = lutlib::io::viewing_of(out.place, o.reference_white);
-    const lutlib::Breaks breaks = lutlib::io::placed(look.breaks(), placement);
+    const lutlib::Breaks breaks =
+        o.config.given() ? lutlib::no_breaks() : lutlib::io::placed(look.breaks(), placement);
     if (const std::optional<Promise> promise = promise_of(o)) {
-        out.budgeted = bake_within(exact, engine,
-                                   {.most = promise->most,
-                                    .size = if_given(o.size),
-                                    .bits = if_given(o.bits),
-                                    .fit = true,
-                                    .metric = promise->metric,
-                                    .viewing = out.viewing,
-                                    .breaks = breaks,
-                                    .nodes = placement.before ? std::nullopt : look.nodes()});
+        out.budgeted = bake_within(
+            exact, engine,
+            {.most = promise->most,
+             .size = if_given(o.size),
+             .bits = if_given(o.bits),
+             .fit = true,
+             .metric = promise->metric,
+             .viewing = out.viewing,
+             .breaks = breaks,
+             .nodes = placement.before || o.config.given() ? std::nullopt : look.nodes()});
         out.filled = out.budgeted->filled;
         out.error = out.budgeted->error;
     } else {
@@ -246,18 +270,23 @@ BakeReport make_report(const Options& o) {
     }
     if (o.explain) {
         // What changes less than half a code is not seen in the picture.
-        out.explanation = explain(table_to_explain(look, exact, placement),
-                                  0.5 / out.filled.bake.picture.depth.maximum());
+        out.explanation =
+            explain(table_to_explain(look, exact, placement.converts() || o.config.given()),
+                    0.5 / out.filled.bake.picture.depth.maximum());
         out.explanation->kept =
             "nothing is left out, because the engine needs a lattice of this size";
     }
     return out;
 }
 
+std::string made_of(const Options& o) {
+    return lutlib::io::input_name(o.input) + (o.config.given() ? ", " + o.config.text() : "");
+}
+
 void write_picture(const Options& o, const BakeReport& report) {
     lutlib::io::write_file(
         o.output, lutlib::io::picture_bytes(report.filled.bake,
-                                            {.source = lutlib::io::input_name(o.input),
+                                            {.source = made_of(o),
                                              .title = report.title,
                                              .interpolation = name_of(report.interpolation),
                                              .fitted = report.filled.fitted,
@@ -268,6 +297,9 @@ void write_picture(const Options& o, const BakeReport& report) {
 nlohmann::ordered_json report_json(const Options& o, const BakeReport& report) {
     nlohmann::ordered_json json =
         as_json(o, report.filled, report.domain, report.place, report.error, report.viewing);
+    if (o.config.given()) {
+        json["ocio_config"] = o.config.text();
+    }
     if (report.filled.result) {
         json["fit"] = fit_json(report.filled);
     }
@@ -286,6 +318,10 @@ nlohmann::ordered_json report_json(const Options& o, const BakeReport& report) {
 std::string report_text(const Options& o, const BakeReport& report) {
     std::string out = bake_report(input_text(o.input), output_text(o.output), report.filled.bake,
                                   report.domain, report.place, report.error, report.viewing);
+    if (o.config.given()) {
+        out += "  encodings: " + o.config.text() +
+               " is converted by OpenColorIO before the look, and nothing else\n";
+    }
     if (report.filled.result) {
         out += fit_text(report.filled, report.viewing);
     }
@@ -307,12 +343,14 @@ void say_that_nothing_was_written(const Options& o, const BudgetBake& found) {
           std::string(lutlib::io::standard_stream));
 }
 
-int run(const Options& o) {
+int run(const Options& o, const Verb& verb) {
     require_png_name(o.output, "bake");
+    o.config.check();
+    o.config.require_alone(o.placing.given());
     if (o.no_measure && (o.fit || promise_of(o))) {
         throw lutlib::UsageError("a fit and a promise are measured; leave --no-measure out");
     }
-    const BakeReport report = make_report(o);
+    const BakeReport report = make_report(o, verb);
     if (report.is_kept()) {
         write_picture(o, report);
     }
@@ -328,7 +366,10 @@ int run(const Options& o) {
 
 Run declare_bake(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    verb.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input").required();
+    verb.add_option("LUT", o->input,
+                    "a LUT or recipe file, or - for standard input; with --ocio-config also the "
+                    "word identity")
+        .required();
     verb.add_option("-o,--output", o->output, "the PNG, or - for standard output").required();
     o->engine.declare(verb, "piccolo");
     verb.add_option("--size", o->size, "lattice size: nodes per axis (default: the engine's)")
@@ -359,7 +400,8 @@ Run declare_bake(Verb& verb) {
     verb.add_flag("--explain", o->explain,
                   "list the parts of the look that a shader could do without a LUT");
     verb.add_flag("--json", o->json, "print the results as JSON");
-    return [o] { return run(*o); };
+    o->config.declare(verb);
+    return [o, &verb] { return run(*o, verb); };
 }
 
 } // namespace converter

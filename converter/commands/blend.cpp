@@ -4,6 +4,7 @@
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
+#include "converter/unused.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/resample/combine.h"
@@ -31,7 +32,7 @@ std::string encodings_text(const lutlib::Lut& lut) {
     return name(lut.encodings.input) + " to " + name(lut.encodings.output);
 }
 
-int run(const Options& o) {
+int run(const Options& o, const Verb& verb) {
     if (!(std::abs(o.amount) <= 100)) {
         throw lutlib::UsageError("--amount must be a number from -100 to 100; 0 is the first look, "
                                  "1 the second");
@@ -45,6 +46,7 @@ int run(const Options& o) {
     const auto a = opened(o.a), b = opened(o.b);
     const lutlib::Lut lut =
         blend(*a, *b, o.amount, o.made.sampling.sampling_of({a.get(), b.get()}), method);
+    tell_unused(verb, {interpolation_part(a->cube || b->cube), shaper_part(lut)});
     const std::string made_of =
         fmt::format("{} and {:.4g} of {}", input_text(o.a), o.amount, input_text(o.b));
     std::vector<std::string> notes;
@@ -68,7 +70,7 @@ Run declare_blend(Verb& verb) {
     verb.add_option("--amount", o->amount, "share of B; beyond 0..1 extrapolates")
         .capture_default_str();
     o->made.declare(verb);
-    return [o] { return run(*o); };
+    return [o, &verb] { return run(*o, verb); };
 }
 
 } // namespace converter

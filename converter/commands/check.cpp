@@ -3,6 +3,7 @@
 #include "converter/explain.h"
 #include "converter/look_files.h"
 #include "converter/report.h"
+#include "converter/unused.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/health/health.h"
@@ -45,7 +46,9 @@ Checked read_to_check(const std::string& path) {
     if (!io::is_recipe(bytes)) {
         const lutlib::FileFormat& format = io::recognise_format(bytes, name);
         if (format.read_broken) {
-            return {format.read_broken(bytes, name), {}};
+            Checked out{format.read_broken(bytes, name), {}};
+            tell_of(out.lut, path);
+            return out;
         }
     }
     const io::Look look = open_look(bytes, path);
@@ -145,7 +148,7 @@ nlohmann::ordered_json repair_json(const lutlib::Repaired& repaired) {
     return out;
 }
 
-int run(const Options& o) {
+int run(const Options& o, const Verb& verb) {
     if (o.repairs.clamp && !o.repair) {
         throw lutlib::UsageError("--clamp works with --repair only; add --repair, or drop --clamp");
     }
@@ -154,6 +157,7 @@ int run(const Options& o) {
                                           : "-o names the repaired LUT; add --repair, or drop -o");
     }
     const Checked checked = read_to_check(o.input);
+    tell_unused(verb, {{"--tolerance", o.explain, "it is --explain that takes it"}});
     const lutlib::Lut& lut = checked.lut;
     lutlib::Health health = examine(lut, checked.options);
     std::string text = fmt::format("{}: {}, input {}\n{}", input_text(o.input), io::shape_of(lut),
@@ -217,7 +221,7 @@ Run declare_check(Verb& verb) {
         .capture_default_str();
     verb.add_flag("--json", o->json, "print the results as JSON");
     verb.footer(check_list());
-    return [o] { return run(*o); };
+    return [o, &verb] { return run(*o, verb); };
 }
 
 } // namespace converter

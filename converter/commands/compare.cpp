@@ -6,6 +6,7 @@
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
+#include "converter/unused.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/io/bake_report.h"
@@ -44,6 +45,7 @@ struct Compared {
     lutlib::Domain domain;
     lutlib::Breaks breaks;
     std::optional<lutlib::Encoding> output;
+    bool lattice = false;
 };
 
 Compared opened(const std::string& name, const Options& o) {
@@ -51,15 +53,16 @@ Compared opened(const std::string& name, const Options& o) {
         return {};
     }
     const lutlib::io::Look look = open_look(name, {.interpolation = o.interpolation.get()});
-    return {look.exact(), look.domain(), look.breaks(), look.encodings().output};
+    return {look.exact(), look.domain(), look.breaks(), look.encodings().output, has_lattice(look)};
 }
 
-int run(const Options& o) {
+int run(const Options& o, const Verb& verb) {
     if (o.samples < 1 || o.samples > 100000000) {
         throw lutlib::UsageError("--samples must be a number from 1 to 100000000");
     }
     require_one_standard_input(std::array{o.a, o.b});
     const Compared a = opened(o.a, o), b = opened(o.b, o);
+    tell_unused(verb, {interpolation_part(a.lattice || b.lattice)});
     lutlib::Domain domain = united(a.domain, b.domain);
     if (!o.domain.empty()) {
         domain = domain_of(o.domain);
@@ -105,7 +108,7 @@ Run declare_compare(Verb& verb) {
                     "inputs to compare on: minimum and maximum (default: both looks' domains)")
         .expected(2);
     verb.add_flag("--json", o->json, "print the results as JSON");
-    return [o] { return run(*o); };
+    return [o, &verb] { return run(*o, verb); };
 }
 
 } // namespace converter

@@ -4,6 +4,7 @@
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
+#include "converter/unused.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/resample/combine.h"
@@ -39,7 +40,7 @@ std::vector<std::string> mismatches(const std::vector<std::string>& paths,
     return out;
 }
 
-int run(const Options& o) {
+int run(const Options& o, const Verb& verb) {
     if (o.inputs.size() < 2) {
         throw lutlib::UsageError("compose takes two looks or more, the first to apply first");
     }
@@ -57,6 +58,9 @@ int run(const Options& o) {
         chain.push_back(look.get());
     }
     const lutlib::Lut lut = compose(chain, o.made.sampling.sampling_of(chain), method);
+    const bool any_cube = std::any_of(
+        chain.begin(), chain.end(), [](const lutlib::Lut* look) { return look->cube.has_value(); });
+    tell_unused(verb, {interpolation_part(any_cube), shaper_part(lut)});
     const double clamped = clamped_share(chain, method);
     std::vector<std::string> notes = mismatches(o.inputs, chain);
     if (clamped > 0) {
@@ -79,7 +83,7 @@ Run declare_compose(Verb& verb) {
         .expected(1, -1);
     o->made.declare(verb);
     verb.footer("compose A B -o C: C(x) = B(A(x)), on A's domain, with the largest size of all.");
-    return [o] { return run(*o); };
+    return [o, &verb] { return run(*o, verb); };
 }
 
 } // namespace converter

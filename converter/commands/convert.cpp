@@ -5,6 +5,7 @@
 #include "converter/placing.h"
 #include "converter/report.h"
 #include "converter/subject.h"
+#include "converter/unused.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/io/bake_report.h"
@@ -157,63 +158,108 @@ int strip_tags(const Options& o) {
     return ok;
 }
 
-int run(const Options& o) {
+// What becomes of a look, before any of it is written or printed.
+struct Converted {
+    lutlib::LookPlace place;
+    std::optional<Explanation> explanation;
+    const lutlib::FileFormat* format = nullptr;
+    io::Encoded file; ///< with the losses of the reading before its own
+    std::vector<std::string> notes;
+};
+
+std::vector<lutlib::Loss> losses_before(const io::Look& look, const io::LookTable& table,
+                                        const lutlib::Placement& placement) {
+    std::vector<lutlib::Loss> out;
+    for (const io::LookFile& read : look.files()) {
+        out.insert(out.end(), read.losses.begin(), read.losses.end());
+    }
+    out.insert(out.end(), table.losses.begin(), table.losses.end());
+    if (const io::Reach reach = io::reach_of(look.domain(), placement);
+        placement.before && reach.reached < 1) {
+        out.push_back({"inputs beyond what the engine feeds: of the look's domain " +
+                           io::domain_text(reach.domain) + " it reaches",
+                       100 * reach.reached, "%"});
+    }
+    return out;
+}
+
+std::vector<std::string> notes_of(const io::Look& look, const io::Encoded& file,
+                                  const lutlib::LookPlace& place) {
+    std::vector<std::string> out;
+    for (const io::LookFile& read : look.files()) {
+        out.insert(out.end(), read.remarks.begin(), read.remarks.end());
+        for (const std::string& keyword : read.keywords) {
+            out.push_back("not acted on: " + keyword);
+        }
+    }
+    out.insert(out.end(), file.readers.begin(), file.readers.end());
+    if (const std::string said = sentence_of(place, "an engine that reads this layout");
+        !said.empty()) {
+        out.push_back("encodings: " + said);
+    }
+    return out;
+}
+
+Converted converted(const Options& o, const io::Look& look) {
+    const io::LookTable table = look.table(o.save.size);
+    lutlib::Lut lut = *table.lut;
+    Converted out;
+    out.place = put_in_place(o, look, lut);
+    out.explanation = leave_out(lut, o);
+    out.format = &target_of(o, lut);
+    out.file = io::encode_lut(lut, *out.format, o.save);
+    const std::vector<lutlib::Loss> before = losses_before(look, table, out.place.applied());
+    out.file.losses.insert(out.file.losses.begin(), before.begin(), before.end());
+    out.notes = notes_of(look, out.file, out.place);
+    return out;
+}
+
+// Throws Error for the first of them that counts.
+void refuse(const std::vector<lutlib::Loss>& losses, const std::string& output) {
+    const auto counts = [](const lutlib::Loss& loss) { return !is_float_rounding(loss); };
+    const auto first = std::find_if(losses.begin(), losses.end(), counts);
+    if (first == losses.end()) {
+        return;
+    }
+    const auto more = std::count_if(first, losses.end(), counts) - 1;
+    throw lutlib::Error("--strict: not written, because this would be lost: " + loss_text(*first) +
+                            (more > 0 ? fmt::format(" (and {} more)", more) : ""),
+                        {io::output_name(output), 0, {}});
+}
+
+void print_report(const Options& o, const Converted& made) {
+    if (!o.json) {
+        print(as_text(o, *made.format, made.file, made.notes) +
+                  (made.explanation ? to_text(*made.explanation) : ""),
+              o.output);
+        return;
+    }
+    nlohmann::ordered_json json = as_json(o, *made.format, made.file);
+    json["notes"] = made.notes;
+    json["encodings"] = to_json(made.place);
+    if (made.explanation) {
+        json["explanation"] = to_json(*made.explanation);
+    }
+    print(json, o.output);
+}
+
+int run(const Options& o, const Verb& verb) {
     if (o.strip_tags) {
         return strip_tags(o);
     }
-    const io::Look look = io::Look::open(
-        o.input,
-        {.format = o.from, .row = o.row, .layout = layout_option(), .encodings = o.placing.look()});
-    const io::LookTable table = look.table(o.save.size);
-    lutlib::Lut lut = *table.lut;
-    const lutlib::LookPlace place = put_in_place(o, look, lut);
-    const std::optional<Explanation> explanation = leave_out(lut, o);
-    const lutlib::FileFormat& format = target_of(o, lut);
-    io::Encoded file = io::encode_lut(lut, format, o.save);
-    std::vector<lutlib::Loss> losses;
-    std::vector<std::string> notes;
-    for (const io::LookFile& read : look.files()) {
-        losses.insert(losses.end(), read.losses.begin(), read.losses.end());
-        notes.insert(notes.end(), read.remarks.begin(), read.remarks.end());
-        for (const std::string& keyword : read.keywords) {
-            notes.push_back("not acted on: " + keyword);
-        }
+    const io::Look look =
+        open_quietly(o.input, {.format = o.from, .row = o.row, .encodings = o.placing.look()});
+    const Converted made = converted(o, look);
+    tell_unused(verb, {{"--bits", made.format->picture, "the file is no picture"},
+                       {"--size", made.file.lut.cube.has_value(), "the file holds a curve"},
+                       {"--title", made.format->holds.title, "this format holds no title"},
+                       {"--row", look.kind().layout != nullptr, "the look is no picture"},
+                       adaptation_part(made.place.applied())});
+    if (o.strict) {
+        refuse(made.file.losses, o.output);
     }
-    notes.insert(notes.end(), file.readers.begin(), file.readers.end());
-    if (const std::string said = sentence_of(place, "an engine that reads this layout");
-        !said.empty()) {
-        notes.push_back("encodings: " + said);
-    }
-    losses.insert(losses.end(), table.losses.begin(), table.losses.end());
-    if (const io::Reach reach = io::reach_of(look.domain(), place.applied());
-        place.applied().before && reach.reached < 1) {
-        losses.push_back({"inputs beyond what the engine feeds: of the look's domain " +
-                              io::domain_text(reach.domain) + " it reaches",
-                          100 * reach.reached, "%"});
-    }
-    file.losses.insert(file.losses.begin(), losses.begin(), losses.end());
-    const auto counts = [](const lutlib::Loss& loss) { return !is_float_rounding(loss); };
-    const auto first = std::find_if(file.losses.begin(), file.losses.end(), counts);
-    if (o.strict && first != file.losses.end()) {
-        const auto more = std::count_if(first, file.losses.end(), counts) - 1;
-        throw lutlib::Error(
-            "--strict: not written, because this would be lost: " + loss_text(*first) +
-                (more > 0 ? fmt::format(" (and {} more)", more) : ""),
-            {io::output_name(o.output), 0, {}});
-    }
-    io::write_file(o.output, file.bytes);
-    if (o.json) {
-        nlohmann::ordered_json json = as_json(o, format, file);
-        json["notes"] = notes;
-        json["encodings"] = to_json(place);
-        if (explanation) {
-            json["explanation"] = to_json(*explanation);
-        }
-        print(json, o.output);
-    } else {
-        print(as_text(o, format, file, notes) + (explanation ? to_text(*explanation) : ""),
-              o.output);
-    }
+    io::write_file(o.output, made.file.bytes);
+    print_report(o, made);
     return ok;
 }
 
@@ -251,7 +297,7 @@ Run declare_convert(Verb& verb) {
         .excludes({"--from", "--row", "--format", "--size", "--title", "--explain"});
     verb.add_flag("--json", o->json, "print the results as JSON");
     verb.footer(format_list());
-    return [o] { return run(*o); };
+    return [o, &verb] { return run(*o, verb); };
 }
 
 } // namespace converter

@@ -5,6 +5,7 @@
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
+#include "converter/unused.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
@@ -117,8 +118,7 @@ std::string made_of(const Options& o, const lutlib::Recipe& recipe) {
 
 // The config's conversion first, then the recipe, which then has no base.
 lutlib::Transform exact_of(const Options& o, const lutlib::Recipe& recipe) {
-    const lutlib::Transform edit = lutlib::Transform::of(recipe);
-    return o.config.given() ? lutlib::in_sequence({o.config.transform(), edit}) : edit;
+    return o.config.before(lutlib::Transform::of(recipe));
 }
 
 lutlib::Lut baked(const Options& o, const lutlib::Recipe& recipe, const lutlib::Transform& exact) {
@@ -139,7 +139,8 @@ std::string gamut_text(const lutlib::GamutShare& share, const lutlib::Recipe& re
         100 * share.outside, out.gamut->name, 100 * share.above, out.curve->name);
 }
 
-int run(const Options& o) {
+int run(const Options& o, const Verb& verb) {
+    o.config.check();
     if (o.output.empty() && o.save_recipe.empty()) {
         throw lutlib::UsageError("nothing to write: give -o LUT, --save-recipe R.json or both");
     }
@@ -161,6 +162,8 @@ int run(const Options& o) {
     if (!o.output.empty()) {
         const lutlib::Transform exact = exact_of(o, recipe);
         const lutlib::Lut lut = baked(o, recipe, exact);
+        tell_unused(verb,
+                    {adaptation_part(recipe.input, recipe.output_encoding()), shaper_part(lut)});
         nlohmann::ordered_json extra{{"operators", recipe.operations.size()}};
         std::vector<std::string> notes = notes_of(recipe);
         if (!o.config.given() && recipe.output_encoding().gamut != recipe.input.gamut) {
@@ -197,7 +200,7 @@ Run declare_edit(Verb& verb) {
     verb.add_flag("--json", o->json, "print the results as JSON");
     o->operators.declare(verb);
     verb.footer("Operators apply in the order in which their flags are given, after the recipe's.");
-    return [o] { return run(*o); };
+    return [o, &verb] { return run(*o, verb); };
 }
 
 } // namespace converter

@@ -3,6 +3,7 @@
 #include "converter/look_files.h"
 #include "converter/options.h"
 #include "converter/report.h"
+#include "converter/unused.h"
 #include "lutlib/error.h"
 #include "lutlib/interpolation/interpolation.h"
 #include "lutlib/text.h"
@@ -91,12 +92,14 @@ std::vector<Rgb> from_standard_input() {
     return out;
 }
 
-int run(const Options& o, const std::vector<std::string>& words) {
+int run(const Options& o, const Verb& verb) {
+    const std::vector<std::string> words = verb.words();
     if (o.lut == "-" && words.empty()) {
         throw lutlib::UsageError("the LUT and the colours cannot both come from standard input");
     }
-    const lutlib::Transform exact =
-        open_look(o.lut, {.interpolation = o.interpolation.get()}).exact();
+    const lutlib::io::Look look = open_look(o.lut, {.interpolation = o.interpolation.get()});
+    tell_unused(verb, {interpolation_part(has_lattice(look))});
+    const lutlib::Transform exact = look.exact();
     const std::vector<Rgb> inputs = words.empty() ? from_standard_input() : from_arguments(words);
     const std::vector<lutlib::RgbD> outputs = images_of(exact, inputs);
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -122,7 +125,7 @@ Run declare_eval(Verb& verb) {
     verb.add_flag("--json", o->json, "print inputs and outputs as JSON");
     verb.allow_words();
     verb.footer("R G B...: colours; without any, lines of three numbers from standard input");
-    return [o, &verb] { return run(*o, verb.words()); };
+    return [o, &verb] { return run(*o, verb); };
 }
 
 } // namespace converter

@@ -5,6 +5,7 @@
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
+#include "converter/unused.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/io/bake_report.h"
@@ -172,7 +173,7 @@ void take_shaper(const Options& o, const lutlib::Lut& look, lutlib::InvertOption
                         : lutlib::encoding_named(look.encodings.output).value_or(lutlib::srgb());
 }
 
-int run(const Options& o) {
+int run(const Options& o, const Verb& verb) {
     lutlib::InvertOptions options;
     if (o.size) {
         options.size = o.size;
@@ -188,6 +189,9 @@ int run(const Options& o) {
             lutlib::limits::min_cube_size, lutlib::limits::max_cube_size));
     }
     take_shaper(o, *look, options);
+    tell_unused(verb, {{"--outside", look->cube.has_value(), "the inverse of a curve is a curve"},
+                       {"--encoding", !o.shaper.empty() && o.shaper != "none",
+                        "it is what a --shaper is fed"}});
     const lutlib::Inversion inversion = invert(*look, options);
     write_look(inversion.lut, o.output);
     const lutlib::Difference all =
@@ -250,7 +254,7 @@ Run declare_invert(Verb& verb) {
                     encoding_help("what the look gives, for --shaper (default: as its file says, "
                                   "else srgb)"));
     verb.add_flag("--json", o->json, "print the results as JSON");
-    return [o] { return run(*o); };
+    return [o, &verb] { return run(*o, verb); };
 }
 
 } // namespace converter

@@ -5,6 +5,7 @@
 #include "converter/recipe_options.h"
 #include "converter/stiff_page.h"
 #include "converter/survey_page.h"
+#include "converter/unused.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
@@ -116,7 +117,7 @@ Report report_on_suite(const Options& o) {
             stiff_json(survey)};
 }
 
-int run(const Options& o) {
+int run(const Options& o, const Verb& verb) {
     if (o.input.empty() == o.suite.empty()) {
         throw lutlib::UsageError("report takes either a look or --suite " + lutlib::listed(suites));
     }
@@ -124,6 +125,13 @@ int run(const Options& o) {
         lutlib::refuse_name("suite", o.suite, suites);
     }
     const std::string shown = standard_output_of(std::array{o.output, o.json, o.csv});
+    const bool of_look = o.suite.empty();
+    const std::string why_not = "it is about a look, and the suite is none";
+    tell_unused(verb, {{"--max-delta-e", of_look, why_not},
+                       {"--input-encoding", of_look, why_not},
+                       {"--output-encoding", of_look, why_not},
+                       {"--gpu-times", of_look, why_not},
+                       {"--unclamped", of_look, why_not}});
     const Report report = o.suite.empty() ? report_on_look(o) : report_on_suite(o);
     const std::string figures = json_text(report.json);
     std::vector<io::FileToWrite> files{{o.output, report.html}};
@@ -164,7 +172,7 @@ Run declare_report(Verb& verb) {
     verb.add_flag("--unclamped", o->unclamped,
                   "where displays take the output: errors of what lies outside 0..1 too, which no "
                   "display shows (for looks whose output goes on being worked on)");
-    return [o] { return run(*o); };
+    return [o, &verb] { return run(*o, verb); };
 }
 
 } // namespace converter

@@ -4,6 +4,7 @@
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/result.h"
+#include "converter/unused.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,11 +18,12 @@ struct Options {
     NewLutOptions made;
 };
 
-int run(const Options& o) {
+int run(const Options& o, const Verb& verb) {
     const lutlib::Encoding encoding = o.made.results();
     const lutlib::ResamplingMethod& method = o.made.method.get();
     const auto look = read_table(o.input);
     const lutlib::Lut lut = resample(*look, o.made.sampling.sampling_of({look.get()}), method);
+    tell_unused(verb, {interpolation_part(look->cube.has_value()), shaper_part(lut)});
     const std::string name = input_text(o.input);
     write_and_report({lut,
                       o.made.output,
@@ -42,7 +44,7 @@ Run declare_resample(Verb& verb) {
     verb.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input").required();
     o->made.declare(verb);
     verb.footer("Without --size, --domain or --shaper the look's own are kept.");
-    return [o] { return run(*o); };
+    return [o, &verb] { return run(*o, verb); };
 }
 
 } // namespace converter

@@ -1,14 +1,17 @@
 // lutconv verify: proves a LUT picture right against OpenColorIO, or says what is wrong with it.
 #include "lutlib/verify/verify.h"
 #include "converter/command.h"
+#include "converter/config_options.h"
 #include "converter/look_files.h"
 #include "converter/options.h"
 #include "converter/placing.h"
 #include "converter/report.h"
 #include "converter/subject.h"
+#include "converter/unused.h"
 #include "lutlib/bake/fitted.h"
 #include "lutlib/error.h"
 #include "lutlib/io/bake_report.h"
+#include "lutlib/io/describe.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/look.h"
 #include "lutlib/io/lut_picture.h"
@@ -34,6 +37,7 @@ struct Options {
     EngineOption engine;
     InterpolationOption interpolation;
     PlacingOptions placing;
+    ConfigOptions config;
     int samples = static_cast<int>(lutlib::SampleLimits{}.even);
     double reference_white = lutlib::reference_white_nits;
     bool json = false;
@@ -117,6 +121,12 @@ std::vector<lutlib::Alternative> other_bakes(const io::Look& look, lutlib::Inter
                                              const lutlib::LookPlace& place, const Subject& s) {
     std::vector<lutlib::Alternative> out = other_places(s, unplaced, place);
     const lutlib::Placement placement = place.applied();
+    if (look.recipe()) {
+        const auto table = look.table().lut;
+        out.push_back({fmt::format("the recipe was sampled onto {} before it was baked",
+                                   io::shape_of(*table)),
+                       placement.around(lutlib::Transform::of(table))});
+    }
     for (const lutlib::InterpolationInfo& row : lutlib::interpolations()) {
         if (look.is_interpolated() && row.kind != used) {
             out.push_back({fmt::format("the look was read with {} interpolation", row.name),
@@ -126,30 +136,39 @@ std::vector<lutlib::Alternative> other_bakes(const io::Look& look, lutlib::Inter
     return out;
 }
 
-Verdict judge(const Options& o, const Subject& s) {
-    const io::Look look =
-        io::Look::open(o.against, {.layout = layout_option(), .encodings = o.placing.look()});
-    tell_remarks(look);
+Verdict judge(const Options& o, const Subject& s, const Verb& verb) {
+    const bool by_config = o.config.given();
+    const io::Look look = by_config && o.against == identity_word
+                              ? identity_look()
+                              : open_look(o.against, {.encodings = o.placing.look()});
     const lutlib::Interpolation how = baked_interpolation(o, s, look);
     const io::LookReference reference = look.reference(how);
-    const Claim claim = claim_of(s, look.encodings());
+    const Claim claim = by_config ? Claim{} : claim_of(s, look.encodings());
     Verdict out{.oracle = reference.name, .refusal = reference.refusal, .scale = reference.scale};
-    out.place = io::place_in(*s.engine, claim.look, o.placing.convert());
+    // A config says what is converted, of spaces that have no encoding here.
+    out.place =
+        by_config ? lutlib::LookPlace{} : io::place_in(*s.engine, claim.look, o.placing.convert());
     out.place.adaptation = &o.placing.adaptation();
     out.claimed = claim.filled;
-    const lutlib::Transform right = out.place.applied().around(reference.look);
+    tell_unused(verb,
+                {interpolation_part(has_lattice(look)), adaptation_part(out.place.applied())});
+    const lutlib::Transform right = o.config.before(out.place.applied().around(reference.look));
+    const lutlib::Breaks breaks =
+        by_config ? lutlib::no_breaks() : io::placed(look.breaks(), out.place.applied());
     if (s.size > 0) {
         out.viewing = io::viewing_of(out.place, o.reference_white);
-        out.result = verify(s.codes, *s.engine, s.size, right,
-                            io::placed(look.breaks(), out.place.applied()), out.viewing,
-                            {.even = static_cast<std::size_t>(o.samples)},
-                            [&] { return other_bakes(look, how, reference.look, out.place, s); });
+        out.result = verify(s.codes, *s.engine, s.size, right, breaks, out.viewing,
+                            {.even = static_cast<std::size_t>(o.samples)}, [&] {
+                                return by_config
+                                           ? std::vector<lutlib::Alternative>{}
+                                           : other_bakes(look, how, reference.look, out.place, s);
+                            });
         if (s.fitted()) {
             out.result->diagnosis.reset();
             out.fitted =
                 check_fitted(s.codes, *s.engine, s.size, right,
                              lutlib::sample_colors(std::min(s.size, 33), {.random = o.samples}),
-                             {io::placed(look.breaks(), out.place.applied()), out.viewing});
+                             {breaks, out.viewing});
         }
         const bool holds = out.fitted ? out.fitted->right() : out.result->texels.wrong == 0;
         out.passed = holds && s.contract.empty() && !out.place.is_wrong();
@@ -245,7 +264,8 @@ bool is_a_matter_of_tags(const Subject& s, const Verdict& v) {
 }
 
 std::string as_text(const Options& o, const Subject& s, const Verdict& v) {
-    std::string out = fmt::format("{} against {} by {}\n", o.picture, o.against, v.oracle);
+    std::string out = fmt::format("{} against {}{} by {}\n", o.picture, o.against,
+                                  o.config.given() ? " behind " + o.config.text() : "", v.oracle);
     out += fmt::format("  layout {}, {}x{}, {} nodes per axis, {} bits: {}\n", s.engine->layout,
                        s.codes.width, s.codes.height, s.size, s.codes.depth.bits, s.engine->label);
     if (!v.refusal.empty()) {
@@ -346,15 +366,17 @@ nlohmann::ordered_json as_json(const Options& o, const Subject& s, const Verdict
     return out;
 }
 
-int run(const Options& o) {
+int run(const Options& o, const Verb& verb) {
     if (o.samples < 1 || o.samples > most_samples) {
         throw lutlib::UsageError(fmt::format("--samples must be 1 to {}", most_samples));
     }
+    o.config.check();
+    o.config.require_alone(o.placing.given());
     if (o.picture == io::standard_stream && o.against == io::standard_stream) {
         throw lutlib::UsageError("the picture and the look cannot both come from standard input");
     }
     const Subject s = open_subject(o.picture, o.engine.given() ? &o.engine.get() : nullptr);
-    const Verdict v = judge(o, s);
+    const Verdict v = judge(o, s, verb);
     o.json ? print(as_json(o, s, v), "") : print(as_text(o, s, v), "");
     return v.passed ? ok : verification_failed;
 }
@@ -376,7 +398,8 @@ Run declare_verify(Verb& verb) {
         .capture_default_str();
     declare_reference_white(verb, o->reference_white);
     verb.add_flag("--json", o->json, "print the results as JSON");
-    return [o] { return run(*o); };
+    o->config.declare(verb);
+    return [o, &verb] { return run(*o, verb); };
 }
 
 } // namespace converter

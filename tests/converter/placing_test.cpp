@@ -236,5 +236,45 @@ TEST(VerifyOfALogLook, says_which_encodings_are_the_pictures_word_alone) {
     EXPECT_NE(flag.out.find("verify it without --no-convert"), std::string::npos) << flag.out;
 }
 
+// Two spaces apart by a power of 2.
+std::string config_text() {
+    return "ocio_profile_version: 2\nroles: {default: light}\n"
+           "displays:\n  Screen:\n    - !<View> {name: Film, colorspace: codes}\n"
+           "colorspaces:\n  - !<ColorSpace> {name: light}\n"
+           "  - !<ColorSpace>\n    name: codes\n    from_scene_reference: !<ExponentTransform> "
+           "{value: 2, style: clamp, direction: inverse}\n";
+}
+
+TEST(OcioConfig, is_baked_before_a_look_or_alone_and_verified_so) {
+    const Folder folder;
+    const std::string config = folder.write("c.ocio", config_text()), strip = folder.path("s.png"),
+                      look = folder.write("half.cube", "LUT_1D_SIZE 2\n0 0 0\n.5 .5 .5\n");
+    for (const std::string& base : {std::string("identity"), look}) {
+        for (const std::vector<std::string>& to :
+             {std::vector<std::string>{"--to", "codes"}, {"--display", "Screen"}}) {
+            const auto with = [&](std::vector<std::string> words) {
+                words.insert(words.end(), {"--ocio-config", config, "--from", "light"});
+                words.insert(words.end(), to.begin(), to.end());
+                return run(words);
+            };
+            const json baked = with({"bake", base, "-o", strip, "--engine", "unreal"});
+            EXPECT_NE(baked["ocio_config"].get<std::string>().find("from light"),
+                      std::string::npos);
+            const auto picture = lutlib::io::read_png(contents(strip), "s.png");
+            // Node 9 of 16 of blue: its root of light, in codes of 8 bits.
+            EXPECT_EQ(picture.at({9 * 16, 0}, 2),
+                      std::lround(255 * std::sqrt(9 / 15.0) * (base == look ? .5 : 1)));
+            EXPECT_TRUE(with({"verify", strip, "--against", base, "--samples", "50"})["passed"]);
+        }
+    }
+    EXPECT_EQ(lutconv({"bake", look, "-o", strip, "--from", "light"}).exit_code, 3);
+    EXPECT_EQ(lutconv({"bake", look, "-o", strip, "--ocio-config", config, "--from", "light",
+                       "--to", "codes", "--look-input", "srgb"})
+                  .exit_code,
+              3);
+    EXPECT_EQ(
+        lutconv({"edit", "identity", "-o", folder.path("x.cube"), "--view", "Film"}).exit_code, 3);
+}
+
 } // namespace
 } // namespace converter_test

@@ -173,11 +173,26 @@ TEST_F(Unnamed, is_told_to_name_what_cannot_be_told_from_content) {
     const Result untold = verified(mono);
     EXPECT_EQ(untold.exit_code, 2);
     EXPECT_NE(untold.err.find("--engine"), std::string::npos) << untold.err;
+    EXPECT_EQ(lutconv({"info", picture}).exit_code, 2);
+    const Result layout = lutconv({"info", picture, "--layout", "strip"});
+    EXPECT_NE(layout.out.find("layout: strip, 16 nodes"), std::string::npos) << layout.err;
     PngImage named = mono;
     named.text = {{"Engine", "piccolo"}};
     const Result told = verified(named);
     EXPECT_EQ(told.exit_code, 0) << told.out << told.err;
     EXPECT_NE(told.out.find("the engine that the picture names"), std::string::npos) << told.out;
+}
+
+TEST(Verify, and_check_say_what_of_the_look_is_not_acted_on) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(3, "LUT_IN_VIDEO_RANGE\n")),
+                      strip = folder.path("s.png");
+    EXPECT_EQ(lutconv({"bake", look, "-o", strip, "--no-measure"}).exit_code, 0);
+    for (const auto& line : {std::vector<std::string>{"check", look},
+                             {"verify", strip, "--against", look, "--samples", "50"}}) {
+        const std::string said = lutconv(line).err;
+        EXPECT_NE(said.find("not acted on: LUT_IN_VIDEO_RANGE"), std::string::npos) << line[0];
+    }
 }
 
 TEST(Verify, takes_no_look_that_no_other_verb_takes) {

@@ -112,5 +112,40 @@ TEST(Usage, that_is_good_stays_so) {
     EXPECT_NE(contents(folder.path("x.cube")).find("LUT_1D_SIZE 9"), std::string::npos);
 }
 
+// An option that can change nothing in a run is said once, and the run goes on.
+TEST(UnusedOptions, are_said_on_standard_error) {
+    const Folder folder;
+    const std::string cube = folder.write("a.cube", saturated_cube(3)),
+                      curve = folder.write("c.cube", "LUT_1D_SIZE 2\n0 0 0\n.5 .5 .5\n"),
+                      out = folder.path("o.cube"), picture = folder.path("o.png");
+    ASSERT_EQ(lutconv({"bake", cube, "-o", picture, "--no-measure"}).exit_code, 0);
+    const std::vector<Row> lines{
+        {{"convert", cube, "-o", out, "--bits", "8"}, "--bits"},
+        {{"convert", curve, "-o", out, "--size", "5"}, "--size"},
+        {{"convert", cube, "-o", out, "--row", "0"}, "--row"},
+        {{"convert", cube, "-o", folder.path("o.spi3d"), "--title", "x"}, "--title"},
+        {{"convert", cube, "-o", out, "--layout", "strip"}, "--layout"},
+        {{"resample", curve, "-o", out, "--interpolation", "tricubic"}, "--interpolation"},
+        {{"invert", curve, "-o", out, "--outside", "nearest"}, "--outside"},
+        {{"invert", cube, "-o", out, "--encoding", "logc3"}, "--encoding"},
+        {{"edit", cube, "-o", out, "--adaptation", "cat02"}, "--adaptation"},
+        {{"bake", cube, "-o", picture, "--no-measure", "--reference-white", "100"},
+         "--reference-white"},
+        {{"eval", curve, "--interpolation", "nearest", "0", "0", "0"}, "--interpolation"},
+        {{"apply", cube, picture, "-o", picture, "--alpha", "straight"}, "--alpha"},
+        {{"check", cube, "--tolerance", "1"}, "--tolerance"},
+    };
+    for (const Row& line : lines) {
+        const Result result = lutconv_in_process(line.arguments);
+        EXPECT_EQ(result.exit_code, 0) << line.said << result.err;
+        EXPECT_EQ(result.err.find("lutconv: " + line.said + " changes nothing here: "), 0U)
+            << line.said << ": " << result.err;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    }
+    EXPECT_EQ(
+        lutconv_in_process({"convert", picture, "-o", out, "--layout", "strip", "--row", "0"}).err,
+        "");
+}
+
 } // namespace
 } // namespace converter_test

@@ -5,6 +5,7 @@
 #include "lutlib/fit/fit.h"
 #include "lutlib/interpolation/tricubic.h"
 #include "lutlib/metrics/samples.h"
+#include "lutlib/named.h"
 
 #include <tbb/parallel_for.h>
 
@@ -23,21 +24,38 @@ constexpr int shaper_entries = 4096;
 
 std::vector<StiffMethod> make_methods() {
     const Lookup& tetrahedral = lookup_of(Interpolation::tetrahedral);
-    const auto kept = [](std::string_view name) {
-        return &*std::find_if(storages().begin(), storages().end(),
-                              [name](const Storage& s) { return s.name == name; });
-    };
+    const auto kept = [](std::string_view name) { return find_named(storages(), name); };
     const Storage* const floats = kept("float");
     return {
-        {"nearest", "nearest", &lookup_of(Interpolation::nearest), floats},
-        {"trilinear", "trilinear", &lookup_of(Interpolation::trilinear), floats},
-        {"tetrahedral", "tetrahedral", &tetrahedral, floats},
-        {"tricubic", "tricubic", nullptr, floats},
-        {"8", "tetrahedral, 8 bits", &tetrahedral, kept("8")},
-        {"10", "tetrahedral, 10 bits", &tetrahedral, kept("10")},
-        {"16", "tetrahedral, 16 bits", &tetrahedral, kept("16")},
-        {"shaper", "tetrahedral behind a shaper", &tetrahedral, floats, true},
-        {"fitted", "tetrahedral, fitted", &tetrahedral, floats, false, true},
+        {.name = "nearest",
+         .label = "nearest",
+         .lookup = &lookup_of(Interpolation::nearest),
+         .storage = floats},
+        {.name = "trilinear",
+         .label = "trilinear",
+         .lookup = &lookup_of(Interpolation::trilinear),
+         .storage = floats},
+        {.name = "tetrahedral", .label = "tetrahedral", .lookup = &tetrahedral, .storage = floats},
+        {.name = "tricubic", .label = "tricubic", .storage = floats},
+        {.name = "8", .label = "tetrahedral, 8 bits", .lookup = &tetrahedral, .storage = kept("8")},
+        {.name = "10",
+         .label = "tetrahedral, 10 bits",
+         .lookup = &tetrahedral,
+         .storage = kept("10")},
+        {.name = "16",
+         .label = "tetrahedral, 16 bits",
+         .lookup = &tetrahedral,
+         .storage = kept("16")},
+        {.name = "shaper",
+         .label = "tetrahedral behind a shaper",
+         .lookup = &tetrahedral,
+         .storage = floats,
+         .shaper = true},
+        {.name = "fitted",
+         .label = "tetrahedral, fitted",
+         .lookup = &tetrahedral,
+         .storage = floats,
+         .fitted = true},
     };
 }
 

@@ -1,9 +1,9 @@
 #include "preview/gpu/pipeline.h"
 
+#include "lutlib/named.h"
 #include "preview/gpu/memory.h"
 #include "preview/gpu/shaders.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace preview::gpu {
@@ -71,10 +71,8 @@ const vk::raii::ShaderModule& Pipelines::module_of(const std::string& shader) {
     if (known != modules_.end()) {
         return known->second;
     }
-    const auto all = shaders();
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const ShaderCode& code) { return code.name == shader; });
-    if (found == all.end()) {
+    const ShaderCode* const found = lutlib::find_named(shaders(), shader);
+    if (found == nullptr) {
         throw std::logic_error("internal error: no shader is named '" + shader + "'");
     }
     const vk::ShaderModuleCreateInfo info({}, found->words.size_bytes(), found->words.data());

@@ -6,6 +6,7 @@
 #include "lutlib/metrics/compare.h"
 #include "lutlib/recipe/bake_recipe.h"
 #include "tests/lutlib/looks.h"
+#include "tests/lutlib/resample/inverse_looks.h"
 #include "tests/support/thorough.h"
 
 #include <gtest/gtest.h>
@@ -17,19 +18,6 @@
 
 namespace lutlib {
 namespace {
-
-Lut cube_look(Lut3D cube) {
-    Lut out;
-    out.cube = std::move(cube);
-    return out;
-}
-
-// Invertible: rising, channels mixed a little, within 0..1.
-RgbD gentle(RgbD c) {
-    const double y = test_luma(c);
-    const auto bend = [](double x) { return x + 0.12 * std::sin(6.283185307179586 * x) / 6.28; };
-    return {bend(0.85 * c.r + 0.15 * y), bend(0.85 * c.g + 0.15 * y), bend(0.85 * c.b + 0.15 * y)};
-}
 
 double round_trip(const Lut& look, const Lut& inverse, const std::vector<Rgb>& inputs) {
     double worst = 0;
@@ -246,33 +234,6 @@ TEST(Invert, continues_beyond_the_gamut_where_a_cell_holds_colours_inside) {
     EXPECT_NO_THROW(invert(cube_look(identity_cube(5)), {.outside = Outside::refuse}));
 }
 
-TEST(Invert, puts_its_nodes_where_a_shaper_says) {
-    // Light of 0..16 to codes; the inverse of the inverse is fed light.
-    const auto steep = [](RgbD c) {
-        const auto code = [](double v) { return std::log2(1 + 100 * v) / std::log2(1 + 100.0); };
-        return RgbD{code(c.r), code(c.g), code(c.b)};
-    };
-    const auto linear = [](RgbD c) {
-        const auto light = [](double v) { return (std::exp2(v * std::log2(1 + 100.0)) - 1) / 100; };
-        return RgbD{light(c.r), light(c.g), light(c.b)};
-    };
-    const Lut look = cube_look(sampled(linear, 17));
-    const auto error = [&](const std::string& shaper) {
-        InvertOptions options;
-        options.shaper = shaper;
-        options.input = require_encoding("linear");
-        const Lut inverse = invert(look, options).lut;
-        double most = 0;
-        for (double v = 0.001; v < 1; v += 0.001) {
-            const double back = evaluate_exact(inverse, {v, v, v}).g;
-            most = std::max(most, std::abs(back - steep({v, v, v}).g));
-        }
-        return most;
-    };
-    EXPECT_LT(error("srgb"), error("none") / 4);
-    EXPECT_THROW(invert(look, {.shaper = "steep"}), Error);
-}
-
 TEST(Invert, takes_a_domain_for_each_channel) {
     const Lut look = cube_look(identity_cube(17, {{0, -1, 0}, {1, 1, 4}}));
     const Domain domain{{0, -1, 0}, {1, 1, 4}};
@@ -293,57 +254,6 @@ TEST(Invert, of_values_as_wide_as_floats_says_that_the_domain_is_too_wide) {
         EXPECT_NE(error.message().find("wider than a float can say"), std::string::npos)
             << error.message();
     }
-}
-
-TEST(Invert, reads_a_1d_table_backwards) {
-    Lut look = cube_look(sampled(gentle, 17));
-    look.shaper = Lut1D{{{0, 0, 0}, {4, 4, 4}}, {}};
-    for (int i = 0; i < 100; ++i) {
-        const auto v = static_cast<float>(std::pow(i / 99.0, 0.5));
-        look.shaper->entries.push_back({v, v, v});
-    }
-    const Inversion out = invert(look, {});
-    const RgbD in{1.2, 0.9, 1.6};
-    const RgbD back = evaluate_exact(out.lut, evaluate_exact(look, in));
-    EXPECT_NEAR(back.r, in.r, 0.05); // the table's square is interpolated by the inverse's cube
-    EXPECT_NEAR(back.g, in.g, 0.05);
-    Lut curve;
-    curve.shaper = look.shaper;
-    InvertOptions options;
-    options.size = 65;
-    EXPECT_NEAR(evaluate_exact(invert(curve, options).lut, {.5, .5, .5}).r, 1.0, 1e-3);
-}
-
-// The table is x / 4, and red turns back at its 0.25.
-TEST(Invert, measures_folds_and_nearness_in_inputs_where_there_is_a_1d_table) {
-    Lut look = cube_look(sampled(
-        [](RgbD c) {
-            return RgbD{c.r >= 0.25 ? c.r : 0.5 - c.r, c.g, c.b};
-        },
-        17));
-    look.shaper = Lut1D{{{0, 0, 0}, {4, 4, 4}}, {{0, 0, 0}, {1, 1, 1}}};
-    const Inversion out = invert(look, {});
-    // 0.375 comes of 1.5 and of 0.5, which is nearer.
-    EXPECT_NEAR(out.lut.cube->at(6, 0, 0).r, 0.5, 1e-6);
-    EXPECT_NEAR(out.folded.extent, 2, 1e-6);
-}
-
-TEST(Invert, counts_what_only_inputs_beyond_the_1d_table_would_give) {
-    Lut look = cube_look(identity_cube(17));
-    look.shaper = Lut1D{{}, {{0, 0, 0}, {.5F, 1, 1}}};
-    const Inversion out = invert(look, {.outside = Outside::nearest});
-    EXPECT_EQ(out.out_of_gamut.count, 8U * 17 * 17);
-    EXPECT_NEAR(out.out_of_gamut.extent, 0.5, 1e-6);
-    EXPECT_NEAR(out.lut.cube->at(16, 0, 0).r, 1, 1e-6);
-}
-
-TEST(Invert, refuses_a_table_before_a_cube_that_is_flat_and_a_cube_that_is_too_large) {
-    Lut look = cube_look(identity_cube(5));
-    look.shaper = Lut1D{{}, {{0, 0, 0}, {.5F, .5F, .5F}, {.5F, .6F, .6F}, {1, 1, 1}}};
-    EXPECT_THROW(invert(look, {}), Error);
-    look.shaper.reset();
-    look.cube = identity_cube(130);
-    EXPECT_THROW(invert(look, {}), Error);
 }
 
 TEST(Invert, of_a_constant_look_is_filled_and_says_so) {

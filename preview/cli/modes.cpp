@@ -3,6 +3,7 @@
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "preview/cli/look_options.h"
+#include "preview/cli/option_listing.h"
 #include "preview/cli/picture_file.h"
 #include "preview/frame/shown.h"
 #include "preview/look/gpu_look.h"
@@ -217,16 +218,17 @@ void render(const Options& options) {
 }
 
 void run(const Options& options) {
-    const bool has_result = options.headless || options.explain || options.timings ||
-                            !options.probe.empty() || !options.output.empty();
+    for (const std::string& line : options.unused) {
+        std::fprintf(stderr, "lutpreview: %s\n", line.c_str());
+    }
     if (options.list) {
         print_list();
     } else if (!options.cube_view.empty()) {
         render_cube(options);
-    } else if (has_result) {
-        render(options);
-    } else {
+    } else if (opens_window(options)) {
         open_window(options);
+    } else {
+        render(options);
     }
 }
 

@@ -57,10 +57,15 @@ struct Options {
     bool exr_light = true; ///< files that hold light get that before the tone map
     std::string font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"; ///< of the window
     std::string places; ///< file that tells where the window's controls are
+    /// A sentence for each option that was given and changes nothing in what the others ask for.
+    std::vector<std::string> unused;
 };
 
 /// Declares every option on `app`; parsing fills `options`, which must outlive it.
 void declare(CLI::App& app, Options& options);
+
+/// Whether they ask for the window, as those do that ask for nothing else.
+bool opens_window(const Options& options);
 
 /// What the options say of the frame; `input_size` is a picture's own size, or {} for a scene.
 /// Throws lutlib::UsageError for names that no table has, with those that it has.
@@ -78,13 +83,12 @@ std::string surroundings_file(const Options& options);
 /// lutlib::UsageError when none has the name.
 Orbit orbit_of(const Options& options, const Scene& scene);
 
+/// How far a number of the camera may be moved: from any place of its range to any other.
+double reach_of(const NumberRow<Orbit>& row);
+
 /// WIDTHxHEIGHT with sides of 1 to 16384. Throws lutlib::UsageError that names the option.
 Size parse_size(std::string_view option, const std::string& text);
 /// X,Y within a picture of that size. Throws lutlib::UsageError that names the option.
 ProbePlace parse_place(std::string_view option, const std::string& text, Size picture);
-
-/// The tables: scenes, lookups, every choice, the numbers with their ranges and defaults, effects,
-/// parts of the frame and lights' controls.
-std::string listing();
 
 } // namespace preview

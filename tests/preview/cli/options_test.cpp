@@ -2,6 +2,7 @@
 #include "lutlib/error.h"
 #include "preview/cli/headless.h"
 #include "preview/cli/look_options.h"
+#include "preview/cli/option_listing.h"
 #include "preview/cli/option_rows.h"
 #include "preview/effects/effect.h"
 #include "preview/frame/frame.h"
@@ -57,6 +58,24 @@ TEST(Options, a_scene_has_its_own_finish_until_one_is_asked_for) {
         EXPECT_NE(of(std::string(info.name), "").tonemap, nullptr) << info.name;
         EXPECT_NE(of(std::string(info.name), "").bloom, nullptr) << info.name;
     }
+}
+
+TEST(Options, that_change_nothing_in_a_run_are_said) {
+    const auto said = [](const std::string& arguments) { return parsed(arguments).unused; };
+    const std::string run = "--headless -o x.png --b look.cube ";
+    for (const char* const flag :
+         {"--engine-a unity", "--look-input-a srgb", "--cube-nodes 5", "--scope-size 64x64",
+          "--scope-side a", "--frames 5", "--exr picture", "--font x.ttf"}) {
+        const std::vector<std::string> lines = said(run + flag);
+        ASSERT_EQ(lines.size(), 1U) << flag;
+        const std::string option(flag, std::string(flag).find(' '));
+        EXPECT_TRUE(lines[0].starts_with(option + " changes nothing here: ")) << lines[0];
+    }
+    EXPECT_EQ(said("--explain --depth float").size(), 1U);
+    EXPECT_TRUE(said(run + "--engine unity --scope waveform --scope-size 64x64 --depth uint8 "
+                           "--timings --frames 3")
+                    .empty());
+    EXPECT_TRUE(said("--engine-a unity --cube-nodes 5 --font x.ttf").empty()); // in the window
 }
 
 TEST(Options, move_the_scenes_camera_by_every_number) {

@@ -1,0 +1,167 @@
+#include "preview/cli/options.h"
+
+#include "lutlib/named.h"
+#include "preview/cli/option_rows.h"
+#include "preview/cli/options_unused.h"
+#include "preview/effects/effect.h"
+#include "preview/look/cube_settings.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <type_traits>
+
+namespace preview {
+
+namespace {
+
+/// A number from low to high; unlike CLI::Range it refuses NaN.
+CLI::Validator within(double low, double high) {
+    return {[=](std::string& text) {
+                double value = 0;
+                const bool good =
+                    CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+                return good ? std::string()
+                            : fmt::format("'{}' is not a number from {} to {}", text, low, high);
+            },
+            fmt::format("in [{} - {}]", low, high)};
+}
+
+void declare(CLI::App& app, const OptionRow& row, Options& options) {
+    std::visit(
+        [&](auto of) {
+            auto& member = of(options);
+            using T = std::remove_reference_t<decltype(member)>;
+            if constexpr (std::is_same_v<T, bool>) {
+                app.add_flag(row.flag, member, row.help);
+            } else {
+                CLI::Option* const option = app.add_option(row.flag, member, row.help);
+                option->capture_default_str();
+                if (row.min < row.max) {
+                    option->check(within(row.min, row.max));
+                }
+                if (row.type != nullptr) {
+                    option->type_name(row.type);
+                }
+                if (row.one_of[0] != nullptr) {
+                    option->check(CLI::IsMember({row.one_of[0], row.one_of[1]}));
+                }
+            }
+        },
+        row.of);
+}
+
+template <class S>
+void declare(CLI::App& app, const ChoiceRow<S>& row, S& settings) {
+    CLI::Option* const option =
+        app.add_option_function<std::string>(
+               fmt::format("--{}", row.flag),
+               [&row, &settings](const std::string& name) {
+                   const std::vector<Option> options = row.options();
+                   const Option& found = lutlib::require_named(options, row.kind, name);
+                   row.choose(settings, static_cast<std::size_t>(&found - options.data()));
+               },
+               std::string(row.help))
+            ->type_name("NAME");
+    if (row.chosen != nullptr) {
+        option->default_str(std::string(row.options()[row.chosen(settings)].name));
+    }
+}
+
+template <class S>
+void declare(CLI::App& app, std::span<const NumberRow<S>> rows, S& settings) {
+    for (const NumberRow<S>& row : rows) {
+        CLI::Option* const option =
+            app.add_option(fmt::format("--{}", row.flag), row.of(settings), std::string(row.help))
+                ->check(within(row.min, row.max));
+        // The help of one that stands for something says so.
+        if (!row.is_own(settings)) {
+            option->default_str(fmt::format("{}", row.value(settings)));
+        }
+    }
+}
+void declare_camera(CLI::App& app, Options& options) {
+    for (std::size_t i = 0; i < options.camera.size(); ++i) {
+        const NumberRow<Orbit>& row = camera_numbers()[i];
+        app.add_option(fmt::format("--{}", row.flag), options.camera[i], std::string(row.help))
+            ->check(within(-reach_of(row), reach_of(row)));
+    }
+}
+
+void declare_surroundings(CLI::App& app, Options& options) {
+    for (std::size_t i = 0; i < options.surroundings_numbers.size(); ++i) {
+        const NumberRow<Surroundings>& row = surroundings_numbers()[i];
+        app.add_option(fmt::format("--{}", row.flag), options.surroundings_numbers[i],
+                       std::string(row.help))
+            ->check(within(row.min, row.max));
+    }
+}
+
+void declare_cube(CLI::App& app, Options& options) {
+    declare(app, cube_numbers(), options.cube);
+    for (const SwitchRow<CubeView>& row : cube_switches()) {
+        app.add_flag(fmt::format("--{}", row.flag), row.of(options.cube), std::string(row.help));
+    }
+}
+
+void declare_effects(CLI::App& app, Options& options) {
+    app.add_flag_function(
+        "--fxaa,!--no-fxaa", [&options](std::int64_t count) { options.fxaa = count > 0; },
+        "Antialiasing; by default on for scenes and off for pictures");
+    app.add_flag_function(
+        "--dither,!--no-dither", [&options](std::int64_t count) { options.dither = count > 0; },
+        "Spread the rounding to 8 bits, so that smooth ramps show no contours; by default on in "
+        "the "
+        "window and off without it");
+    app.add_option_function<std::vector<std::string>>(
+           "--effect",
+           [&options](const std::vector<std::string>& texts) {
+               for (const std::string& text : texts) {
+                   put_use(options.effects, parse_use(text));
+               }
+           },
+           "Lays an effect over the picture, as vignette or vignette:strength=0.5,angle=90; --list "
+           "has them. May be repeated")
+        ->allow_extra_args(false)
+        ->type_name("NAME[:PARAMETER=VALUE,...]");
+    app.add_option("--without", options.without,
+                   "Parts of the frame and effects to switch off, with commas between them, from "
+                   "--list")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("PARTS");
+    app.add_option(
+           "--light", options.lights,
+           "Changes a light, as sun.intensity=2 or 1.color=1,0.5,0; --list has the controls. "
+           "May be repeated")
+        ->allow_extra_args(false)
+        ->type_name("LIGHT.CONTROL=VALUE");
+}
+} // namespace
+
+void declare(CLI::App& app, Options& options) {
+    for (const ChoiceRow<PictureSettings>& row : picture_choices()) {
+        declare<PictureSettings>(app, row, options.frame);
+    }
+    app.get_option("--compare")->default_str("")->each([&options](const std::string&) {
+        options.is_compare_given = true;
+    });
+    for (const auto& [flag, is_given] : {std::pair{"--tonemap", &Options::is_tonemap_given},
+                                         std::pair{"--bloom", &Options::is_bloom_given}}) {
+        app.get_option(flag)->each(
+            [&options, member = is_given](const std::string&) { options.*member = true; });
+    }
+    declare<PictureSettings>(app, picture_numbers(), options.frame);
+    declare_effects(app, options);
+    declare_camera(app, options);
+    declare_surroundings(app, options);
+    declare_cube(app, options);
+    for (const ChoiceRow<Options>& row : option_choices()) {
+        declare(app, row, options);
+    }
+    for (const OptionRow& row : option_rows()) {
+        declare(app, row, options);
+    }
+    app.parse_complete_callback([&] { options.unused = unused_options(app, options); });
+}
+} // namespace preview

@@ -16,6 +16,7 @@
 #include "lutlib/io/look.h"
 #include "lutlib/io/lut_picture.h"
 #include "lutlib/metrics/samples.h"
+#include "lutlib/recipe/bake_recipe.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -122,7 +123,7 @@ std::vector<lutlib::Alternative> other_bakes(const io::Look& look, lutlib::Inter
     std::vector<lutlib::Alternative> out = other_places(s, unplaced, place);
     const lutlib::Placement placement = place.applied();
     if (look.recipe()) {
-        const auto table = look.table().lut;
+        const auto table = std::make_shared<const lutlib::Lut>(bake_recipe(*look.recipe()));
         out.push_back({fmt::format("the recipe was sampled onto {} before it was baked",
                                    io::shape_of(*table)),
                        placement.around(lutlib::Transform::of(table))});

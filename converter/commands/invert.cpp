@@ -1,5 +1,4 @@
 // lutconv invert: a LUT that undoes a look, and what of the look cannot be undone.
-#include "lutlib/resample/invert.h"
 #include "converter/command.h"
 #include "converter/look_files.h"
 #include "converter/recipe_options.h"
@@ -12,6 +11,7 @@
 #include "lutlib/limits.h"
 #include "lutlib/metrics/compare.h"
 #include "lutlib/named.h"
+#include "lutlib/resample/invert_closely.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -33,13 +33,29 @@ struct Options {
     bool json = false;
 };
 
-// How near inverse and look, one after the other, come to changing nothing.
-lutlib::Difference round_trip(const lutlib::Lut& look, const lutlib::Lut& inverse,
-                              const std::vector<lutlib::Rgb>& inputs) {
-    const auto both =
-        lutlib::in_sequence({lutlib::Transform::of(look, lutlib::Interpolation::tetrahedral),
-                             lutlib::Transform::of(inverse, lutlib::Interpolation::tetrahedral)});
-    return compare({}, both, inputs, lutlib::srgb());
+// How near look and inverse, one after the other, come to changing nothing.
+struct RoundTrip {
+    lutlib::Viewing viewing;  ///< of the look's inputs
+    lutlib::Difference whole; ///< over all of them
+    std::optional<lutlib::Difference> undoable;
+};
+
+RoundTrip measured(const lutlib::Lut& look, const lutlib::Inversion& inversion,
+                   const lutlib::Viewing& viewing) {
+    const lutlib::Transform both = round_trip(look, inversion.lut);
+    // Where the inverse bends, as inputs of the look, is not known.
+    const lutlib::Breaks breaks = united(breaks_of(look), lutlib::no_breaks());
+    RoundTrip out{
+        viewing, measure({}, both, lutlib::error_samples(look.domain(), breaks), viewing), {}};
+    if (!inversion.undoable.empty() && inversion.inputs.undoable < 1) {
+        out.undoable = compare({}, both, inversion.undoable, viewing);
+        for (lutlib::ErrorStats* stats :
+             {&out.undoable->absolute, &out.undoable->delta_e_2000, &out.undoable->delta_e_itp}) {
+            stats->at = inversion.undoable[stats->worst];
+            stats->largest_seen = true;
+        }
+    }
+    return out;
 }
 
 nlohmann::ordered_json region_json(const lutlib::InverseRegion& region, std::size_t nodes) {
@@ -127,6 +143,31 @@ nlohmann::ordered_json curve_json(const Channels& channels) {
     return out;
 }
 
+// Why the inverse has the size that it has, where nobody said.
+std::string choice_text(const lutlib::ClosestInversion& found) {
+    if (found.attempts.empty()) {
+        return "";
+    }
+    std::string out = "  dE2000 p99 of the round trip is";
+    for (const auto& [size, p99] : found.attempts) {
+        out += fmt::format("{} {:.3g} with {} nodes per axis",
+                           size == found.attempts.front().size ? "" : ",", p99, size);
+    }
+    return out + (found.kept ? fmt::format("; {:g} is aimed at\n", lutlib::RoundTripAim().p99)
+                             : fmt::format("; {:g} is aimed at and not reached, so the nearest is "
+                                           "taken; --size chooses another\n",
+                                           lutlib::RoundTripAim().p99));
+}
+
+nlohmann::ordered_json choice_json(const lutlib::ClosestInversion& found) {
+    nlohmann::ordered_json attempts = nlohmann::ordered_json::array();
+    for (const auto& [size, p99] : found.attempts) {
+        attempts.push_back({{"size", size}, {"p99", p99}});
+    }
+    return {
+        {"aimed_at_p99", lutlib::RoundTripAim().p99}, {"kept", found.kept}, {"attempts", attempts}};
+}
+
 nlohmann::ordered_json as_json(const Options& o, const lutlib::Inversion& inversion) {
     nlohmann::ordered_json out{{"input", o.input}, {"output", o.output}};
     if (inversion.curve) {
@@ -192,19 +233,21 @@ int run(const Options& o, const Verb& verb) {
     tell_unused(verb, {{"--outside", look->cube.has_value(), "the inverse of a curve is a curve"},
                        {"--encoding", !o.shaper.empty() && o.shaper != "none",
                         "it is what a --shaper is fed"}});
-    const lutlib::Inversion inversion = invert(*look, options);
+    const lutlib::Viewing viewing{
+        lutlib::encoding_named(look->encodings.input).value_or(lutlib::srgb())};
+    const lutlib::ClosestInversion found = invert_closely(*look, options, viewing);
+    const lutlib::Inversion& inversion = found.inversion;
     write_look(inversion.lut, o.output);
-    const lutlib::Difference all =
-        round_trip(*look, inversion.lut, lutlib::samples_over(look->domain(), 33));
-    std::optional<lutlib::Difference> undoable;
-    if (!inversion.undoable.empty() && inversion.inputs.undoable < 1) {
-        undoable = round_trip(*look, inversion.lut, inversion.undoable);
-    }
+    const RoundTrip trip = measured(*look, inversion, viewing);
     if (o.json) {
         nlohmann::ordered_json json = as_json(o, inversion);
-        json["round_trip"] = to_json(all);
-        if (undoable) {
-            json["round_trip_undoable"] = to_json(*undoable);
+        if (!found.attempts.empty()) {
+            json["size_choice"] = choice_json(found);
+        }
+        json["viewing"] = to_json(trip.viewing);
+        json["round_trip"] = to_json(trip.whole);
+        if (trip.undoable) {
+            json["round_trip_undoable"] = to_json(*trip.undoable);
         }
         print(json, o.output);
         return ok;
@@ -212,11 +255,20 @@ int run(const Options& o, const Verb& verb) {
     std::string text =
         fmt::format("{} <- inverse of {}\n", output_text(o.output), input_text(o.input));
     text += inversion.curve ? curve_text(inversion.lut, *inversion.curve) : cube_text(inversion);
-    text += fmt::format("  the look, then its inverse, against changing nothing, {} colours\n{}",
-                        all.absolute.count, to_text(all, "    "));
-    if (undoable) {
+    text += choice_text(found);
+    text += fmt::format("  the look, then its inverse, against changing nothing; p99 and mean over "
+                        "{} colours spread evenly; as colours of {}\n{}",
+                        trip.whole.absolute.count, lutlib::io::text_of(trip.viewing),
+                        to_text(trip.whole, "    "));
+    if (viewing.output.decode(1) > 1) {
+        text +=
+            fmt::format("    note: dE2000 means little above diffuse white, and {} goes to {:.3g} "
+                        "times that\n",
+                        viewing.output.name(), viewing.output.decode(1));
+    }
+    if (trip.undoable) {
         text += fmt::format("  the same over the inputs that can be undone, {} colours\n{}",
-                            undoable->absolute.count, to_text(*undoable, "    "));
+                            trip.undoable->absolute.count, to_text(*trip.undoable, "    "));
     }
     print(text, o.output);
     return ok;
@@ -230,9 +282,12 @@ Run declare_invert(Verb& verb) {
     verb.add_option("-o,--output", o->output, "the inverse, or - for standard output").required();
     verb.add_option(
             "--size", o->size,
-            "lattice size of the inverse: nodes per axis (default: the look's); of a curve, "
-            "which stays a "
-            "curve, entries (default: as many as it needs)")
+            fmt::format(
+                "lattice size of the inverse: nodes per axis (default: the look's, or twice "
+                "the cells up to {} nodes where dE2000 p99 of the round trip is else above "
+                "{:g}); of a curve, which stays a curve, entries (default: as many as it "
+                "needs)",
+                lutlib::RoundTripAim().largest, lutlib::RoundTripAim().p99))
         .takes(Takes::shaper_size);
     verb.add_option("--domain", o->domain,
                     "colours to invert: minimum and maximum, each a number or \"r,g,b\" (default: "

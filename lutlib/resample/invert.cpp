@@ -1,12 +1,11 @@
 #include "lutlib/resample/invert.h"
 
-#include "lutlib/color/matrix.h"
 #include "lutlib/error.h"
 #include "lutlib/interpolation/interpolation.h"
 #include "lutlib/nodes.h"
 #include "lutlib/resample/invert_curve.h"
-#include "lutlib/resample/invert_index.h"
 #include "lutlib/resample/invert_outside.h"
+#include "lutlib/resample/invert_solver.h"
 #include "lutlib/resample/sample_lut.h"
 
 #include <tbb/blocked_range.h>
@@ -15,145 +14,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace lutlib {
 namespace {
 
 constexpr int largest_size = 129;
-
-// How the inverse at one node came about.
-struct Answer {
-    RgbD input;
-    bool missing = false;
-    double distance = 0; // of a missing colour to the nearest output
-    double spread = 0;   // between the inputs of a folded colour
-    double moved = -1;   // of a flat colour, from itself to its input
-};
-
-enum class Fate { undoable, flat, folded };
-
-class Solver {
-  public:
-    Solver(const Lut& lut, const Lut3D& cube) : lut_(lut), index_(cube) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            width_ = std::max(width_, static_cast<double>(cube.domain.max[c]) -
-                                          static_cast<double>(cube.domain.min[c]));
-        }
-        if (lut.shaper) {
-            Lut curve;
-            curve.shaper = lut.shaper;
-            shaped_ = output_range(curve);
-        }
-    }
-
-    Answer solve(RgbD wanted) const {
-        Answer out = among(found(wanted, wanted), wanted);
-        if (!out.missing) {
-            return out;
-        }
-        const Nearest nearest = index_.nearest(wanted);
-        out.input = unshaped(nearest.input);
-        const RgbD reachable = evaluate_exact(lut_, out.input);
-        out.distance =
-            reached(nearest.input) ? nearest.distance : largest_magnitude(reachable - wanted);
-        // Rounding may leave a colour on the gamut's surface a hair outside.
-        out.missing = out.distance > 1e-6 * std::max(1.0, largest_magnitude(wanted));
-        // Of all that give the nearest colour too, the input nearest to the wanted one.
-        const Answer flat = among(found(reachable, wanted), wanted);
-        if (flat.moved >= 0) {
-            out.input = flat.input;
-        }
-        return out;
-    }
-
-    Fate fate(RgbD input) const {
-        const RgbD place = shaped(input);
-        if (!reached(place) || index_.is_flat(place)) {
-            return Fate::flat;
-        }
-        const RgbD output = evaluate_exact(*lut_.cube, place, Interpolation::tetrahedral);
-        const Preimages all = found(output, input);
-        const bool elsewhere =
-            all.flat || std::any_of(all.points.begin(), all.points.end(), [&](RgbD other) {
-                return largest_magnitude(other - place) > same * width_;
-            });
-        return elsewhere ? Fate::folded : Fate::undoable;
-    }
-
-    // Cells to look at for one colour.
-    double work() const { return std::max(index_.cells_of_bucket(), 1.0); }
-
-    bool is_flat(RgbD place) const { return index_.is_flat(place); }
-
-    // Whether the 1D table gives this input of the cube.
-    bool reached(RgbD place) const {
-        for (std::size_t c = 0; shaped_ && c < 3; ++c) {
-            if (place[c] < static_cast<double>(shaped_->min[c]) - same * width_ ||
-                place[c] > static_cast<double>(shaped_->max[c]) + same * width_) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    RgbD unshaped(RgbD place) const {
-        for (std::size_t c = 0; lut_.shaper && c < 3; ++c) {
-            place[c] = inverse_of_curve(*lut_.shaper, place[c], c);
-        }
-        return place;
-    }
-
-    RgbD shaped(RgbD input) const {
-        return lut_.shaper ? evaluate_exact(*lut_.shaper, input) : input;
-    }
-
-  private:
-    // Inputs of the cube nearer than this share of its width are one place, found in two tetrahedra
-    // that share it.
-    static constexpr double same = 1e-5;
-
-    Preimages found(RgbD wanted, RgbD near) const {
-        Preimages out = index_.preimages(wanted, shaped(near));
-        std::erase_if(out.points, [this](RgbD place) { return !reached(place); });
-        if (out.flat && !reached(*out.flat)) {
-            out.flat.reset();
-        }
-        return out;
-    }
-
-    // The input nearest to the wanted colour: the sheet that an unfolded look has.
-    Answer among(const Preimages& all, RgbD wanted) const {
-        Answer out;
-        out.missing = all.points.empty() && !all.flat;
-        if (out.missing) {
-            return out;
-        }
-        RgbD chosen = all.flat ? *all.flat : all.points.front();
-        out.input = unshaped(chosen);
-        for (const RgbD& place : all.points) {
-            const RgbD input = unshaped(place);
-            if (largest_magnitude(input - wanted) < largest_magnitude(out.input - wanted)) {
-                chosen = place;
-                out.input = input;
-            }
-        }
-        if (all.flat) {
-            out.moved = largest_magnitude(out.input - wanted);
-            return out;
-        }
-        for (const RgbD& place : all.points) {
-            if (largest_magnitude(place - chosen) > same * width_) {
-                out.spread = std::max(out.spread, largest_magnitude(unshaped(place) - out.input));
-            }
-        }
-        return out;
-    }
-
-    const Lut& lut_;
-    OutputIndex index_;
-    double width_ = 0;
-    std::optional<Domain> shaped_; // what the 1D table gives
-};
 
 void add(InverseRegion& region, Rgb wanted, double extent) {
     if (region.count++ == 0) {
@@ -210,7 +76,12 @@ std::vector<Rgb> inputs_of(const Domain& domain, int cells) {
     return out;
 }
 
-void judge_inputs(const Lut& lut, const Solver& solver, Inversion& out) {
+struct Judged {
+    InputShares shares;
+    std::vector<Rgb> undoable;
+};
+
+Judged judged_inputs(const Lut& lut, const InverseSolver& solver) {
     // Fewer of a wild look, of which each takes long.
     constexpr int usual_cells = 32, least_cells = 4;
     constexpr double most_work = 5e6; // cells of the look
@@ -224,15 +95,20 @@ void judge_inputs(const Lut& lut, const Solver& solver, Inversion& out) {
                               fates[i] = solver.fate(to_double(inputs[i]));
                           }
                       });
-    const double each = 1 / static_cast<double>(inputs.size());
+    Judged out;
+    std::array<std::size_t, 3> count{};
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        out.inputs.undoable += fates[i] == Fate::undoable ? each : 0;
-        out.inputs.flat += fates[i] == Fate::flat ? each : 0;
-        out.inputs.folded += fates[i] == Fate::folded ? each : 0;
+        ++count[static_cast<std::size_t>(fates[i])];
         if (fates[i] == Fate::undoable) {
             out.undoable.push_back(inputs[i]);
         }
     }
+    const auto share = [&](Fate fate) {
+        return static_cast<double>(count[static_cast<std::size_t>(fate)]) /
+               static_cast<double>(inputs.size());
+    };
+    out.shares = {share(Fate::undoable), share(Fate::flat), share(Fate::folded)};
+    return out;
 }
 
 // Where a colour lies among the inverse's nodes.
@@ -248,7 +124,8 @@ RgbD place_in(const Lut& inverse, RgbD colour) {
 }
 
 // Every node of the look, and between them, closely enough that each cell of the inverse has some.
-std::vector<InverseSample> samples_of(const Lut& look, const Solver& solver, const Lut& inverse) {
+std::vector<InverseSample> samples_of(const Lut& look, const InverseSolver& solver,
+                                      const Lut& inverse) {
     constexpr int most = 65;
     const int size = std::min(2 * std::max(look.cube->size, inverse.cube->size) - 1, most);
     std::vector<InverseSample> out;
@@ -302,29 +179,62 @@ Domain output_range(const Lut& lut) {
     return out;
 }
 
-Inversion invert(const Lut& lut, const InvertOptions& options) {
-    if (lut.shaper && !lut.cube) {
-        return inverse_table(lut, options);
+// A look made ready: it always has a cube.
+struct Inverter::Parts {
+    Lut look;
+    InvertOptions options;
+    Domain domain;
+    InverseSolver solver;
+    Judged judged;
+
+    Parts(Lut of, const InvertOptions& how)
+        : look(std::move(of)), options(how), domain(options.domain.value_or(inverse_domain(look))),
+          solver(look), judged(judged_inputs(look, solver)) {
+        check_domain(domain);
     }
+};
+
+namespace {
+
+Lut with_cube(const Lut& lut) {
     if (lut.shaper) {
         check_invertible(*lut.shaper);
     }
-    const Lut3D cube = lut.cube ? *lut.cube : identity_cube(2, output_range(lut));
-    if (cube.size > largest_size) {
-        throw Error("a cube of " + std::to_string(cube.size) +
+    Lut out = lut;
+    if (!out.cube) {
+        out.cube = identity_cube(2, output_range(lut));
+    }
+    if (out.cube->size > largest_size) {
+        throw Error("a cube of " + std::to_string(out.cube->size) +
                     " nodes per axis is too large to "
                     "invert; resample it to at most " +
                     std::to_string(largest_size));
     }
-    const int size = options.size.value_or(lut.cube ? cube.size : usual_cube_size);
-    check_cube_size(size);
-    const Domain domain = options.domain.value_or(inverse_domain(lut));
-    check_domain(domain);
+    out.interpolation.reset();
+    return out;
+}
 
-    Lut look = lut;
-    look.cube = cube;
-    look.interpolation.reset();
-    const Solver solver(look, *look.cube);
+} // namespace
+
+Inverter::Inverter(const Lut& lut, const InvertOptions& options)
+    : parts_(std::make_unique<Parts>(with_cube(lut), options)) {}
+
+Inverter::~Inverter() = default;
+
+double Inverter::work() const {
+    return parts_->solver.work();
+}
+
+const std::vector<Rgb>& Inverter::undoable() const {
+    return parts_->judged.undoable;
+}
+
+Inversion Inverter::of(int size) const {
+    check_cube_size(size);
+    const Lut& look = parts_->look;
+    const InvertOptions& options = parts_->options;
+    const Domain& domain = parts_->domain;
+    const InverseSolver& solver = parts_->solver;
     Inversion out;
     if (options.shaper.empty() || options.shaper == "none") {
         out.lut.cube = identity_cube(size, domain);
@@ -336,7 +246,7 @@ Inversion invert(const Lut& lut, const InvertOptions& options) {
     }
     Lut3D& inverse = *out.lut.cube;
     out.nodes = inverse.nodes.size();
-    std::vector<Answer> answers(out.nodes);
+    std::vector<InverseAnswer> answers(out.nodes);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, out.nodes, 256), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             answers[i] = solver.solve(to_double(inverse.nodes[i]));
@@ -346,7 +256,7 @@ Inversion invert(const Lut& lut, const InvertOptions& options) {
     std::vector<bool> open(out.nodes);
     for (std::size_t i = 0; i < out.nodes; ++i) {
         const Rgb wanted = inverse.nodes[i];
-        const Answer& answer = answers[i];
+        const InverseAnswer& answer = answers[i];
         if (answer.missing) {
             add(out.out_of_gamut, wanted, answer.distance);
             open[i] = true;
@@ -366,10 +276,22 @@ Inversion invert(const Lut& lut, const InvertOptions& options) {
     if (options.outside == Outside::extrapolate) {
         out.extrapolated = fit_open_nodes(inverse, open, samples_of(look, solver, out.lut));
     }
-    judge_inputs(look, solver, out);
-    out.lut.title = inverse_title(lut);
-    out.lut.encodings = inverse_encodings(lut);
+    out.inputs = parts_->judged.shares;
+    out.undoable = parts_->judged.undoable;
+    out.lut.title = inverse_title(look);
+    out.lut.encodings = inverse_encodings(look);
     return out;
+}
+
+int own_inverse_size(const Lut& lut) {
+    return lut.cube ? lut.cube->size : usual_cube_size;
+}
+
+Inversion invert(const Lut& lut, const InvertOptions& options) {
+    if (lut.shaper && !lut.cube) {
+        return inverse_table(lut, options);
+    }
+    return Inverter(lut, options).of(options.size.value_or(own_inverse_size(lut)));
 }
 
 } // namespace lutlib

@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -96,5 +97,29 @@ Domain output_range(const Lut& lut);
 /// (resample it first), a 1D table before a cube that neither rises nor falls along its whole
 /// length (an output of it has no single input), or a shaper that cannot be.
 Inversion invert(const Lut& lut, const InvertOptions& options = {});
+
+/// The size of the inverse where none is given.
+int own_inverse_size(const Lut& lut);
+
+/// invert() at several sizes, of a look that is not a 1D table alone: what is found out about the
+/// look is found out once.
+class Inverter {
+  public:
+    /// Takes no notice of options.size. Throws as invert() does.
+    explicit Inverter(const Lut& lut, const InvertOptions& options = {});
+    ~Inverter();
+
+    Inversion of(int size) const;
+
+    /// Cells of the look to search for one colour, on average: above 1 where cells overlap.
+    double work() const;
+
+    /// Inversion::undoable.
+    const std::vector<Rgb>& undoable() const;
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
 
 } // namespace lutlib

@@ -1,0 +1,89 @@
+#include "lutlib/resample/invert_closely.h"
+
+#include "lutlib/color/difference.h"
+#include "lutlib/metrics/samples.h"
+#include "tests/lutlib/looks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lutlib {
+namespace {
+
+Lut cube_look(Lut3D cube) {
+    Lut out;
+    out.cube = std::move(cube);
+    return out;
+}
+
+// Invertible, and nearly flat beside white: the inverse is steep there.
+RgbD with_shoulder(RgbD c) {
+    const auto bend = [](double x) { return (1 - std::exp(-3 * x)) / (1 - std::exp(-3.0)); };
+    return {bend(c.r), bend(c.g), bend(c.b)};
+}
+
+// Of look and inverse in turn, over colours that no lattice is in step with.
+double p99_of_round_trip(const Lut& look, const Lut& inverse) {
+    std::vector<double> errors;
+    for (const Rgb& in : sample_colors(2, {.neutral = 0, .random = 5000, .lattice = false})) {
+        const RgbD out = evaluate_exact(look, to_double(in));
+        errors.push_back(delta_e_2000(evaluate_exact(inverse, out), to_double(in)));
+    }
+    return error_stats(std::move(errors)).p99;
+}
+
+TEST(InvertClosely, takes_a_finer_lattice_where_the_looks_own_size_is_too_coarse_for_the_inverse) {
+    constexpr RoundTripAim aim{.p99 = 2};
+    const Lut look = cube_look(sampled(with_shoulder, 5));
+    EXPECT_GT(p99_of_round_trip(look, invert(look).lut), aim.p99);
+    const ClosestInversion out = invert_closely(look, {}, srgb(), aim);
+    EXPECT_TRUE(out.kept);
+    EXPECT_LE(p99_of_round_trip(look, out.inversion.lut), 1.02 * aim.p99); // other colours
+    ASSERT_GE(out.attempts.size(), 2U);
+    EXPECT_EQ(out.attempts.front().size, 5);
+    EXPECT_EQ(out.attempts.back().size, out.inversion.lut.cube->size);
+    for (std::size_t i = 0; i + 1 < out.attempts.size(); ++i) {
+        EXPECT_GT(out.attempts[i].p99, aim.p99);
+    }
+}
+
+TEST(InvertClosely, keeps_the_looks_own_size_where_that_is_fine_enough) {
+    const Lut look = cube_look(sampled([](RgbD c) { return c * 0.9 + RgbD{.05, .02, .05}; }, 5));
+    const ClosestInversion out = invert_closely(look, {}, srgb());
+    EXPECT_TRUE(out.kept);
+    EXPECT_EQ(out.inversion.lut.cube->size, 5);
+    EXPECT_EQ(out.attempts.size(), 1U);
+}
+
+TEST(InvertClosely, takes_the_size_that_is_asked_for) {
+    const Lut look = cube_look(sampled(with_shoulder, 9));
+    const ClosestInversion out = invert_closely(look, {.size = 7}, srgb());
+    EXPECT_EQ(out.inversion.lut.cube->size, 7);
+    EXPECT_TRUE(out.attempts.empty());
+}
+
+TEST(InvertClosely, says_that_no_size_keeps_the_aim_and_takes_the_nearest) {
+    const RoundTripAim aim{.largest = 12};
+    const Lut look = cube_look(sampled(with_shoulder, 5));
+    const ClosestInversion out = invert_closely(look, {}, srgb(), aim);
+    EXPECT_FALSE(out.kept);
+    ASSERT_EQ(out.attempts.size(), 3U);
+    EXPECT_EQ(out.attempts.back().size, aim.largest);
+    const auto nearest =
+        std::min_element(out.attempts.begin(), out.attempts.end(),
+                         [](const auto& a, const auto& b) { return a.p99 < b.p99; });
+    EXPECT_EQ(nearest->size, out.inversion.lut.cube->size);
+    EXPECT_GT(nearest->p99, aim.p99);
+}
+
+TEST(InvertClosely, of_a_constant_has_nothing_to_choose_by) {
+    const Lut look = cube_look(sampled([](RgbD) { return RgbD{.5, .4, .3}; }, 3));
+    const ClosestInversion out = invert_closely(look, {}, srgb());
+    EXPECT_TRUE(out.attempts.empty());
+    EXPECT_EQ(out.inversion.lut.cube->size, 3);
+}
+
+} // namespace
+} // namespace lutlib

@@ -6,13 +6,13 @@
 #include "lutlib/limits.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace lutlib {
 namespace {
 
-constexpr int largest_usual_size = 65;
+// Beyond it, lattices take seconds each, and are of use only where they hold the nodes of a look.
+constexpr int largest_usual_size = 128;
 // The largest side of a 2D texture: Direct3D 11's feature level 11_0, and what Vulkan has on
 // desktops. An engine that gets a larger picture does not load it.
 constexpr int largest_texture_side = 16384;
@@ -38,25 +38,6 @@ bool smaller(Combination a, Combination b) {
     return lattice_bytes(a.size, a.bits) < lattice_bytes(b.size, b.bits);
 }
 
-std::vector<int> sizes_of(const Engine& engine, const Budget& budget) {
-    if (budget.size) {
-        return {*budget.size};
-    }
-    if (!engine.sizes.empty()) {
-        const auto sizes = engine.usual_sizes.empty() ? engine.sizes : engine.usual_sizes;
-        return {sizes.begin(), sizes.end()};
-    }
-    std::vector<int> out(largest_usual_size + 1 - limits::min_cube_size);
-    std::iota(out.begin(), out.end(), limits::min_cube_size);
-    const int cells = budget.nodes.value_or(limits::max_cube_size) - 1;
-    for (int size = cells + 1; size <= limits::max_cube_size; size += cells) {
-        if (size > largest_usual_size) {
-            out.push_back(size);
-        }
-    }
-    return out;
-}
-
 bool is_loadable(const Engine& engine, int size) {
     const std::optional<PictureSize> picture = layout_named(engine.layout)->picture(size);
     return picture && std::max(picture->width, picture->height) <= largest_texture_side;
@@ -65,10 +46,10 @@ bool is_loadable(const Engine& engine, int size) {
 // The combinations that the engine and the budget allow, smallest first.
 std::vector<Combination> combinations(const Engine& engine, const Budget& budget) {
     std::vector<Combination> out;
-    for (const int size : sizes_of(engine, budget)) {
+    for (const int size :
+         budget.size ? std::vector{*budget.size} : sizes_tried(engine, budget.nodes)) {
         for (const int bits : engine.bits) {
-            if (budget.bits.value_or(bits) == bits && accepts(engine, size, bits) &&
-                (budget.size || is_loadable(engine, size))) {
+            if (budget.bits.value_or(bits) == bits && accepts(engine, size, bits)) {
                 out.push_back({size, bits});
             }
         }
@@ -82,6 +63,23 @@ std::vector<Combination> combinations(const Engine& engine, const Budget& budget
 std::string fit_limit_text() {
     return "beyond " + std::to_string(largest_fitted_size) +
            " nodes point samples only: rounding rules the error there, not the lattice";
+}
+
+std::vector<int> sizes_tried(const Engine& engine, std::optional<int> nodes) {
+    std::vector<int> out;
+    if (!engine.sizes.empty()) {
+        const auto sizes = engine.usual_sizes.empty() ? engine.sizes : engine.usual_sizes;
+        out.assign(sizes.begin(), sizes.end());
+    } else {
+        const int cells = nodes.value_or(limits::max_cube_size) - 1;
+        for (int size = limits::min_cube_size; size <= limits::max_cube_size; ++size) {
+            if (size <= largest_usual_size || (size - 1) % cells == 0) {
+                out.push_back(size);
+            }
+        }
+    }
+    std::erase_if(out, [&](int size) { return !is_loadable(engine, size); });
+    return out;
 }
 
 std::uint64_t lattice_bytes(int size, int bits) {
@@ -161,9 +159,9 @@ class Search {
         const bool may_fit = budget_.fit && c.size <= largest_fitted_size && fits_ < most_fits;
         const double limit = budget_.most * (may_fit ? fit_reach : 1);
         double largest = check_.glance(c.size, c.bits, limit * lookup_rounding);
-        if (largest <= budget_.most * lookup_rounding) {
+        if (largest <= limit * lookup_rounding) {
             FilledBake plain{.bake = bake(look_, engine_, c.size, c.bits)};
-            const double found = check_.largest_error(plain.bake);
+            const double found = check_.largest_error(plain.bake, limit);
             if (found <= budget_.most) {
                 return plain;
             }

@@ -58,18 +58,20 @@ struct BudgetBake {
     std::size_t tried = 0; ///< combinations looked at
 };
 
-/// Point samples that exceed the promise by more than this factor are not tried as a fit, and no
-/// more than so many are: a fit aims at the mean, lowers the largest error little, and takes longer
-/// than all other sizes together.
-inline constexpr double fit_reach = 1.2;
+/// Point samples whose largest error exceeds the promise by more than this factor are not tried as
+/// a fit, and no more than so many are: a fit aims at the mean, lowers the largest error of real
+/// looks by a factor of 1 to 1.6, and takes longer than the point samples of many sizes.
+inline constexpr double fit_reach = 1.45;
 inline constexpr int most_fits = 3;
+
+/// Every size from 2 to 128, and k(n-1)+1 up to 256 for a look of n nodes, whose nodes it holds; of
+/// the sizes that the engine takes, that work without a setting in the project, and whose picture
+/// is no larger than a texture may be. Rising.
+std::vector<int> sizes_tried(const Engine& engine, std::optional<int> nodes);
 
 /// The smallest combination that keeps the promise; of equal size, point samples come before a fit.
 /// An engine's lookup costs the same for every one of them but for its memory, so the smallest is
-/// also the fastest. Tried, from the smallest: every size from 2 to 65, and k(n-1)+1 up to 256 for
-/// a look of n nodes, whose nodes it holds; of the sizes that the engine takes, that work without a
-/// setting in the project, and whose picture is no larger than a texture may be. Each is left at
-/// the first colour that breaks the promise. When none keeps it, the one that comes nearest of the
+/// also the fastest. Of sizes_tried() each is left at the first colour that breaks the promise. When none keeps it, the one that comes nearest of the
 /// few that seemed the nearest, with `kept` false. Throws UsageError when the engine takes no
 /// combination that was asked for.
 BudgetBake bake_within(const Transform& look, const Engine& engine, const Budget& budget);

@@ -81,12 +81,29 @@ double PromiseCheck::glance(int size, int bits, double limit) {
     return largest;
 }
 
-void PromiseCheck::remember(Rgb colour) {
-    remembered_.insert(remembered_.begin(), colour);
-    expected_.insert(expected_.begin(), look_(to_double(colour)));
+void PromiseCheck::remember(std::span<const Rgb> colours, std::span<const double> errors) {
+    constexpr double nearly = 0.8;
+    std::vector<std::size_t> worst;
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        if (errors[i] > nearly * budget_.most) {
+            worst.push_back(i);
+        }
+    }
+    const std::size_t count = std::min(at_once, worst.size());
+    std::partial_sort(worst.begin(), worst.begin() + static_cast<std::ptrdiff_t>(count),
+                      worst.end(), [&](std::size_t a, std::size_t b) {
+                          return errors[a] != errors[b] ? errors[a] > errors[b] : a < b;
+                      });
+    std::vector<Rgb> kept;
+    for (std::size_t i = 0; i < count; ++i) {
+        kept.push_back(colours[worst[i]]);
+    }
+    const std::vector<RgbD> right = images_of(look_, kept);
+    remembered_.insert(remembered_.begin(), kept.begin(), kept.end());
+    expected_.insert(expected_.begin(), right.begin(), right.end());
 }
 
-double PromiseCheck::largest_error(const Bake& bake) {
+double PromiseCheck::largest_error(const Bake& bake, double limit) {
     if (samples_size_ != bake.size) {
         samples_size_ = bake.size;
         samples_ =
@@ -107,10 +124,10 @@ double PromiseCheck::largest_error(const Bake& bake) {
         const std::vector<RgbD> got = images_of(lookup, part);
         const auto error = std::span(errors).subspan(first, count);
         eye_(budget_.metric, std::span(right_).subspan(first, count), got, error);
-        const auto worst = std::max_element(error.begin(), error.end());
-        if (*worst > budget_.most) {
-            remember(part[static_cast<std::size_t>(worst - error.begin())]);
-            return *worst;
+        const double worst = *std::max_element(error.begin(), error.end());
+        if (worst > limit) {
+            remember(part, error);
+            return worst;
         }
     }
     const Peak peak = climbed(
@@ -119,7 +136,7 @@ double PromiseCheck::largest_error(const Bake& bake) {
             eye_(budget_.metric, right, got, error);
         });
     if (peak.error > budget_.most) {
-        remember(peak.at);
+        remember(std::span(&peak.at, 1), std::span(&peak.error, 1));
     }
     return peak.error;
 }

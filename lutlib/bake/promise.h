@@ -4,11 +4,13 @@
 #include "lutlib/bake/bake.h"
 #include "lutlib/bake/budget.h"
 
+#include <span>
 #include <vector>
 
 namespace lutlib {
 
-/// Remembers the colours that broke the promise before, which mostly break it again.
+/// Remembers the colours that broke the promise before, or nearly: of other sizes one of them
+/// mostly does again.
 class PromiseCheck {
   public:
     PromiseCheck(const Transform& look, const Engine& engine, const Budget& budget);
@@ -17,12 +19,12 @@ class PromiseCheck {
     /// alone; or one that exceeds `limit`, the first that is met.
     double glance(int size, int bits, double limit);
 
-    /// The first error met that exceeds the limit, else the largest of all, climbed.
-    double largest_error(const Bake& bake);
+    /// The first error met that exceeds `limit`, else the largest of all, climbed.
+    double largest_error(const Bake& bake, double limit);
 
   private:
     std::vector<RgbD> read_point_samples(int size, CodeDepth depth, std::span<const Rgb> in) const;
-    void remember(Rgb colour);
+    void remember(std::span<const Rgb> colours, std::span<const double> errors);
 
     const Engine& engine_;
     const Budget& budget_;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lutlib {
@@ -58,6 +59,34 @@ TEST(Budget, names_what_none_of_the_sizes_stays_within) {
     EXPECT_EQ(found.filled.bake.size, 16);
     EXPECT_DOUBLE_EQ(found.largest, found.error.delta_e_2000.max);
     EXPECT_GT(found.largest, 0.1);
+}
+
+TEST(Budget, tries_every_size_that_a_strip_may_have_and_multiples_of_the_looks_cells) {
+    const auto has = [](const std::vector<int>& sizes, int size) {
+        return std::find(sizes.begin(), sizes.end(), size) != sizes.end();
+    };
+    const std::vector<int> strip = sizes_tried(*engine_named("piccolo"), 32);
+    EXPECT_EQ(strip.size(), 127U); // 2 to 128, whose picture is 16384 wide
+    const std::vector<int> in_rows = sizes_tried(*engine_named("ocio"), 32);
+    EXPECT_TRUE(has(in_rows, 67));
+    EXPECT_TRUE(has(in_rows, 7 * 31 + 1));
+    EXPECT_FALSE(has(in_rows, 7 * 31));
+    EXPECT_EQ(sizes_tried(*engine_named("unity"), 17), std::vector{32});
+}
+
+// Fits lower the largest error by up to 1.6 times.
+TEST(Budget, fits_where_point_samples_break_the_promise_by_more_than_a_fifth) {
+    const Engine& engine = *engine_named("piccolo");
+    Lut lut;
+    lut.cube = sampled(
+        [](RgbD c) {
+            return RgbD{std::pow(c.r, 0.6), std::pow(c.g, 0.8), std::pow(c.b, 1.5)};
+        },
+        17);
+    const Transform look = Transform::of(lut);
+    const double most = largest(look, engine, 7, breaks_of(lut)) / 1.22;
+    const Budget budget{.most = most, .size = 7, .bits = 8, .breaks = breaks_of(lut)};
+    EXPECT_TRUE(bake_within(look, engine, budget).kept);
 }
 
 TEST(Budget, judges_a_pq_output_as_pq) {

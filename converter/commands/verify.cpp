@@ -166,10 +166,7 @@ Verdict judge(const Options& o, const Subject& s, const Verb& verb) {
                             });
         if (s.fitted()) {
             out.result->diagnosis.reset();
-            out.fitted =
-                check_fitted(s.codes, *s.engine, s.size, right,
-                             lutlib::sample_colors(std::min(s.size, 33), {.random = o.samples}),
-                             {breaks, out.viewing});
+            out.fitted = check_fitted(s.codes, *s.engine, s.size, right, {breaks, out.viewing});
         }
         const bool holds = out.fitted ? out.fitted->right() : out.result->texels.wrong == 0;
         out.passed = holds && s.contract.empty() && !out.place.is_wrong();
@@ -236,7 +233,7 @@ nlohmann::ordered_json diagnosis_json(const lutlib::Diagnosis& diagnosis) {
 }
 
 std::string fitted_text(const lutlib::FittedCheck& check) {
-    const auto figures = [](const lutlib::LookupError& error) { return to_text(error.absolute); };
+    const auto figures = [](const lutlib::Difference& error) { return to_text(error.absolute); };
     std::string out =
         fmt::format("  the lattice is fitted, so its texels are not the look's values: {} of {} "
                     "are where a fit "

@@ -1,6 +1,5 @@
 #include "lutlib/bake/bake.h"
 
-#include "lutlib/color/difference.h"
 #include "lutlib/error.h"
 
 #include <algorithm>
@@ -132,21 +131,6 @@ Difference measure_lookup(const CodeImage& codes, const Engine& engine, int size
     const ErrorSamples samples =
         error_samples({}, united(breaks, breaks_of(reader_of(engine, size))), limits);
     return measure(held_to_codes(look), read_by(engine, decoded(codes), size), samples, viewing);
-}
-
-LookupError lookup_error(const Engine& engine, const Picture& picture, int size,
-                         const std::vector<Rgb>& inputs, const std::vector<RgbD>& expected) {
-    std::vector<double> absolute(inputs.size()), delta_e(inputs.size());
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        const RgbD got = to_double(engine.lookup(picture, size, inputs[i]));
-        const RgbD right = saturate(expected[i]);
-        const RgbD d = got - right;
-        absolute[i] = largest_magnitude(d);
-        delta_e[i] = delta_e_2000(got, right);
-    }
-    LookupError out{error_stats(std::move(absolute)), error_stats(std::move(delta_e)), {}};
-    out.worst = inputs.empty() ? Rgb{} : inputs[out.absolute.worst];
-    return out;
 }
 
 } // namespace lutlib

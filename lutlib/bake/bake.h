@@ -49,19 +49,6 @@ Difference measure_lookup(const CodeImage& codes, const Engine& engine, int size
                           const Transform& look, const Breaks& breaks, const Viewing& viewing,
                           const SampleLimits& limits = {});
 
-/// Errors of an engine's lookup against a look, per colour: the largest channel difference, and
-/// the colour difference dE2000 of both as display-encoded sRGB.
-struct LookupError {
-    ErrorStats absolute;
-    ErrorStats delta_e;
-    Rgb worst; ///< the input with the largest channel difference
-};
-
-/// `expected[i]` is the right answer for `inputs[i]`, clamped to 0..1 here as a picture's codes
-/// are.
-LookupError lookup_error(const Engine& engine, const Picture& picture, int size,
-                         const std::vector<Rgb>& inputs, const std::vector<RgbD>& expected);
-
 /// Throws UsageError unless the engine takes a lattice of `size` with `bits` a sample.
 void check_contract(const Engine& engine, int size, int bits);
 

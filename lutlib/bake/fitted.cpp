@@ -156,17 +156,16 @@ std::string sentence(const Harm& harm, const Measured& m) {
 } // namespace
 
 FittedCheck check_fitted(const CodeImage& picture, const Engine& engine, int size,
-                         const Transform& look, const std::vector<Rgb>& inputs,
-                         const FitView& view) {
-    const CodeImage refit = bake_fitted(look, engine, size, picture.depth.bits, view).bake.picture;
-    const std::vector<RgbD> expected = images_of(look, inputs);
-    const auto error_of = [&](const CodeImage& codes) {
-        return lookup_error(engine, decoded(codes), size, inputs, expected);
+                         const Transform& look, const FitView& view) {
+    const FilledBake anew = bake_fitted(look, engine, size, picture.depth.bits, view);
+    const CodeImage& refit = anew.bake.picture;
+    const auto measured_of = [&](const CodeImage& codes) {
+        return measure_lookup(codes, engine, size, look, view.breaks, view.viewing);
     };
     FittedCheck out;
-    out.result = error_of(picture);
-    out.refit = error_of(refit);
-    out.point_sampled = error_of(bake(look, engine, size, picture.depth.bits).picture);
+    out.refit = anew.result ? *anew.result : measured_of(refit);
+    out.point_sampled = anew.point_sampled ? *anew.point_sampled : out.refit;
+    out.result = picture.samples == refit.samples ? out.refit : measured_of(picture);
 
     const Measured m = measured(picture, refit, engine, size, look);
     out.texels = m.pixel.size();

@@ -14,9 +14,9 @@ namespace lutlib {
 /// anew. Where texels differ from it, the engine's lookup must be about as good as that fit's:
 /// around each of them by the largest error, and over all colours by the mean.
 struct FittedCheck {
-    LookupError result;        ///< of the picture, over the inputs
-    LookupError refit;         ///< of the fit made anew
-    LookupError point_sampled; ///< of the look's own samples
+    Difference result;        ///< measure_lookup() of the picture
+    Difference refit;         ///< of the fit made anew
+    Difference point_sampled; ///< of the look's own samples
     std::size_t texels = 0;
     std::size_t moved = 0; ///< texels further from the new fit than rounding explains
     std::vector<std::string> faults;
@@ -27,7 +27,6 @@ struct FittedCheck {
 /// The picture's dimensions must be those of the engine's layout for `size`. Takes as long as
 /// bake_fitted() does.
 FittedCheck check_fitted(const CodeImage& picture, const Engine& engine, int size,
-                         const Transform& look, const std::vector<Rgb>& inputs,
-                         const FitView& view = {});
+                         const Transform& look, const FitView& view = {});
 
 } // namespace lutlib

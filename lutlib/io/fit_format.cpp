@@ -17,8 +17,6 @@ namespace {
 
 constexpr int made_cube_size = 65;
 constexpr int made_curve_size = 4096;
-// Differences that are rounding of float arithmetic and no loss of the conversion.
-constexpr double rounding_noise = 1e-6;
 
 bool same_in_all_channels(const Domain& d) {
     return d.min == Rgb{d.min.r, d.min.r, d.min.r} && d.max == Rgb{d.max.r, d.max.r, d.max.r};
@@ -49,32 +47,16 @@ double cut_away(const Domain& before, const Domain& after) {
     return most;
 }
 
-// Where the tables of a look bend, as far as no shaper stands before them.
-void append_knots(const Lut& lut, std::vector<Rgb>& out) {
-    for (int i = 0; lut.shaper && i < lut.shaper->size(); ++i) {
-        out.push_back(to_float(entry_position(*lut.shaper, i)));
-    }
-    if (lut.cube && !lut.shaper) {
-        const std::vector<Rgb> nodes = identity_cube(lut.cube->size, lut.cube->domain).nodes;
-        out.insert(out.end(), nodes.begin(), nodes.end());
-    }
-}
-
-// Over colours spread evenly and wherever one of the two bends: a single node may differ.
+// In code values; 0 where it is rounding of float arithmetic and no loss of the conversion.
 double largest_error(const Lut& before, const Lut& after, const Domain& over) {
-    constexpr int spread_evenly = 40000;
-    std::vector<Rgb> inputs = samples_over(over, 2, spread_evenly);
-    append_knots(before, inputs);
-    append_knots(after, inputs);
-    double most = 0;
-    for (Rgb in : inputs) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            in[c] = std::clamp(in[c], over.min[c], over.max[c]);
-        }
-        most = std::max(most, largest_magnitude(to_double(evaluate(after, in)) -
-                                                to_double(evaluate(before, in))));
-    }
-    return most;
+    constexpr double rounding_noise = 1e-6;
+    constexpr SampleLimits limits{.even = 10'000, .between = 1 << 13};
+    const Transform first = Transform::of(before), second = Transform::of(after);
+    const Peak peak = largest_difference(
+        first, second, error_samples(over, united(breaks_of(before), breaks_of(after)), limits), {},
+        Metric::code);
+    const double size = std::max(1.0, largest_magnitude(first(to_double(peak.at))));
+    return peak.error > rounding_noise * size ? peak.error : 0;
 }
 
 // A shaper that only maps the cube's domain to 0..1, and the cube on 0..1: the same look.
@@ -228,7 +210,7 @@ void report_interpolation(const Holds& holds, FitToFormat& fit) {
     const Lut before = fit.lut;
     fit.lut.interpolation.reset();
     const double error = fit.lut.cube ? largest_error(before, fit.lut, before.domain()) : 0;
-    if (error > rounding_noise) {
+    if (error > 0) {
         fit.losses.push_back({std::string(name_of(*asked)) +
                                   " interpolation, which the look asks for, not kept; largest "
                                   "error of tetrahedral",
@@ -310,8 +292,9 @@ void resample(const Lut& lut, const Plan& plan, const Holds& holds, int cube_siz
         fit.losses.push_back(
             {"input " + text_of(before) + " cut to " + text_of(domain), cut, "units of input"});
     }
-    const double error = largest_error(lut, out, domain);
-    if (error > rounding_noise) {
+    const bool same = lut.shaper == out.shaper && lut.cube == out.cube;
+    const double error = same ? 0 : largest_error(lut, out, domain);
+    if (error > 0) {
         const std::string what = plan.curve && !plan.cube && lut.cube
                                      ? "channels that mix replaced by the neutral axis in "
                                      : "resampled to ";

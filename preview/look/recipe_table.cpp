@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
+#include <numeric>
+#include <span>
 
 namespace preview {
 
@@ -26,44 +29,68 @@ lutlib::Lut sampled(const lutlib::Transform& look, int size) {
     return out;
 }
 
-/// Measures the table; false when it was stopped.
-bool measure(RecipeTable& table, const lutlib::Encoding& results, const lutlib::Transform& exact,
-             const std::function<bool()>& stop) {
+/// Asks whether to stop, from any thread, and never again after that said so.
+class Stop {
+  public:
+    explicit Stop(const std::function<bool()>& stop) : stop_(stop) {}
+
+    bool asked() {
+        const std::lock_guard lock(mutex_);
+        stopped_ = stopped_ || stop_();
+        return stopped_;
+    }
+    bool was_asked() {
+        const std::lock_guard lock(mutex_);
+        return stopped_;
+    }
+
+  private:
+    const std::function<bool()>& stop_;
+    std::mutex mutex_;
+    bool stopped_ = false;
+};
+
+/// Measures the table as measure() does (lutlib/metrics/compare.h), in pieces; false when it was
+/// stopped.
+bool measure(RecipeTable& table, const lutlib::Viewing& viewing, const lutlib::Transform& exact,
+             Stop& stop) {
     constexpr std::size_t at_once = 8192;
-    // The nodes and cell centres of the quick table, and as many places anywhere.
-    static const std::vector<lutlib::Rgb> colours =
-        lutlib::samples_over(lutlib::Domain{}, sizes[0], 70'000);
+    constexpr lutlib::SampleLimits limits{.even = 20'000, .grid = 1 << 17, .between = 1 << 15};
+    const lutlib::ErrorSamples samples = error_samples(
+        table.lut.domain(), united(lutlib::no_breaks(), breaks_of(table.lut)), limits);
+    std::vector<lutlib::Rgb> colours = samples.even;
+    colours.insert(colours.end(), samples.hiding.begin(), samples.hiding.end());
     const lutlib::Transform read = lutlib::Transform::of(table.lut);
-    double sum = 0;
+    const lutlib::Eye eye(viewing);
+    const auto errors_of = [&](std::span<const lutlib::Rgb> in, std::span<double> errors) {
+        if (stop.asked()) {
+            std::fill(errors.begin(), errors.end(), 0);
+            return;
+        }
+        eye(lutlib::Metric::delta_e_2000, images_of(exact, in), images_of(read, in), errors);
+    };
+    std::vector<double> errors(colours.size());
     for (std::size_t at = 0; at < colours.size(); at += at_once) {
-        if (stop()) {
+        const std::size_t count = std::min(at_once, colours.size() - at);
+        errors_of(std::span(colours).subspan(at, count), std::span(errors).subspan(at, count));
+        if (stop.was_asked()) {
             return false;
         }
-        const std::vector<lutlib::Rgb> inputs(
-            colours.begin() + static_cast<std::ptrdiff_t>(at),
-            colours.begin() + static_cast<std::ptrdiff_t>(std::min(at + at_once, colours.size())));
-        std::vector<lutlib::RgbD> wanted;
-        for (const lutlib::Rgb& in : inputs) {
-            wanted.push_back(lutlib::to_double(in));
-        }
-        std::vector<lutlib::RgbD> got = wanted;
-        exact(wanted);
-        read(got);
-        const lutlib::ErrorStats errors =
-            lutlib::difference_of(inputs, wanted, got, results).delta_e_2000;
-        table.max_error = std::max(table.max_error, errors.max);
-        sum += errors.mean * static_cast<double>(errors.count);
     }
-    table.mean_error = sum / static_cast<double>(colours.size());
-    return true;
+    const auto even = errors.begin() + static_cast<std::ptrdiff_t>(samples.even.size());
+    table.mean_error =
+        std::accumulate(errors.begin(), even, 0.0) / static_cast<double>(samples.even.size());
+    table.max_error = climbed(colours, errors, samples.axis, errors_of).error;
+    return !stop.was_asked();
 }
 
 std::optional<RecipeTable> measured(const std::function<lutlib::Lut(int size)>& made,
                                     const lutlib::Transform& exact, const lutlib::Encoding& results,
-                                    const std::function<bool()>& stop) {
+                                    const std::function<bool()>& asks) {
     RecipeTable table;
+    Stop stop(asks);
     for (const int size : sizes) {
-        if (stop()) {
+        if (stop.asked()) {
             return std::nullopt;
         }
         table = {made(size), 0, 0, 0};
@@ -101,9 +128,10 @@ std::optional<RecipeTable> measured_table(const lutlib::Transform& look,
 
 LoadedLook measured_look(const RecipeTable& table, const GpuLookup& lookup) {
     LoadedLook look = look_for(std::make_shared<const lutlib::Lut>(table.lut), lookup);
-    look.note =
-        fmt::format("{} nodes per axis, within dE2000 {:.2f} of the look itself, {:.3f} on average",
-                    table.nodes, table.max_error, table.mean_error);
+    look.note = fmt::format(
+        "{} nodes per axis, dE2000 {:.3f} on average and {:.2f} at most, as far as seen, "
+        "of the look itself",
+        table.nodes, table.mean_error, table.max_error);
     return look;
 }
 

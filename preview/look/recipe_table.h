@@ -13,7 +13,9 @@ namespace preview {
 struct RecipeTable {
     lutlib::Lut lut;
     int nodes = 0; ///< a side
-    /// dE2000 between the table, read tetrahedrally, and the look, over dense colours of 0..1.
+    /// dE2000 between the table, read tetrahedrally, and the look: over colours spread evenly over
+    /// the table's inputs, and the largest seen where errors hide (lutlib/metrics/error_samples.h)
+    /// and uphill from there.
     double max_error = 0, mean_error = 0;
 };
 
@@ -25,7 +27,8 @@ lutlib::Lut quick_table(const lutlib::Recipe& recipe);
 lutlib::Lut quick_table(const lutlib::Transform& look);
 
 /// The smallest of a few tables without a visible difference to the recipe, else the largest. Asks
-/// `stop` every few milliseconds to some tens, and returns nothing once that says so.
+/// `stop`, from any thread but one at a time, every few milliseconds to some tens, and returns
+/// nothing once that says so.
 std::optional<RecipeTable> measured_table(
     const lutlib::Recipe& recipe, const std::function<bool()>& stop = [] { return false; });
 
@@ -33,8 +36,8 @@ std::optional<RecipeTable> measured_table(
 std::optional<RecipeTable> measured_table(
     const lutlib::Transform& look, const std::function<bool()>& stop = [] { return false; });
 
-/// The table for a lookup that reads tables, with a note as "65 nodes per axis, within dE2000 0.41
-/// of the look itself, 0.020 on average".
+/// The table for a lookup that reads tables, with a note as "65 nodes per axis, dE2000 0.020 on
+/// average and 0.41 at most, as far as seen, of the look itself".
 LoadedLook measured_look(const RecipeTable& table, const GpuLookup& lookup);
 
 } // namespace preview

@@ -18,9 +18,7 @@ class Fitted : public testing::Test {
     const FilledBake& baked = baked_once();
     CodeImage picture = baked.bake.picture;
 
-    FittedCheck check() const {
-        return check_fitted(picture, engine, n, look, sample_colors(n, {.random = 2000}));
-    }
+    FittedCheck check() const { return check_fitted(picture, engine, n, look); }
 
     static const FilledBake& baked_once() {
         static const FilledBake once =

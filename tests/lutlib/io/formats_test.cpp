@@ -6,6 +6,7 @@
 #include "lutlib/io/fit_format.h"
 #include "lutlib/io/look.h"
 #include "lutlib/io/ocio.h"
+#include "lutlib/metrics/samples.h"
 #include "lutlib/named.h"
 #include "tests/lutlib/io/looks.h"
 #include "tests/lutlib/io/scratch.h"
@@ -220,6 +221,26 @@ TEST(FitTo, sees_a_single_node_that_resampling_loses) {
     const FitToFormat fit = fit_to(spike, Holds{.cube = true}, 17);
     ASSERT_EQ(fit.losses.size(), 1U);
     EXPECT_GT(fit.losses[0].figure, 0.5);
+}
+
+// Two interpolations differ most between nodes: about one of many, in few of a lattice's cells.
+TEST(FitTo, finds_the_largest_difference_of_interpolations_within_two_percent) {
+    Lut spike;
+    spike.cube = identity_cube(33);
+    spike.cube->at(21, 6, 9).g += 0.4F;
+    spike.interpolation = Interpolation::trilinear;
+    const FitToFormat fit = fit_to(spike, Holds{.cube = true});
+    ASSERT_EQ(fit.losses.size(), 1U);
+    double most = 0;
+    for (const Rgb& share : sample_colors(21, {.neutral = 0, .random = 0})) {
+        const RgbD in{(20 + 2 * share.r) / 32.0, (5 + 2 * share.g) / 32.0,
+                      (8 + 2 * share.b) / 32.0};
+        most = std::max(
+            most, largest_magnitude(evaluate_exact(*spike.cube, in, Interpolation::trilinear) -
+                                    evaluate_exact(*spike.cube, in, Interpolation::tetrahedral)));
+    }
+    EXPECT_GT(most, 0.1);
+    EXPECT_NEAR(fit.losses[0].figure, most, 0.02 * most);
 }
 
 TEST(FitTo, tells_keywords_that_the_format_drops) {

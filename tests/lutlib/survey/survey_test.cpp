@@ -135,11 +135,12 @@ TEST(Survey, clamps_as_a_display_does_and_agrees_with_what_bake_makes) {
     const Transform look = Transform::of(recipe);
     const Bake picture = bake(look, engine, 16, 8);
     const std::vector<Rgb> inputs = error_samples({}, no_breaks(), settings.samples).even;
-    const LookupError baked =
-        lookup_error(engine, decoded(picture.picture), 16, inputs, images_of(look, inputs));
+    const ErrorStats baked =
+        compare(held_to_codes(look), read_by(engine, decoded(picture.picture), 16), inputs, srgb())
+            .delta_e_2000;
     const SurveyRow& row = row_of(result, 16, "8", lookup_of(Interpolation::trilinear));
-    EXPECT_NEAR(row.error.delta_e_2000.mean, baked.delta_e.mean, 1e-4 * baked.delta_e.mean);
-    EXPECT_NEAR(row.error.delta_e_2000.p99, baked.delta_e.p99, 1e-4 * baked.delta_e.p99);
+    EXPECT_NEAR(row.error.delta_e_2000.mean, baked.mean, 1e-4 * baked.mean);
+    EXPECT_NEAR(row.error.delta_e_2000.p99, baked.p99, 1e-4 * baked.p99);
 }
 
 TEST(Survey, judges_what_no_display_shows_where_it_is_asked_to) {
@@ -218,11 +219,12 @@ TEST(Budget, keeps_its_promise_on_colours_that_it_has_not_seen) {
         std::vector<Rgb> inputs =
             sample_colors(found.filled.bake.size,
                           {.neutral = 333, .random = 5000, .lattice = true, .skipped = 777777});
-        const LookupError error =
-            lookup_error(engine, decoded(found.filled.bake.picture), found.filled.bake.size, inputs,
-                         images_of(look, inputs));
+        const Bake& baked = found.filled.bake;
+        const Difference error =
+            compare(held_to_codes(look), read_by(engine, decoded(baked.picture), baked.size),
+                    inputs, srgb());
         // The climb finds peaks nearly, not exactly.
-        EXPECT_LE(error.delta_e.max, most * 1.02) << name;
+        EXPECT_LE(error.delta_e_2000.max, most * 1.02) << name;
     }
 }
 

@@ -2,6 +2,7 @@
 #include "preview/editor/look_baker.h"
 
 #include "lutlib/metrics/compare.h"
+#include "lutlib/metrics/samples.h"
 #include "lutlib/transform.h"
 #include "preview/look/recipe_table.h"
 
@@ -106,6 +107,22 @@ TEST(RecipeTable, is_measured_as_the_recipe_and_the_table_differ) {
     }
     EXPECT_GT(largest, 0);
     EXPECT_LT(largest, 1.2 * table.max_error); // a line meets places between the dense colours
+}
+
+TEST(RecipeTable, is_measured_over_the_inputs_that_it_takes) {
+    lutlib::Recipe recipe;
+    add_operation(recipe, *lutlib::op_named("exposure"));
+    recipe.operations[0].values[0] = 1.0;
+    recipe.bake.domain = lutlib::Domain{{0.5F, 0.5F, 0.5F}, {2, 2, 2}};
+    const RecipeTable table = *measured_table(recipe);
+    const std::vector<lutlib::Rgb> inputs = lutlib::over_domain(
+        lutlib::sample_colors(2, {.random = 10'000, .lattice = false}), table.lut.domain());
+    const double largest = compare(lutlib::Transform::of(recipe), lutlib::Transform::of(table.lut),
+                                   inputs, lutlib::srgb())
+                               .delta_e_2000.max;
+    EXPECT_GT(largest, 0);
+    EXPECT_GE(table.max_error, 0.999 * largest);
+    EXPECT_LE(table.max_error, 1.5 * largest); // of colours that need not be the worst
 }
 
 TEST(RecipeTable, stops_when_it_is_told) {

@@ -15,7 +15,6 @@
 #include "lutlib/io/file.h"
 #include "lutlib/io/look.h"
 #include "lutlib/io/lut_picture.h"
-#include "lutlib/metrics/samples.h"
 #include "lutlib/recipe/bake_recipe.h"
 
 #include <fmt/core.h>

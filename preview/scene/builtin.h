@@ -11,6 +11,7 @@ Scene studio_scene();
 Scene plain_scene();
 void animate_studio(Scene& scene, double seconds);
 Scene night_scene();
+Scene exterior_scene();
 Scene materials_scene();
 Scene chart_scene();
 

@@ -45,7 +45,7 @@ glm::vec3 PointLight::towards_sun() const {
 }
 
 std::span<const SceneInfo> scenes() {
-    static constexpr std::array<SceneInfo, 6> table{{
+    static constexpr std::array<SceneInfo, 7> table{{
         {"sample", "still life by a window: wood, linen, metal, fruit, leaves, skin, true blacks",
          sample_scene, animate_sample},
         {"studio", "photographer's cove with chart, ramps, metals, neon and a very bright spark",
@@ -54,6 +54,8 @@ std::span<const SceneInfo> scenes() {
          animate_studio},
         {"night", "wet street: lamp, shop window, neon of nearly one primary, deep shadow",
          night_scene},
+        {"exterior", "terrace above hills under a clear sky; --sun-height moves its sun",
+         exterior_scene},
         {"materials", "roughness, metalness, measured metals and surfaces with textures",
          materials_scene},
         {.name = "chart",

@@ -1,5 +1,6 @@
 // Draws a histogram from its counts: red, green and blue as lights that add up, luma as a line over
-// them. Its height is the largest count but for the outermost codes, where clipped values pile up.
+// them. Its height is the largest count but for the outermost codes, where clipped values pile up
+// and have marks. Lines and figures stand at each quarter in per cent.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 16, local_size_y = 16) in;
@@ -34,6 +35,14 @@ float height_at(uint plane, float x) {
 
 vec3 plot_color(ivec2 at) {
     vec3 color = ground;
+    for (uint plane = 0u; plane < 3u && at.y < 3 * mark_size(); ++plane) {
+        if (at.x < mark_size() && counts[plane * levels] > 0u) {
+            return black_mark;
+        }
+        if (at.x >= push.plot.z - mark_size() && counts[plane * levels + levels - 1u] > 0u) {
+            return white_mark;
+        }
+    }
     for (int quarter = 0; quarter <= 4; ++quarter) {
         float x = float(push.plot.z) * (float(quarter) * 63.75 + 0.5) / float(levels);
         color = mix(color, line_color, coverage(float(at.x) + 0.5 - x, 1.0));
@@ -52,6 +61,20 @@ vec3 plot_color(ivec2 at) {
     float line = clamp(max(left, right) + 0.8 - y, 0.0, 1.0) *
                  clamp(y - min(left, right) + 0.8, 0.0, 1.0);
     return mix(color, vec3(0.92), 0.85 * line);
+}
+
+bool labelled(ivec2 at) {
+    ivec2 low = push.plot.xy + ivec2(0, push.plot.w + 2 * push.dot_size);
+    for (int quarter = 0; quarter <= 4; ++quarter) {
+        uint number = uint(quarter) * 25u;
+        int width = (number < 10u ? 1 : number < 100u ? 2 : 3) * glyph_step * push.dot_size;
+        int middle = low.x + push.plot.z * quarter / 4;
+        int right = clamp(middle + width / 2, low.x + width, low.x + push.plot.z);
+        if (in_label(at - ivec2(right, low.y), number, push.dot_size)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 void main() {
@@ -75,6 +98,6 @@ void main() {
     }
     ivec2 inside = at - push.plot.xy;
     bool in_plot = all(greaterThanEqual(inside, ivec2(0))) && all(lessThan(inside, push.plot.zw));
-    vec3 color = in_plot ? plot_color(inside) : surround;
+    vec3 color = in_plot ? plot_color(inside) : labelled(at) ? label_color : surround;
     imageStore(target, at, vec4(min(color, 1.0), 1.0));
 }

@@ -1,10 +1,12 @@
-// Draws a waveform or a parade from its counts, with lines and figures at each quarter in per cent.
+// Draws a waveform or a parade from its counts, with lines and figures at each quarter in per cent,
+// and marks above and below columns that have clipped texels.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 16, local_size_y = 16) in;
 #include "common/scope.glsl"
 #include "common/scope_draw.glsl"
 layout(constant_id = 0) const uint planes = 1u;
+layout(constant_id = 1) const bool is_overlaid = false;
 
 layout(binding = 0) readonly buffer Counts { uint counts[]; };
 layout(binding = 1) writeonly uniform image2D target;
@@ -32,19 +34,35 @@ vec3 plane_color(uint plane) {
                                                              : vec3(0.36, 0.54, 1.0);
 }
 
-vec3 plot_color(ivec2 at, uint plane) {
+vec3 ground_color(ivec2 at) {
     vec3 color = ground;
     for (int quarter = 0; quarter <= 4; ++quarter) {
         float level = float(quarter) * 63.75 + 0.5;
         float y = float(push.plot.w) * (1.0 - level / float(levels));
         color = mix(color, line_color, coverage(float(at.y) + 0.5 - y, 1.0));
     }
+    return color;
+}
+
+bool is_clipped(uint plane, uint column, uint level) {
+    return counts[(plane * push.columns + column) * levels + level] > 0u;
+}
+
+/// Laid over `color`.
+vec3 with_plane(vec3 color, ivec2 at, uint plane) {
     uint column = uint(at.x) * push.columns / uint(push.plot.z);
+    if (at.y < mark_size() && is_clipped(plane, column, levels - 1u)) {
+        return white_mark;
+    }
+    if (at.y >= push.plot.w - mark_size() && is_clipped(plane, column, 0u)) {
+        return black_mark;
+    }
     uint from = (column * push.width + push.columns - 1u) / push.columns;
     uint to = ((column + 1u) * push.width + push.columns - 1u) / push.columns;
     float texels = float(to - from) * float(push.height);
     float density = count_at(plane, column, at.y) * float(levels) / max(texels, 1.0);
-    return color + trace(plane_color(plane), density, float(levels));
+    // Traces that lie over each other add up to white no sooner than one alone.
+    return color + trace(plane_color(plane), density, float(levels)) * (is_overlaid ? 0.4 : 1.0);
 }
 
 bool labelled(ivec2 at) {
@@ -70,7 +88,8 @@ void main() {
     for (uint plane = 0u; plane < planes; ++plane) {
         ivec2 inside = at - push.plot.xy - ivec2(int(plane) * push.stride, 0);
         if (all(greaterThanEqual(inside, ivec2(0))) && all(lessThan(inside, push.plot.zw))) {
-            color = plot_color(inside, plane);
+            bool is_first = plane == 0u || !is_overlaid;
+            color = with_plane(is_first ? ground_color(inside) : color, inside, plane);
         }
     }
     imageStore(target, at, vec4(min(color, 1.0), 1.0));

@@ -9,6 +9,7 @@ namespace {
 
 // In dots of the figures, which are 5 wide, 6 high and 6 apart.
 constexpr int label_width = 3 * 6 + 3;
+constexpr int label_height = 6 + 2;
 constexpr int border = 4;
 constexpr int between = 6; ///< plots of a parade
 
@@ -65,12 +66,14 @@ ScopePlot scope_plot(const Scope& scope, std::uint32_t width, std::uint32_t heig
     plot.height = std::max(h - 2 * edge, 1);
     plot.x = edge;
     if (scope.bins == ScopeBins::columns) {
-        const int planes = static_cast<int>(scope.planes), gap = between * plot.dot;
+        const int planes = scope.is_overlaid ? 1 : static_cast<int>(scope.planes);
+        const int gap = between * plot.dot;
         plot.x += label_width * plot.dot;
         plot.width = std::max((w - plot.x - edge - (planes - 1) * gap) / planes, 1);
-        plot.stride = plot.width + gap;
+        plot.stride = scope.is_overlaid ? 0 : plot.width + gap;
     } else {
         plot.width = std::max(w - 2 * edge, 1);
+        plot.height = std::max(plot.height - label_height * plot.dot, 1);
     }
     return plot;
 }

@@ -30,18 +30,21 @@ struct Scope {
     std::string_view label;
     std::string_view help;
     ScopeBins bins;
-    std::uint32_t planes;        ///< of ScopeBins::columns: luma, or red, green, blue side by side
+    std::uint32_t planes;        ///< of ScopeBins::columns: luma, or red, green and blue
     std::uint32_t width, height; ///< of its picture, unless another size is asked for
     bool logarithmic;            ///< how its counts are drawn, unless the other is asked for
+    bool is_overlaid = false;    ///< planes of columns lie over each other, not side by side
 };
 
 inline constexpr std::uint32_t scope_levels = 256;
 
-inline constexpr std::array<Scope, 4> scopes{{
+inline constexpr std::array<Scope, 5> scopes{{
     {"waveform", "Waveform", "luma over each column of the picture", ScopeBins::columns, 1, 1024,
      512, true},
     {"parade", "RGB parade", "red, green and blue over each column, side by side",
      ScopeBins::columns, 3, 1024, 512, true},
+    {"rgb", "RGB waveform", "red, green and blue over each column, one over the other",
+     ScopeBins::columns, 3, 1024, 512, true, true},
     {"vectorscope", "Vectorscope", "hue and saturation, with 75 % targets and the skin line",
      ScopeBins::chroma, 1, 640, 640, true},
     {"histogram", "Histogram", "how often each code occurs in red, green, blue and luma",

@@ -71,7 +71,7 @@ ScopePicture add_scope(Graph& graph, ImageHandle picture, const Scope& scope, Co
     pass.storage(out.counts);
     out.picture = pass.write(graph.image(name, {Format::rgba8, size.width, size.height}));
     if (scope.bins == ScopeBins::columns) {
-        pass.constants({scope.planes});
+        pass.constants({scope.planes, scope.is_overlaid ? 1U : 0U});
     }
     pass.push(DrawPush{scope_plot(scope, size.width, size.height), columns, range.count,
                        graph.image_desc(picture).height, logarithmic});

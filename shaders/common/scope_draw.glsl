@@ -23,6 +23,12 @@ vec3 trace(vec3 color, float density, float bins) {
     return color * light + 0.55 * light * light * light;
 }
 
+/// Marks what is clipped: at black, and at white.
+const vec3 black_mark = vec3(0.16, 0.42, 1.0), white_mark = vec3(1.0, 0.22, 0.16);
+int mark_size() {
+    return 2 * push.dot_size;
+}
+
 /// How much of a texel lies on a line of that width whose middle is `distance` away.
 float coverage(float distance, float width) {
     return clamp(0.5 + 0.5 * width - abs(distance), 0.0, 1.0);

@@ -134,6 +134,42 @@ TEST_P(EveryScope, draws_in_any_size_and_another_picture_for_other_codes) {
     }
 }
 
+// Left black, in the middle grey, right white.
+TEST_P(EveryScope, marks_clipped_texels_where_they_are_and_nothing_else) {
+    if (GetParam().bins == ScopeBins::chroma) {
+        return; // it has no levels
+    }
+    const auto thirds = [](std::array<int, 3> codes) {
+        Codes out;
+        for (int i = 0; i < 30 * 10; ++i) {
+            const auto code =
+                static_cast<std::uint8_t>(codes[static_cast<std::size_t>(i % 30 / 10)]);
+            out.insert(out.end(), {code, code, code, 255});
+        }
+        return out;
+    };
+    const ScopePlot plot = scope_plot(GetParam(), drawing.width, drawing.height);
+    const auto is_red = [&](const Codes& picture, int x, int y) {
+        const std::size_t at = (static_cast<std::size_t>(y) * drawing.width + x) * 4;
+        return picture[at] > 200 && picture[at + 1] < 100 && picture[at + 2] < 100;
+    };
+    const auto is_blue = [&](const Codes& picture, int x, int y) {
+        const std::size_t at = (static_cast<std::size_t>(y) * drawing.width + x) * 4;
+        return picture[at] < 100 && picture[at + 2] > 200;
+    };
+    const Codes clipped = run(thirds({0, 128, 255}), 30, {0, 30}, drawing).picture;
+    const Codes whole = run(thirds({1, 128, 254}), 30, {0, 30}, drawing).picture;
+    const int left = plot.x + 1, right = plot.x + plot.width - 2, top = plot.y;
+    const int middle = plot.x + plot.width / 2;
+    const int bottom = GetParam().bins == ScopeBins::levels ? top : plot.y + plot.height - 1;
+    EXPECT_TRUE(is_blue(clipped, left, bottom));
+    EXPECT_TRUE(is_red(clipped, right, top));
+    EXPECT_FALSE(is_red(clipped, middle, top));
+    EXPECT_FALSE(is_blue(clipped, middle, bottom));
+    EXPECT_FALSE(is_blue(whole, left, bottom));
+    EXPECT_FALSE(is_red(whole, right, top));
+}
+
 INSTANTIATE_TEST_SUITE_P(Table, EveryScope, testing::ValuesIn(scopes),
                          [](const auto& row) { return std::string(row.param.name); });
 
@@ -185,7 +221,7 @@ TEST(ScopeTwinTest, luma_and_differences_lie_within_half_a_code_of_bt709) {
                     std::find(waveform.begin(), waveform.end(), 1U) - waveform.begin();
                 // Half a code of rounding, and 3 weights that are each 2^-17 off.
                 EXPECT_NEAR(static_cast<double>(level), luma, 0.506);
-                const auto chroma = reference::scope_counts(scopes[2], code, 1, {0, 1}, 1);
+                const auto chroma = reference::scope_counts(scopes[3], code, 1, {0, 1}, 1);
                 const auto place = std::find(chroma.begin(), chroma.end(), 1U) - chroma.begin();
                 // The largest difference, 127.5, rounds to a code that 8 bits do not have.
                 EXPECT_NEAR(static_cast<double>(place % 256) - 128, (b - luma) / 1.8556, 0.506);

@@ -1,6 +1,7 @@
 #include "preview/editor/model.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <tuple>
 
 namespace preview::editor {
@@ -13,7 +14,7 @@ auto values_of(const lutlib::Recipe& r) {
 
 auto values_of(const Orbit& o) {
     return std::tie(o.target.x, o.target.y, o.target.z, o.distance, o.azimuth, o.elevation,
-                    o.field_of_view, o.near_plane, o.roll);
+                    o.field_of_view, o.near_plane, o.roll, o.pan.x, o.pan.y);
 }
 
 auto values_of(const State& s) {
@@ -22,6 +23,18 @@ auto values_of(const State& s) {
 }
 
 } // namespace
+
+std::string title_of(const Side& side) {
+    if (side.source == SideSource::file) {
+        return std::filesystem::path(side.path).stem().string();
+    }
+    if (side.source == SideSource::none) {
+        return "no look";
+    }
+    const SideSourceInfo& row = side_sources[static_cast<std::size_t>(side.source)];
+    return std::string(row.name) +
+           (side.engine != nullptr ? " " + std::string(side.engine->name) : "");
+}
 
 bool operator==(const State& a, const State& b) {
     return values_of(a) == values_of(b) && values_of(a.recipe) == values_of(b.recipe) &&

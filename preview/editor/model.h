@@ -48,6 +48,9 @@ struct Side {
     friend bool operator==(const Side&, const Side&) = default;
 };
 
+/// What people call what a side shows: a file's name, else the source's.
+std::string title_of(const Side& side);
+
 /// Which scopes are seen, and how.
 struct ScopeChoice {
     std::array<bool, scopes.size()> seen{};

@@ -15,9 +15,11 @@ enum class Effect : std::uint8_t {
     environment,
     occlusion,
     specular_aa,
+    floor,
     bloom,
     tonemap,
     looks,
+    names,
 };
 
 struct EffectInfo {
@@ -28,7 +30,7 @@ struct EffectInfo {
 };
 
 /// In the order of the enumeration, which is that of the frame.
-inline constexpr std::array<EffectInfo, 8> effects{{
+inline constexpr std::array<EffectInfo, 10> effects{{
     {Effect::lights, "lights", "Lights", "no light of the scene shines, and none casts a shadow"},
     {Effect::shadows, "shadows", "Shadows", "lights shine through everything"},
     {Effect::environment, "environment", "Surroundings", "the surroundings are black"},
@@ -36,9 +38,11 @@ inline constexpr std::array<EffectInfo, 8> effects{{
      "light of the surroundings reaches every corner"},
     {Effect::specular_aa, "specular-aa", "Specular antialiasing",
      "highlights of what is curved within a pixel glitter"},
+    {Effect::floor, "floor", "Floor", "a model that has no floor of its own gets none"},
     {Effect::bloom, "bloom", "Bloom", "bright light does not spread"},
     {Effect::tonemap, "tonemap", "Tone map", "light above 1 is clipped"},
     {Effect::looks, "looks", "Looks", "both sides show the picture without a LUT"},
+    {Effect::names, "names", "Names", "a comparison does not name its looks"},
 }};
 
 /// Some of the effects.

@@ -96,7 +96,16 @@ DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const Frame
     }
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
     const ViewBlock view = view_block(settings.orbit, aspect);
-    out.visible = draws_of(scene, geometry, visible_objects(scene, geometry, view.clip));
+    std::vector<std::uint32_t> objects = visible_objects(scene, geometry, view.clip);
+    if (scene.floor && settings.without.has(Effect::floor)) {
+        std::erase(objects, *scene.floor);
+    } else if (!scene.floor) {
+        graph.withhold("floor", "the scene has its own, or needs none");
+    }
+    const Coverings coverings =
+        by_covering(scene, geometry, objects, glm::vec3(view.position_near));
+    out.opaque = draws_of(scene, geometry, coverings.opaque);
+    out.blended = draws_of(scene, geometry, coverings.blended);
 
     out.handles = import_scene(graph, scene, gpu_scene, view);
     SceneHandles& handles = out.handles;

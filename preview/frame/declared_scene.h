@@ -15,7 +15,7 @@ struct DeclaredScene {
     SceneHandles handles;
     SurroundingsHandles surroundings;
     ShadowMaps shadows;
-    std::vector<Draw> visible;
+    std::vector<Draw> opaque, blended; ///< of what is visible; the farthest of the blended first
 };
 
 /// Of inputs.scene as settings.orbit sees it in a picture of `size`; says what it leaves out.

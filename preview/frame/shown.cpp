@@ -3,6 +3,7 @@
 #include "lutlib/color/matrix.h"
 #include "lutlib/error.h"
 #include "lutlib/io/image.h"
+#include "preview/scene/floor.h"
 #include "preview/scene/import.h"
 
 #include <filesystem>
@@ -67,6 +68,9 @@ Shown load_shown(const std::string& input, double seconds) {
     if (is_model_file(input)) {
         ImportedScene imported = import_scene(input);
         shown.scene = std::move(imported.scene);
+        if (!has_floor(*shown.scene)) {
+            add_floor(*shown.scene);
+        }
         shown.left_out = std::move(imported.left_out);
     } else {
         shown.picture = read_picture(shown, input);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <glm/trigonometric.hpp>
 #include <utility>
 
 namespace preview::panels {
@@ -79,7 +80,9 @@ bool is_held(const Ui& ui, Key key) {
 constexpr const char* mouse_help[][2] = {
     {"hold A, hold B", "that side alone, while held"},
     {"drag the line", "move the split"},
-    {"drag the picture", "turn the camera"},
+    {"drag the picture", "turn the camera about what it looks at"},
+    {"with Shift, or the middle button", "carry both to the side"},
+    {"with the right button", "turn the camera where it stands"},
     {"wheel", "zoom"},
     {"point at the picture", "its colour before and after the looks, in the line below"},
     {"drag the cube", "turn it"},
@@ -223,9 +226,27 @@ void handle_shortcuts(Ui& ui) {
     }
 }
 
+/// The left button turns the camera about its target, the middle one or Shift carries both along,
+/// the right one turns the camera where it stands.
+void drag_camera(Orbit& orbit, const Rect& area) {
+    constexpr float degrees_per_pixel = 0.3F;
+    const ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 by = io.MouseDelta;
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || io.KeyShift) {
+        // What lies at the target's distance stays under the mouse.
+        const float metres_per_pixel =
+            2 * orbit.distance * std::tan(glm::radians(orbit.field_of_view) / 2) / area.height;
+        orbit.pan += metres_per_pixel * glm::vec2(-by.x, by.y);
+    } else if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
+        orbit = turned_on_the_spot(orbit, degrees_per_pixel * by.x, -degrees_per_pixel * by.y);
+    } else {
+        orbit.azimuth = std::remainder(orbit.azimuth - degrees_per_pixel * by.x, 360.0F);
+        orbit.elevation = std::clamp(orbit.elevation + degrees_per_pixel * by.y, -89.0F, 89.0F);
+    }
+}
+
 void picture_area(Ui& ui, const Rect& area) {
     constexpr float line_reach = 8; // pixels
-    constexpr float degrees_per_pixel = 0.3F;
     constexpr float zoom_per_notch = 0.9F;
     static bool moves_line = false; // one mouse, one drag
     State& state = ui.history.draft();
@@ -237,7 +258,9 @@ void picture_area(Ui& ui, const Rect& area) {
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PopStyleVar();
-    ImGui::InvisibleButton("picture", {area.width, area.height});
+    ImGui::InvisibleButton("picture", {area.width, area.height},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
     mark(ui, "picture");
     const ImGuiIO& io = ImGui::GetIO();
     ui.pointer.reset();
@@ -254,10 +277,7 @@ void picture_area(Ui& ui, const Rect& area) {
     if (ImGui::IsItemActive() && moves_line) {
         state.split = std::clamp((io.MousePos.x - area.x) / area.width, 0.0F, 1.0F);
     } else if (ImGui::IsItemActive() && ui.facts.is_scene) {
-        state.orbit.azimuth =
-            std::remainder(state.orbit.azimuth - degrees_per_pixel * io.MouseDelta.x, 360.0F);
-        state.orbit.elevation =
-            std::clamp(state.orbit.elevation + degrees_per_pixel * io.MouseDelta.y, -89.0F, 89.0F);
+        drag_camera(state.orbit, area);
     }
     if (ImGui::IsItemHovered() && near_line) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);

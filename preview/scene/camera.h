@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace preview {
@@ -16,6 +17,7 @@ struct Orbit {
     float field_of_view = 40; ///< vertical at 16:9 and wider; narrower pictures keep the width
     float near_plane = 0.1f;  ///< the far plane is at infinity
     float roll = 0;           ///< turns the camera about its axis, its top to the left
+    glm::vec2 pan{0};         ///< carries target and camera to the camera's right and upwards
 };
 
 /// Depth runs from 0 at the near plane to 1 at infinity, y points down in clip space as Vulkan has
@@ -29,5 +31,8 @@ struct Camera {
 /// Elevation is held within +-89 degrees, distance above the near plane, field of view in
 /// 0.01..170.
 Camera camera_of(const Orbit& orbit, float aspect);
+
+/// The camera where it is, turned to the right and upwards by so many degrees.
+Orbit turned_on_the_spot(const Orbit& orbit, float right, float up);
 
 } // namespace preview

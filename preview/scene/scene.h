@@ -13,6 +13,7 @@
 #include "preview/scene/texture.h"
 
 #include <glm/mat4x4.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -82,6 +83,7 @@ struct Scene {
     std::vector<NamedCamera> cameras; ///< of the file that it comes from
     float exposure = 0;               ///< stops, added to the command line's
     float occlusion = 0;              ///< strength of the ambient occlusion that it asks for, 0..1
+    std::optional<std::uint32_t> floor; ///< the object that was put under what has none
     std::vector<Picture> pictures;
     std::vector<Texture> textures; ///< of the pictures
 

@@ -242,6 +242,28 @@ std::vector<std::uint32_t> visible_objects(const Scene& scene, const Geometry& g
     return visible;
 }
 
+Coverings by_covering(const Scene& scene, const Geometry& geometry,
+                      const std::vector<std::uint32_t>& objects, glm::vec3 eye) {
+    Coverings out;
+    std::vector<std::pair<float, std::uint32_t>> blended;
+    for (const std::uint32_t index : objects) {
+        const Object& object = scene.objects[index];
+        if (!scene.materials[object.material].detail.is_blended) {
+            out.opaque.push_back(index);
+            continue;
+        }
+        Bounds box;
+        box.include(geometry.meshes[object.mesh].bounds, object.transform);
+        blended.emplace_back(-glm::distance(eye, (box.min + box.max) * 0.5F), index);
+    }
+    std::stable_sort(blended.begin(), blended.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [away, index] : blended) {
+        out.blended.push_back(index);
+    }
+    return out;
+}
+
 std::vector<Draw> draws_of(const Scene& scene, const Geometry& geometry,
                            const std::vector<std::uint32_t>& objects) {
     std::vector<Draw> draws;

@@ -127,6 +127,14 @@ std::vector<std::uint32_t> visible_objects(const Scene& scene, const Geometry& g
 std::vector<Draw> draws_of(const Scene& scene, const Geometry& geometry,
                            const std::vector<std::uint32_t>& objects);
 
+/// Parts `objects` into those that hide what is behind them, in their order, and those that are
+/// blended, the farthest from `eye` first by the middles of their boxes.
+struct Coverings {
+    std::vector<std::uint32_t> opaque, blended;
+};
+Coverings by_covering(const Scene& scene, const Geometry& geometry,
+                      const std::vector<std::uint32_t>& objects, glm::vec3 eye);
+
 /// The scene on the graph.
 struct SceneHandles {
     BufferHandle vertices, indices, objects, materials, lights, environment, view;

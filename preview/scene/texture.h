@@ -48,6 +48,7 @@ struct MaterialDetail {
     float normal_scale = 1, occlusion_strength = 1;
     float coverage = 1;       ///< 0..1
     float least_coverage = 0; ///< what is covered less is cut out; 0: nothing is
+    bool is_blended = false;  ///< lets through what it does not cover
     bool is_unlit = false;    ///< shows its albedo whatever the light
     friend bool operator==(const MaterialDetail&, const MaterialDetail&) = default;
 };

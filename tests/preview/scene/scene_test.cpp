@@ -1,5 +1,6 @@
 // The built-in scenes and what they are made of, without a GPU.
 #include "preview/scene/builtin.h"
+#include "preview/scene/floor.h"
 #include "preview/scene/pictures.h"
 #include "preview/scene/shapes.h"
 #include "preview/scene/swatches.h"
@@ -7,6 +8,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 #include <gtest/gtest.h>
 #include <set>
@@ -121,6 +123,52 @@ TEST(Camera, puts_the_target_in_the_middle_and_up_on_top) {
     EXPECT_NEAR(centre.z, 1 - orbit.near_plane / orbit.distance, 1e-5);
     EXPECT_LT(project(orbit.target + glm::vec3{0, 0.1f, 0}).y, 0);
     EXPECT_NEAR(glm::length(camera.position - orbit.target), orbit.distance, 1e-4);
+}
+
+TEST(Camera, a_pan_moves_everything_at_the_targets_distance_by_as_much) {
+    Orbit orbit{{1, 2, 3}, 4, 30, 20, 40, 0.1F};
+    const Camera before = camera_of(orbit, 1.5F);
+    orbit.pan = {0.5F, -0.25F};
+    const Camera after = camera_of(orbit, 1.5F);
+    const glm::vec4 shift =
+        after.view * glm::vec4(orbit.target, 1) - before.view * glm::vec4(orbit.target, 1);
+    EXPECT_NEAR(shift.x, -0.5F, 1e-5);
+    EXPECT_NEAR(shift.y, 0.25F, 1e-5);
+    EXPECT_NEAR(shift.z, 0, 1e-5);
+}
+
+TEST(Camera, turned_on_the_spot_it_stays_where_it_is_and_looks_to_the_right_and_up) {
+    Orbit orbit{{1, 2, 3}, 4, 30, 20, 40, 0.1F};
+    orbit.pan = {0.5F, -0.25F};
+    const Camera before = camera_of(orbit, 1.5F);
+    const Camera after = camera_of(turned_on_the_spot(orbit, 10, 5), 1.5F);
+    EXPECT_LT(glm::length(after.position - before.position), 1e-5F);
+    // What was in the middle has gone to the left and down, clip space having y downwards.
+    const glm::vec4 ahead = glm::inverse(before.view) * glm::vec4(0, 0, -4, 1);
+    const glm::vec4 clip = after.projection * after.view * ahead;
+    EXPECT_LT(clip.x / clip.w, -0.1F);
+    EXPECT_GT(clip.y / clip.w, 0.1F);
+}
+
+TEST(Floor, is_put_under_what_has_none) {
+    SceneBuilder build;
+    const auto grey = build.material({});
+    build.place(build.mesh(sphere(12, 24)), grey, at({0, 1, 0}));
+    EXPECT_FALSE(has_floor(build.scene));
+    build.place(build.mesh(plane()), grey, at({0, 0.01F, 0}, glm::vec3(0.9F)));
+    EXPECT_TRUE(has_floor(build.scene));
+
+    Scene& scene = build.scene;
+    scene.objects.pop_back();
+    const Bounds before = scene.bounds();
+    add_floor(scene);
+    ASSERT_TRUE(scene.floor);
+    const Object& floor = scene.objects[*scene.floor];
+    EXPECT_FALSE(floor.casts_shadow);
+    Bounds stage;
+    stage.include(bounds_of(scene.meshes[floor.mesh]), floor.transform);
+    EXPECT_NEAR(stage.max.y, before.min.y, 1e-5);
+    EXPECT_LT(stage.min.x, before.min.x - 1);
 }
 
 TEST(Camera, survives_any_orbit) {

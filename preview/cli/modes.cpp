@@ -58,6 +58,7 @@ struct Rendering {
     FileFormat file;
     std::string notes; ///< lines of --explain: what the files have and the frame has not
     std::array<std::string, 2> no_look; ///< why a side has none
+    std::array<std::string, 2> names;   ///< of the sides
     std::optional<GpuLook> look_a, look_b;
     GpuShown on_gpu;
 };
@@ -101,6 +102,7 @@ Rendering::Rendering(const Options& options)
     const bool force = options.frame.force_all, has_light = !shown->display_encoded();
     look_a =
         load_side(device, options.look_a, use_a(options, has_light), force, notes, "A", no_look[0]);
+    names = {look_title(options.look_a), look_title(options.look_b)};
     look_b =
         load_side(device, options.look_b, use_b(options, has_light), force, notes, "B", no_look[1]);
 }
@@ -112,6 +114,7 @@ FrameInputs Rendering::inputs() const {
     out.look_a = look_a ? &*look_a : nullptr;
     out.look_b = look_b ? &*look_b : nullptr;
     out.no_look = {no_look[0], no_look[1]};
+    out.names = {names[0], names[1]};
     return out;
 }
 

@@ -4,6 +4,8 @@
 #include "lutlib/io/look_text.h"
 #include "preview/look/recipe_table.h"
 
+#include <filesystem>
+
 namespace preview {
 
 namespace {
@@ -76,6 +78,10 @@ LoadedLook look_for(const lutlib::io::Look& look, const LookUse& use) {
     }
     set_standing(out, standing);
     return out;
+}
+
+std::string look_title(const std::string& path) {
+    return path.empty() || path == "none" ? "no look" : std::filesystem::path(path).stem().string();
 }
 
 LoadedLook load_look(const std::string& path, const LookUse& use) {

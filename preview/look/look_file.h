@@ -23,6 +23,9 @@ struct LookUse {
 /// UsageError for a picture whose layout the lookup does not read.
 LoadedLook look_for(const lutlib::io::Look& look, const LookUse& use);
 
+/// What people call LOOK of the command line: the file's name without its ending.
+std::string look_title(const std::string& path);
+
 /// LOOK of the command line: a file, or `none`.
 LoadedLook load_look(const std::string& path, const LookUse& use);
 

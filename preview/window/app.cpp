@@ -246,6 +246,8 @@ void App::render(const panels::Rect& area) {
     inputs.surroundings = &state.surroundings;
     inputs.look_a = screen.looks[0].look();
     inputs.look_b = screen.looks[1].look();
+    const std::array names{title_of(state.sides[0]), title_of(state.sides[1])};
+    inputs.names = {names[0], names[1]};
     inputs.hdr_maximum = reader_.hdr_maximum_for(settings, state.lights, state.surroundings);
     Graph graph;
     const FrameHandles handles = build_frame(graph, inputs, settings);

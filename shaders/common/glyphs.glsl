@@ -1,10 +1,14 @@
-// A few characters for graticules, five dots wide and six high, rows from the top in bits 29 to 0.
-const uint glyph_r = 10u, glyph_g = 11u, glyph_b = 12u, glyph_c = 13u, glyph_m = 14u, glyph_y = 15u,
-           glyph_l = 16u;
-const uint glyphs[17] = uint[17](
+// Characters for graticules and names, five dots wide and six high, rows from the top in bits 29 to 0.
+// In the order of glyph_of() of preview/passes/names.cpp: figures, letters, then . - _ + : ?
+const uint glyph_r = 27u, glyph_g = 16u, glyph_b = 11u, glyph_c = 12u, glyph_m = 22u, glyph_y = 34u,
+           glyph_l = 21u;
+const uint glyphs[42] = uint[42](
     488232750u, 146935950u, 487657759u, 1008141870u, 73747426u, 1057949230u, 487540270u,
-    1041305864u, 488064558u, 488160302u, // the figures
-    1025047121u, 488136238u, 1025459774u, 488129070u, 599442993u, 581046404u, 554189343u);
+    1041305864u, 488064558u, 488160302u, 488177201u, 1025459774u, 488129070u, 1025033790u,
+    1057964575u, 1057964560u, 488136238u, 589284913u, 474091662u, 237046348u, 590238289u,
+    554189343u, 599442993u, 597347889u, 488162862u, 1025047056u, 488166989u, 1025047121u,
+    520553534u, 1044516996u, 588826158u, 588818756u, 588961649u, 581046609u, 581046404u,
+    1042424351u, 396u, 1015808u, 31u, 4357252u, 12976524u, 487657476u);
 const int glyph_height = 6, glyph_step = 6;
 
 /// Whether the texel `at`, relative to the glyph's upper left corner, is part of it.

@@ -1,0 +1,80 @@
+#include "preview/passes/names.h"
+
+#include <algorithm>
+#include <string>
+
+namespace preview {
+
+namespace {
+
+constexpr std::size_t longest = 40; ///< of shaders/names.comp
+
+struct NamesBlock {
+    std::array<std::array<std::int32_t, 4>, 2> panels{};
+    std::array<std::int32_t, 4> dot_size{};
+    std::array<std::uint32_t, 2 * longest> characters{};
+};
+
+/// The character's place in shaders/common/glyphs.glsl; one beyond all for a space.
+std::uint32_t glyph_of(char c) {
+    constexpr std::string_view order = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ.-_+:?";
+    if (c == ' ') {
+        return ~std::uint32_t{0};
+    }
+    const char upper = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    const std::size_t place = order.find(upper);
+    return static_cast<std::uint32_t>(place == std::string_view::npos ? order.size() - 1 : place);
+}
+
+/// A character of UTF-8 is one, whatever its length.
+std::string characters_of(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if ((byte & 0xC0U) != 0x80U) {
+            out += byte < 0x80U ? c : '?';
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+ImageHandle add_names(Graph& graph, ImageHandle picture, const Compare& compare,
+                      std::array<std::string_view, 2> names) {
+    const ImageDesc desc = graph.image_desc(picture);
+    const auto width = static_cast<std::int32_t>(desc.width);
+    const auto height = static_cast<std::int32_t>(desc.height);
+    NamesBlock block;
+    const std::int32_t dot = std::max((std::min(width, height) + 180) / 360, 1);
+    block.dot_size[0] = dot;
+    const std::int32_t step = 6 * dot;
+    const std::int32_t margin = 4 * dot;
+    const std::int32_t room = std::max((width / 2 - 2 * margin - 3 * dot) / step, 0);
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::string text =
+            characters_of((side == 0 ? "A: " : "B: ") + std::string(names[side]));
+        const std::size_t count = std::min({text.size(), longest, static_cast<std::size_t>(room)});
+        for (std::size_t i = 0; i < count; ++i) {
+            block.characters[side * longest + i] = glyph_of(text[i]);
+        }
+        std::fill(block.characters.begin() + static_cast<std::ptrdiff_t>(side * longest + count),
+                  block.characters.begin() + static_cast<std::ptrdiff_t>((side + 1) * longest),
+                  ~std::uint32_t{0});
+        const std::int32_t wide =
+            count == 0 ? 0 : static_cast<std::int32_t>(count) * step + 3 * dot;
+        const std::int32_t right = width - margin - wide;
+        const std::int32_t left = &compare == &compare_side && side == 1 ? width / 2 + margin
+                                  : side == 1                            ? right
+                                                                         : margin;
+        block.panels[side] = {left, margin, wide, count == 0 ? 0 : 10 * dot};
+    }
+    Pass pass = graph.compute("names", "names.comp");
+    pass.read(picture);
+    const ImageHandle out = pass.write(graph.image("with names", desc));
+    pass.storage(graph.data_of("names of looks", block));
+    pass.dispatch_over(desc.width, desc.height, many_each);
+    return out;
+}
+
+} // namespace preview

@@ -1,7 +1,6 @@
 #include "preview/frame/frame.h"
 
 #include "lutlib/error.h"
-#include "lutlib/named.h"
 #include "preview/effects/fusion.h"
 #include "preview/frame/declared_scene.h"
 #include "preview/frame/instruments.h"
@@ -9,7 +8,9 @@
 #include "preview/passes/bloom_composite.h"
 #include "preview/passes/dither.h"
 #include "preview/passes/finish.h"
+#include "preview/passes/forward.h"
 #include "preview/passes/lighting.h"
+#include "preview/passes/names.h"
 #include "preview/passes/occlusion.h"
 #include "preview/passes/resolve.h"
 #include "preview/passes/shadow.h"
@@ -53,12 +54,23 @@ ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSet
     const Scene& scene = *inputs.scene;
     DeclaredScene declared = declare_scene(graph, inputs, settings, size);
     handles.shadow_maps = add_shadows(graph, declared.handles, std::move(declared.shadows));
+    if (settings.view != nullptr && settings.view->geometry != nullptr) {
+        std::vector<Draw> all = declared.opaque;
+        all.insert(all.end(), declared.blended.begin(), declared.blended.end());
+        handles.geometry = add_geometry_view(graph, declared.handles, *settings.view->geometry,
+                                             size, std::move(all));
+    }
     const bool filters_normals = !settings.without.has(Effect::specular_aa);
-    handles.surfaces = settings.raster == Raster::compute
-                           ? add_visibility(graph, declared.handles, size, declared.visible,
-                                            settings.visibility, filters_normals)
-                           : add_gbuffer(graph, declared.handles, size, std::move(declared.visible),
-                                         filters_normals);
+    const bool is_forward = settings.raster == Raster::forward;
+    if (settings.raster == Raster::compute) {
+        handles.surfaces = add_visibility(graph, declared.handles, size, declared.opaque,
+                                          settings.visibility, filters_normals);
+    } else if (!is_forward) {
+        handles.surfaces =
+            add_gbuffer(graph, declared.handles, size, std::move(declared.opaque), filters_normals);
+    } else {
+        graph.withhold("g-buffer", "surfaces are lit as they are drawn");
+    }
     handles.materials = declared.handles.materials;
     LightingInputs lighting;
     lighting.surfaces = handles.surfaces;
@@ -72,9 +84,24 @@ ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSet
     if (has_surroundings && !lighting.environment) {
         graph.withhold("environment", "the surroundings are black");
     }
-    lighting.occlusion = handles.occlusion = occlusion_of(
-        graph, scene, declared.handles, handles.surfaces, settings, lighting.environment);
-    return add_lighting(graph, declared.handles, lighting);
+    ImageHandle lit;
+    if (is_forward) {
+        graph.withhold("ambient occlusion", "it needs the g-buffer");
+        const ForwardPicture picture = add_forward(graph, declared.handles, lighting, size,
+                                                   std::move(declared.opaque), filters_normals);
+        lit = picture.lit;
+        lighting.surfaces.depth = handles.surfaces.depth = picture.depth;
+    } else {
+        lighting.occlusion = handles.occlusion = occlusion_of(
+            graph, scene, declared.handles, handles.surfaces, settings, lighting.environment);
+        lit = add_lighting(graph, declared.handles, lighting);
+    }
+    if (declared.blended.empty()) {
+        graph.withhold("see-through surfaces", "there is none in the picture");
+        return lit;
+    }
+    return add_blended(graph, declared.handles, lighting, lit, std::move(declared.blended),
+                       filters_normals);
 }
 
 bool is_display_encoded(const FrameInputs& inputs) {
@@ -168,57 +195,6 @@ BloomLayers bloom_of(Graph& graph, ImageHandle hdr, const FrameInputs& inputs,
     return add_bloom(graph, hdr, plan);
 }
 
-constexpr DebugView views[] = {
-    {.name = "depth",
-     .help = "distance from the camera, near is bright",
-     .handle = [](const FrameHandles& h) { return h.surfaces.depth; },
-     .view = {.shader = "view_depth.comp"}},
-    {.name = "normal",
-     .help = "world-space normals as n / 2 + 1/2",
-     .handle = [](const FrameHandles& h) { return h.surfaces.normal; },
-     .view = {.shader = "view_normal.comp"}},
-    {.name = "albedo",
-     .help = "surface colour",
-     .handle = [](const FrameHandles& h) { return h.surfaces.material; },
-     .view = {.shader = "view_albedo.comp", .shows_material = true}},
-    {.name = "roughness",
-     .help = "perceptual roughness",
-     .handle = [](const FrameHandles& h) { return h.surfaces.material; },
-     .view = {.shader = "view_roughness.comp", .shows_material = true}},
-    {.name = "metalness",
-     .help = "metalness",
-     .handle = [](const FrameHandles& h) { return h.surfaces.material; },
-     .view = {.shader = "view_metalness.comp", .shows_material = true}},
-    {.name = "emission",
-     .help = "light that surfaces emit",
-     .handle = [](const FrameHandles& h) { return h.surfaces.material; },
-     .view = {.shader = "view_emission.comp", .shows_material = true}},
-    {.name = "shadows",
-     .help = "the shadow maps side by side, near is bright",
-     .handle = [](const FrameHandles& h) { return h.shadow_maps; },
-     .view = {.shader = "view_shadow.comp"}},
-    {.name = "occlusion",
-     .help = "what nearby surfaces leave of the light of the surroundings",
-     .handle = [](const FrameHandles& h) { return h.occlusion; },
-     .view = {.shader = "view_occlusion.comp"}},
-    {.name = "lit",
-     .help = "radiance before the HDR resolve",
-     .handle = [](const FrameHandles& h) { return h.lit; },
-     .view = {.shader = "view_light.comp"}},
-    {.name = "hdr",
-     .help = "exposed light after the HDR resolve",
-     .handle = [](const FrameHandles& h) { return h.hdr; },
-     .view = {.shader = "view_light.comp"}},
-    {.name = "bloom",
-     .help = "the last level of the bloom, before its composite",
-     .handle = [](const FrameHandles& h) { return h.bloom; },
-     .view = {.shader = "view_light.comp"}},
-    {.name = "graded",
-     .help = "the finished picture before antialiasing",
-     .handle = [](const FrameHandles& h) { return h.graded; },
-     .view = {.shader = "view_codes.comp"}},
-};
-
 /// What the finishing pass is asked for; says which looks there are not.
 Finishing finishing_of(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings) {
     Finishing out;
@@ -286,6 +262,18 @@ void finish(Graph& graph, const FrameSettings& settings, const EffectUses& drawn
     }
 }
 
+/// Names the sides of a comparison that shows both, over all else.
+void name_sides(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
+                FrameHandles& handles) {
+    const bool shows_both = settings.compare == &compare_split || settings.compare == &compare_side;
+    const bool has_names = !inputs.names[0].empty() || !inputs.names[1].empty();
+    if (shows_both && has_names && !settings.without.has(Effect::names)) {
+        handles.output = add_names(graph, handles.output, *settings.compare, inputs.names);
+    } else if (!settings.without.has(Effect::names)) {
+        graph.withhold("names", shows_both ? "nobody has given any" : "the two sides are not seen");
+    }
+}
+
 /// Shows an intermediate in place of the picture.
 void show(Graph& graph, const FrameSettings& settings, std::string_view name, ImageHandle shown,
           const View& view, FrameHandles& handles) {
@@ -312,14 +300,6 @@ void show_effect(Graph& graph, const FrameSettings& settings, FrameHandles& hand
 }
 
 } // namespace
-
-std::span<const DebugView> debug_views() {
-    return views;
-}
-
-const DebugView* debug_view_named(std::string_view name) {
-    return lutlib::find_named(views, name);
-}
 
 FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings) {
     const Size size = picture_size(settings.output, *settings.compare);
@@ -362,6 +342,9 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
         return handles;
     }
     add_instruments(graph, settings, finishing, handles);
+    if (settings.scope == nullptr) {
+        name_sides(graph, inputs, settings, handles);
+    }
     graph.present(handles.output);
     if (handles.hdr_maximum) {
         graph.present(handles.hdr_maximum);

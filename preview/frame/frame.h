@@ -5,6 +5,7 @@
 #pragma once
 
 #include "preview/frame/settings.h"
+#include "preview/passes/geometry_view.h"
 #include "preview/passes/view.h"
 
 #include <span>
@@ -18,6 +19,7 @@ struct DebugView {
     std::string_view help;
     ImageHandle (*handle)(const FrameHandles& handles);
     View view;
+    const GeometryView* geometry = nullptr; ///< drawn for this view alone, into handles.geometry
 };
 std::span<const DebugView> debug_views();
 const DebugView* debug_view_named(std::string_view name);

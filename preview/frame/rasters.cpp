@@ -39,6 +39,8 @@ constexpr RasterChoice rows[] = {
     {"auto", "compute on discrete GPUs with 64-bit atomics, else hardware", automatic},
     {"hardware", "the GPU's rasteriser", [](const gpu::Device&, Size) { return Raster::hardware; }},
     {"compute", "compute shaders and a visibility buffer", compute},
+    {"forward", "the GPU's rasteriser, which lights what it draws: no g-buffer, no occlusion",
+     [](const gpu::Device&, Size) { return Raster::forward; }},
 };
 
 } // namespace

@@ -1,4 +1,5 @@
-// Who finds the visible triangles: the GPU's rasteriser, or compute shaders.
+// Who finds the visible triangles, the GPU's rasteriser or compute shaders, and whether they are
+// lit once they are found or as they are drawn.
 #pragma once
 
 #include "preview/gpu/size.h"
@@ -12,7 +13,7 @@ namespace gpu {
 class Device;
 }
 
-enum class Raster { hardware, compute };
+enum class Raster { hardware, compute, forward };
 
 struct RasterChoice {
     std::string_view name;

@@ -74,6 +74,8 @@ struct FrameInputs {
     const GpuLook* look_b = nullptr;
     std::array<std::string_view, 2> no_look{"there is none",
                                             "there is none"}; ///< why a side has none
+    /// What a comparison calls its sides; both empty: it names none.
+    std::array<std::string_view, 2> names{};
     /// The largest value of the HDR picture, measured in an earlier frame of the same scene, view
     /// and exposure; empty while it is not known.
     std::optional<float> hdr_maximum;
@@ -89,7 +91,7 @@ struct EffectPicture {
 struct FrameHandles {
     GBuffer surfaces;
     BufferHandle materials; ///< the scene's buffer
-    ImageHandle shadow_maps, occlusion, lit, hdr, bloom, graded;
+    ImageHandle shadow_maps, occlusion, lit, hdr, bloom, graded, geometry;
     BufferHandle hdr_maximum, figures; ///< a picture that no resolve changes has no maximum
     std::array<ImageHandle, scopes.size()> scope_pictures; ///< of those looked at, presented
     BufferHandle probe, axis_counts;

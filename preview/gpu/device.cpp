@@ -109,6 +109,7 @@ std::string missing_of(const vk::raii::PhysicalDevice& device) {
         {"dynamicRendering", v13.dynamicRendering == VK_TRUE},
         {"maintenance4", v13.maintenance4 == VK_TRUE},
         {"synchronization2", v13.synchronization2 == VK_TRUE},
+        {"fillModeNonSolid", base.fillModeNonSolid == VK_TRUE},
         {"shaderStorageImageWriteWithoutFormat",
          base.shaderStorageImageWriteWithoutFormat == VK_TRUE},
         // What shaders/common/lattice16.glsl and its workgroups take.
@@ -264,6 +265,7 @@ Device::Device(const DeviceOptions& options) : messages_(std::make_unique<Messag
     v13.synchronization2 = VK_TRUE;
     v13.maintenance4 = VK_TRUE; // glslang writes LocalSizeId for Vulkan 1.3
     vk::PhysicalDeviceFeatures2 features;
+    features.features.fillModeNonSolid = VK_TRUE;
     features.features.shaderStorageImageWriteWithoutFormat = VK_TRUE;
     features.pNext = &v13;
     vk::PhysicalDeviceVulkan12Features v12;

@@ -139,6 +139,7 @@ Pipeline Pipelines::make(const PipelineKey& key) {
                                                             vk::PrimitiveTopology::eTriangleList);
     const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
     vk::PipelineRasterizationStateCreateInfo raster;
+    raster.polygonMode = key.state.draws_lines ? vk::PolygonMode::eLine : vk::PolygonMode::eFill;
     raster.cullMode = cull_mode(key.state.cull);
     raster.frontFace = vk::FrontFace::eCounterClockwise;
     raster.lineWidth = 1;
@@ -150,9 +151,12 @@ Pipeline Pipelines::make(const PipelineKey& key) {
     const vk::PipelineDepthStencilStateCreateInfo depth(
         {}, key.state.depth_test ? VK_TRUE : VK_FALSE, key.state.depth_write ? VK_TRUE : VK_FALSE,
         vk::CompareOp::eLessOrEqual);
-    vk::PipelineColorBlendAttachmentState opaque;
-    opaque.colorWriteMask = vk::FlagTraits<vk::ColorComponentFlagBits>::allFlags;
-    const std::vector<vk::PipelineColorBlendAttachmentState> blends(key.colors.size(), opaque);
+    const vk::PipelineColorBlendAttachmentState over(
+        key.state.blends ? VK_TRUE : VK_FALSE, vk::BlendFactor::eOne,
+        vk::BlendFactor::eOneMinusSrcAlpha, vk::BlendOp::eAdd, vk::BlendFactor::eOne,
+        vk::BlendFactor::eOneMinusSrcAlpha, vk::BlendOp::eAdd,
+        vk::FlagTraits<vk::ColorComponentFlagBits>::allFlags);
+    const std::vector<vk::PipelineColorBlendAttachmentState> blends(key.colors.size(), over);
     const vk::PipelineColorBlendStateCreateInfo blend({}, VK_FALSE, {}, blends);
     const vk::DynamicState dynamics[] = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic({}, dynamics);

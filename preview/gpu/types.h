@@ -90,6 +90,8 @@ struct RasterState {
     bool depth_write = true;
     float depth_bias_constant = 0;
     float depth_bias_slope = 0;
+    bool draws_lines = false; ///< triangles as their edges
+    bool blends = false;      ///< colours, times their coverage already, go over what stands there
     friend auto operator<=>(const RasterState&, const RasterState&) = default;
 };
 

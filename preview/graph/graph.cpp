@@ -314,6 +314,12 @@ ImageHandle Pass::color(ImageHandle image, std::array<float, 4> clear) {
     return {add_write(image.version, use, false)};
 }
 
+ImageHandle Pass::color_over(ImageHandle image) {
+    Use use;
+    use.access = Access::color_write;
+    return {add_write(image.version, use, true)};
+}
+
 ImageHandle Pass::depth(ImageHandle image, float clear, std::uint32_t layer) {
     return {add_write(image.version, depth_layer_cleared(clear, layer), false)};
 }
@@ -336,8 +342,8 @@ void Pass::draws(std::vector<Draw> list) {
     record().draws = std::move(list);
 }
 
-void Pass::constants(std::initializer_list<std::uint32_t> words) {
-    record().constants = words;
+void Pass::constants(std::vector<std::uint32_t> words) {
+    record().constants = std::move(words);
 }
 
 void Pass::push_bytes(std::span<const std::byte> bytes) {

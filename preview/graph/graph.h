@@ -204,6 +204,8 @@ class Pass {
 
     // Raster passes only. The attachment starts from the colour or depth `clear`.
     ImageHandle color(ImageHandle image, std::array<float, 4> clear);
+    /// Draws over what stands there.
+    ImageHandle color_over(ImageHandle image);
     ImageHandle depth(ImageHandle image, float clear, std::uint32_t layer = 0);
     /// Clears and writes one layer, keeping the others.
     ImageHandle depth_layer(ImageHandle image, float clear, std::uint32_t layer);
@@ -211,7 +213,7 @@ class Pass {
     void state(const RasterState& state);
     void draws(std::vector<Draw> list);
 
-    void constants(std::initializer_list<std::uint32_t> words);
+    void constants(std::vector<std::uint32_t> words);
     template <class T>
     void push(const T& block) {
         static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= 128);

@@ -34,7 +34,7 @@ const AccessFlags access_flags[] = {
     {Stage::eComputeShader, Memory::eShaderStorageRead | Memory::eShaderStorageWrite,
      ImageUsage::eStorage, BufferUsage::eStorageBuffer},
     {Stage::eColorAttachmentOutput,
-     Memory::eColorAttachmentWrite,
+     Memory::eColorAttachmentRead | Memory::eColorAttachmentWrite,
      ImageUsage::eColorAttachment,
      {}},
     {Stage::eEarlyFragmentTests | Stage::eLateFragmentTests,

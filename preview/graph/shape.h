@@ -34,6 +34,8 @@ inline void add_raster_state(ByteText& text, const RasterState& state) {
     text.add(state.depth_write);
     text.add(state.depth_bias_constant);
     text.add(state.depth_bias_slope);
+    text.add(state.draws_lines);
+    text.add(state.blends);
 }
 
 } // namespace preview

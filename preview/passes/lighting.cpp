@@ -2,14 +2,34 @@
 
 namespace preview {
 
+std::vector<std::uint32_t> lighting_constants(const SceneHandles& scene,
+                                              const LightingInputs& inputs,
+                                              std::initializer_list<std::uint32_t> own) {
+    std::vector<std::uint32_t> out{inputs.shadow_maps ? 1U : 0U,
+                                   inputs.environment ? 1U : 0U,
+                                   scene.has_spots ? 1U : 0U,
+                                   scene.has_suns ? 1U : 0U,
+                                   static_cast<std::uint32_t>(inputs.surroundings.kind),
+                                   inputs.occlusion ? 1U : 0U,
+                                   scene.has_areas ? 1U : 0U};
+    out.insert(out.end(), own);
+    return out;
+}
+
+void read_surroundings(Pass& pass, const SurroundingsHandles& surroundings) {
+    pass.uniform(surroundings.block);
+    pass.storage(surroundings.harmonics);
+    pass.sample(surroundings.levels, Sampler::linear_repeat);
+    pass.sample(surroundings.mirror, Sampler::linear_repeat);
+    pass.sample(surroundings.picture, Sampler::linear_repeat);
+    pass.sample(surroundings.reflectance, Sampler::linear_clamp);
+}
+
 ImageHandle add_lighting(Graph& graph, const SceneHandles& scene, const LightingInputs& inputs) {
     const Size size = size_of(graph, inputs.surfaces.depth);
     const bool has_detail = static_cast<bool>(inputs.surfaces.albedo);
     Pass pass = graph.compute("lighting", has_detail ? "lighting_detail.comp" : "lighting.comp");
-    pass.constants({inputs.shadow_maps ? 1U : 0U, inputs.environment ? 1U : 0U,
-                    scene.has_spots ? 1U : 0U, scene.has_suns ? 1U : 0U,
-                    static_cast<std::uint32_t>(inputs.surroundings.kind),
-                    inputs.occlusion ? 1U : 0U, scene.has_areas ? 1U : 0U});
+    pass.constants(lighting_constants(scene, inputs, {}));
     pass.uniform(scene.view);
     pass.uniform(scene.environment);
     pass.storage(scene.lights);
@@ -28,13 +48,7 @@ ImageHandle add_lighting(Graph& graph, const SceneHandles& scene, const Lighting
     if (has_detail) {
         pass.read(inputs.surfaces.emission);
     }
-    const SurroundingsHandles& surroundings = inputs.surroundings;
-    pass.uniform(surroundings.block);
-    pass.storage(surroundings.harmonics);
-    pass.sample(surroundings.levels, Sampler::linear_repeat);
-    pass.sample(surroundings.mirror, Sampler::linear_repeat);
-    pass.sample(surroundings.picture, Sampler::linear_repeat);
-    pass.sample(surroundings.reflectance, Sampler::linear_clamp);
+    read_surroundings(pass, inputs.surroundings);
     pass.push(scene.light_count);
     pass.dispatch_over(size.width, size.height);
     return lit;

@@ -15,6 +15,14 @@ struct LightingInputs {
     SurroundingsHandles surroundings; ///< of the gradient: nothing but the scene's environment
 };
 
+/// Of every shader that includes shaders/common/lit_surface.glsl; `own` follow.
+std::vector<std::uint32_t> lighting_constants(const SceneHandles& scene,
+                                              const LightingInputs& inputs,
+                                              std::initializer_list<std::uint32_t> own);
+
+/// The six bindings of shaders/common/surroundings.glsl.
+void read_surroundings(Pass& pass, const SurroundingsHandles& surroundings);
+
 /// Radiance, rgba16f. May hold anything that the inputs make of it; the HDR resolve comes next.
 ImageHandle add_lighting(Graph& graph, const SceneHandles& scene, const LightingInputs& inputs);
 

@@ -94,10 +94,8 @@ class Materials {
             detail.least_coverage = unit(gltf_number(given, "alphaCutoff", 0.5F));
             detail.coverage = coverage;
         } else if (mode == "BLEND") {
-            const bool has_texture = detail.base.texture != TextureUse::none;
-            left_out_.add(has_texture ? "materials of alphaMode BLEND (cut out at half coverage)"
-                                      : "materials of alphaMode BLEND (shown opaque)");
-            detail.least_coverage = has_texture ? 0.5F : 0;
+            detail.is_blended = true;
+            detail.coverage = coverage;
         }
     }
 

@@ -107,7 +107,9 @@ class Meshes {
                 file_.refuse(fmt::format("it has more than {} objects, which is the limit",
                                          import_limits.nodes));
             }
-            scene_.objects.push_back({shown.mesh, shown.material, place, true});
+            // Light falls through what is blended.
+            const bool casts = !materials_[shown.material].material.detail.is_blended;
+            scene_.objects.push_back({shown.mesh, shown.material, place, casts});
         }
     }
 

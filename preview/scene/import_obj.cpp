@@ -91,8 +91,11 @@ class ObjImport {
                 throw Error("it has more vertices than the limit", {path_, 0, {}});
             }
             if (!mesh.indices.empty()) {
-                out_.scene.objects.push_back(
-                    {static_cast<std::uint32_t>(out_.scene.meshes.size()), given.mMaterialIndex});
+                // Light falls through what is blended.
+                const bool is_blended =
+                    out_.scene.materials[given.mMaterialIndex].detail.is_blended;
+                out_.scene.objects.push_back({static_cast<std::uint32_t>(out_.scene.meshes.size()),
+                                              given.mMaterialIndex, glm::mat4(1), !is_blended});
                 out_.scene.meshes.push_back(std::move(mesh));
             }
         }
@@ -147,7 +150,10 @@ class ObjImport {
         out.roughness = std::sqrt(std::sqrt(2 / (std::min(exponent, 1e5F) + 2)));
         float opacity = 1;
         given.Get(AI_MATKEY_OPACITY, opacity);
-        left_out_.add("transparent materials (shown opaque)", opacity < 1 ? 1 : 0);
+        if (opacity < 1) {
+            out.detail.is_blended = true;
+            out.detail.coverage = std::max(opacity, 0.0F);
+        }
         aiString name;
         if (given.GetTexture(aiTextureType_DIFFUSE, 0, &name) == aiReturn_SUCCESS) {
             out.detail.base.texture = texture_named(name.C_Str());
@@ -208,7 +214,9 @@ FileScene obj_scene(const std::string& bytes, const std::string& path, const Rea
     const aiScene* const file =
         importer.ReadFile(path, aiProcess_Triangulate | aiProcess_PreTransformVertices);
     if (file == nullptr || file->mRootNode == nullptr || file->mNumMaterials == 0) {
-        throw Error("not a usable OBJ file: " + printable(importer.GetErrorString()),
+        const std::string why = printable(importer.GetErrorString());
+        throw Error("not a usable OBJ file: " +
+                        (why.empty() ? "no line of it is one of an OBJ; save it as UTF-8" : why),
                     {path, 0, {}});
     }
     return ObjImport(*file, path, read, left_out).run();

@@ -92,9 +92,8 @@ glm::mat4 shadow_clip(const PointLight& light, const ShadowFrustum& frustum) {
     const glm::vec4 rows[4] = {
         {frustum.right / frustum.tangent, 0},
         {frustum.up / frustum.tangent, 0},
-        frustum.is_parallel
-            ? glm::vec4(frustum.forward / depth, -frustum.near_plane / depth)
-            : glm::vec4(frustum.forward * scale, -scale * frustum.near_plane),
+        frustum.is_parallel ? glm::vec4(frustum.forward / depth, -frustum.near_plane / depth)
+                            : glm::vec4(frustum.forward * scale, -scale * frustum.near_plane),
         frustum.is_parallel ? glm::vec4(0, 0, 0, 1) : glm::vec4(frustum.forward, 0)};
     glm::mat4 clip(0);
     for (int row = 0; row < 4; ++row) {
@@ -166,8 +165,8 @@ LightBlock light_block(const PointLight& light, const LightShadow& shadow, int f
     block.up_thickness.w = light.thickness;
     block.extent_shape = glm::vec4(light.extent, static_cast<float>(light.shape));
     if (light.is_sun) {
-        block.extent_shape = glm::vec4(
-            shadow.views.empty() ? glm::vec3(0) : shadow.views.front().frustum.origin, 0);
+        block.extent_shape =
+            glm::vec4(shadow.views.empty() ? glm::vec3(0) : shadow.views.front().frustum.origin, 0);
     }
     if (light.is_spot()) {
         // KHR_lights_punctual.

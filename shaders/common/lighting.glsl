@@ -1,17 +1,9 @@
 // Lights the G-buffer: every point light with its shadow, the surroundings, emission, background.
 // With HAS_DETAIL the G-buffer holds the surfaces themselves, else the numbers of their materials.
-#include "common/scene.glsl"
-#include "common/brdf.glsl"
 #include "common/environment.glsl"
-#include "common/surface.glsl"
+#include "common/scene.glsl"
 #include "common/normal_filter.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(constant_id = 0) const bool has_shadows = true;
-layout(constant_id = 1) const bool has_environment = true;
-layout(constant_id = 2) const bool has_spots = true;
-layout(constant_id = 3) const bool has_suns = true;
-layout(constant_id = 5) const bool has_occlusion = false;
-layout(constant_id = 6) const bool has_areas = false;
 layout(binding = 0) uniform Views { View view; };
 layout(binding = 1) uniform Environments { Environment environment; };
 layout(std430, binding = 2) readonly buffer Lights { Light lights[]; };
@@ -30,15 +22,9 @@ layout(binding = 7) uniform sampler2DArray shadow_maps;
 layout(binding = 8) uniform sampler2D occlusions;
 layout(binding = 9) writeonly uniform image2D target;
 layout(push_constant) uniform Push { uint light_count; };
-#include "common/surroundings.glsl"
+#include "common/lit_surface.glsl"
+#include "common/background.glsl"
 #include "common/seen.glsl"
-
-/// A sun has its direction in place of a position.
-bool is_sun(Light light) {
-    return has_suns && light.range.w > 0.0;
-}
-#include "common/shadow.glsl"
-#include "common/area_light.glsl"
 
 Surface surface_at(ivec2 at) {
     uint word = texelFetch(material_numbers, at, 0).r;
@@ -84,20 +70,6 @@ vec3 face_normal(ivec2 at, ivec2 size, float depth, vec3 normal) {
 }
 #endif
 
-/// What a spot's cone lets through: KHR_lights_punctual's own fall-off.
-float cone(Light light, vec3 direction) {
-    float share = clamp(dot(light.axis_scale.xyz, -direction) * light.axis_scale.w + light.range.x,
-                        0.0, 1.0);
-    return share * share;
-}
-
-/// Of what a surface mirrors, from what is left of its diffuse surroundings: Lagarde and de Rousiers
-/// 2014, "Moving Frostbite to physically based rendering", with alpha for their roughness.
-float mirrored_occlusion(float occlusion, float n_dot_v, float roughness) {
-    float sharpness = exp2(-16.0 * roughness * roughness - 1.0);
-    return clamp(pow(n_dot_v + occlusion, sharpness) - 1.0 + occlusion, 0.0, 1.0);
-}
-
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     ivec2 size = imageSize(target);
@@ -107,14 +79,7 @@ void main() {
     vec3 ray = ray_at(view, vec2(at) + 0.5, vec2(size));
     float depth = texelFetch(depths, at, 0).r;
     if (depth >= 1.0) {
-        vec3 background = vec3(0.0);
-        if (has_environment) {
-            float pixel = 2.0 * length(view.up.xyz) / float(size.y);
-            background = surroundings_kind == kind_gradient
-                             ? environment_radiance(environment, normalize(ray), 0.0)
-                             : surroundings_behind(normalize(ray), pixel);
-        }
-        imageStore(target, at, vec4(background, 1.0));
+        imageStore(target, at, vec4(background_at(normalize(ray), float(size.y)), 1.0));
         return;
     }
     vec3 position = view.position_near.xyz + ray * z_of(view, depth);
@@ -124,9 +89,6 @@ void main() {
         imageStore(target, at, vec4(surface.emission, 1.0));
         return;
     }
-    vec3 albedo = surface.albedo;
-    float roughness = surface.roughness;
-    float metalness = surface.metalness;
     vec3 to_eye = -normalize(ray);
 
 #ifdef HAS_DETAIL
@@ -134,57 +96,7 @@ void main() {
 #else
     vec3 face = normal;
 #endif
-    vec3 radiance = surface.emission;
-    for (uint index = 0; index < light_count; ++index) {
-        Light light = lights[index];
-        vec3 towards = light.position_layer.xyz - (is_sun(light) ? vec3(0.0) : position);
-        // A light that touches the surface is held at a millimetre.
-        float squared = max(dot(towards, towards), 1e-6);
-        float distance_to_light = sqrt(squared);
-        vec3 direction = towards / distance_to_light;
-        bool is_area =
-            has_areas && (light.extent_shape.w > 0.0 || light.up_thickness.w > 0.0);
-        if (!is_area && !(dot(normal, direction) > 0.0)) {
-            continue;
-        }
-        if (has_spots) {
-            float share = cone(light, direction);
-            if (share <= 0.0) {
-                continue;
-            }
-            squared /= share;
-        }
-        vec3 shaded;
-        if (is_area) {
-            shaded = shade_area(light, position, normal, to_eye, albedo, roughness, metalness) *
-                     distance_to_light * distance_to_light;
-        } else {
-            shaded = shade(normal, to_eye, direction, albedo, roughness, metalness);
-        }
-        if (has_shadows && light.position_layer.w >= 0.0) {
-            shaded *= lit(light, position, face);
-        }
-        radiance += shaded * light.intensity_texel.rgb / squared;
-    }
-    if (has_environment) {
-        float n_dot_v = clamp(dot(normal, to_eye), 0.0, 1.0);
-        float seen_mirrored = surface.occlusion, seen = surface.occlusion;
-        if (has_occlusion) {
-            float occlusion = texelFetch(occlusions, at, 0).r;
-            seen *= occlusion;
-            seen_mirrored *= mirrored_occlusion(occlusion, n_dot_v, roughness);
-        }
-        if (has_map()) {
-            radiance += surroundings_light(normal, to_eye, albedo, roughness, metalness, seen,
-                                           seen_mirrored);
-        } else {
-            vec3 f0 = mix(vec3(0.04), albedo, metalness);
-            vec3 mirrored = environment_reflectance(f0, roughness, n_dot_v);
-            radiance += seen_mirrored * mirrored *
-                        environment_radiance(environment, reflect(-to_eye, normal), roughness);
-            radiance += seen * (1.0 - mirrored) * (1.0 - metalness) * albedo / pi *
-                        environment_irradiance(environment, normal);
-        }
-    }
-    imageStore(target, at, vec4(radiance, 1.0));
+    float occlusion = has_occlusion ? texelFetch(occlusions, at, 0).r : 1.0;
+    imageStore(target, at,
+               vec4(light_from(surface, position, normal, face, to_eye, occlusion), 1.0));
 }

@@ -113,7 +113,10 @@ class ShaderTest : public GpuTest {
             }
         }
         const std::string bindings = text_of(declared);
-        if (!seen_.insert(pass.shader + bindings + std::to_string(pass.constants.size())).second) {
+        if (!seen_
+                 .insert(pass.shader + pass.fragment_shader + bindings +
+                         std::to_string(pass.constants.size()))
+                 .second) {
             return;
         }
         ShaderInterface wanted = interface_of(code(pass.shader));
@@ -161,6 +164,16 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
         check(detailed, changed);
         changed.view = debug_view_named("albedo");
         check(detailed, changed);
+    }
+    Scene see_through = cut_out;
+    see_through.materials.front().detail.is_blended = true;
+    FrameInputs blended = detailed;
+    blended.scene = &see_through;
+    check(blended, settings());
+    FrameSettings forward = settings();
+    forward.raster = Raster::forward;
+    for (const FrameInputs& drawn : {inputs, detailed, blended}) {
+        check(drawn, forward);
     }
     const GpuPicture around(device(), {4, 2}, std::vector<float>(std::size_t{4} * 4 * 2), false);
     for (const SurroundingsInfo& row : surroundings_kinds()) {
@@ -227,6 +240,7 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
                 FrameInputs graded = inputs;
                 graded.look_a = &a;
                 graded.look_b = &looks.back();
+                graded.names = {"a", "b"};
                 check(graded, changed);
             }
         }

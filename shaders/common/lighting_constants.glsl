@@ -1,0 +1,8 @@
+// What the frame has of light: lighting_constants() of preview/passes/lighting.h. Number 4 is
+// common/surroundings.glsl's.
+layout(constant_id = 0) const bool has_shadows = true;
+layout(constant_id = 1) const bool has_environment = true;
+layout(constant_id = 2) const bool has_spots = true;
+layout(constant_id = 3) const bool has_suns = true;
+layout(constant_id = 5) const bool has_occlusion = false;
+layout(constant_id = 6) const bool has_areas = false;

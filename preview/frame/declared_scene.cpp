@@ -99,7 +99,7 @@ DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const Frame
     std::vector<std::uint32_t> objects = visible_objects(scene, geometry, view.clip);
     if (scene.floor && settings.without.has(Effect::floor)) {
         std::erase(objects, *scene.floor);
-    } else if (!scene.floor) {
+    } else if (!scene.floor && !settings.without.has(Effect::floor)) {
         graph.withhold("floor", "the scene has its own, or needs none");
     }
     const Coverings coverings =

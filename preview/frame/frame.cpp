@@ -97,7 +97,7 @@ ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSet
         lit = add_lighting(graph, declared.handles, lighting);
     }
     if (declared.blended.empty()) {
-        graph.withhold("see-through surfaces", "there is none in the picture");
+        graph.withhold("see-through surfaces", "nothing in the picture lets light through");
         return lit;
     }
     return add_blended(graph, declared.handles, lighting, lit, std::move(declared.blended),

@@ -106,7 +106,7 @@ TEST_F(ForwardTest, what_stands_in_front_hides_a_see_through_surface) {
 }
 
 TEST_F(ForwardTest, a_scene_without_see_through_surfaces_has_no_pass_for_them) {
-    constexpr std::string_view reason = "there is none in the picture";
+    constexpr std::string_view reason = "nothing in the picture lets light through";
     const std::string without = render(panes({{0, 1, 0.5F}}, true)).explanation;
     EXPECT_NE(without.find(reason), std::string::npos) << without;
     const std::string with = render(panes({{0, 0.5F, 0.5F}}, true)).explanation;

@@ -13,6 +13,7 @@ bool has_floor(const Scene& scene) {
     const glm::vec3 size = box.max - box.min;
     const float highest = box.min.y + 0.05F * size.y;
     float covered = 0;
+    Bounds above;
     for (const Object& object : scene.objects) {
         const Mesh& mesh = scene.meshes[object.mesh];
         for (std::size_t at = 0; at + 2 < mesh.indices.size(); at += 3) {
@@ -26,10 +27,16 @@ bool has_floor(const Scene& scene) {
                 const glm::vec3 area =
                     glm::cross(corner[1] - corner[0], corner[2] - corner[0]) * 0.5F;
                 covered += std::max(area.y, 0.0F);
+                continue;
+            }
+            for (const glm::vec3& place : corner) {
+                above.include(place);
             }
         }
     }
-    return covered >= 0.5F * size.x * size.z;
+    const float ground = size.x * size.z;
+    const glm::vec3 standing = above.empty() ? glm::vec3(0) : above.max - above.min;
+    return ground > 0 && covered >= 0.5F * ground && standing.x * standing.z <= 0.8F * ground;
 }
 
 void add_floor(Scene& scene) {

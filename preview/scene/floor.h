@@ -6,7 +6,8 @@
 namespace preview {
 
 /// Whether faces that look up lie under at least half of the scene's ground, within a twentieth of
-/// its height from its lowest point.
+/// its height from its lowest point, and reach beyond what stands on them: the bottom of a box is
+/// no floor.
 bool has_floor(const Scene& scene);
 
 /// Puts a round grey stage under the scene, on which it throws shadows, and notes it in

@@ -6,11 +6,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <span>
 
 namespace preview {
 
 namespace {
+
+constexpr std::string_view own_models[] = {"gltf", "glb", "obj"};
+constexpr std::string_view other_models[] = {"3ds", "abc", "blend", "dae",  "dxf",  "fbx",  "lwo",
+                                             "ply", "stl", "usd",   "usda", "usdc", "usdz", "x3d"};
+
+bool is_one_of(std::span<const std::string_view> endings, std::string_view ending) {
+    return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
 
 /// Pipes and devices would be waited for, or never end.
 std::string read_regular_file(const std::string& path, std::size_t most) {
@@ -45,10 +55,14 @@ std::vector<std::string> LeftOut::lines() const {
 
 bool is_model_file(const std::string& path) {
     const std::string extension = lutlib::io::extension_of(path);
-    return extension == "gltf" || extension == "glb" || extension == "obj";
+    return is_one_of(own_models, extension) || is_one_of(other_models, extension);
 }
 
 ImportedScene import_scene(const std::string& path) {
+    if (is_one_of(other_models, lutlib::io::extension_of(path))) {
+        throw lutlib::Error("models of this type are not read; save it as glTF 2.0 (.glb)",
+                            {path, 0, {}});
+    }
     const std::string bytes = read_regular_file(path, import_limits.file_bytes);
     if (lutlib::io::extension_of(path) != "obj") {
         return import_gltf(bytes, path, read_regular_file);

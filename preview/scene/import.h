@@ -29,7 +29,7 @@ struct ImportedScene {
     std::vector<std::string> left_out;
 };
 
-/// Whether the name is a model file's.
+/// Whether the name is a model file's, of these formats or of others.
 bool is_model_file(const std::string& path);
 
 /// Throws lutlib::Error, which names the file, for what is none of these formats, is broken, has

@@ -74,8 +74,13 @@ void read_view(const GltfFile& file, const std::vector<glm::mat4>& places, FileS
     }
 }
 
-/// Without these a file has no triangles; others that it requires are told where they are used.
-void check_compression(const GltfFile& file) {
+constexpr std::string_view known_extensions[] = {
+    "KHR_lights_punctual",   "KHR_materials_emissive_strength", "KHR_materials_unlit",
+    "KHR_mesh_quantization", "KHR_texture_transform",
+};
+
+/// Refuses a file that has no triangles without an extension that is not known.
+void check_required(const GltfFile& file, LeftOut& left_out) {
     const auto required = file.root().find("extensionsRequired");
     if (required == file.root().end() || !required->is_array()) {
         return;
@@ -84,6 +89,13 @@ void check_compression(const GltfFile& file) {
         if (std::find(required->begin(), required->end(), name) != required->end()) {
             file.refuse(std::string("its meshes are compressed (") + name +
                         "); convert it to plain glTF 2.0");
+        }
+    }
+    for (const json& name : *required) {
+        if (name.is_string() && std::find(std::begin(known_extensions), std::end(known_extensions),
+                                          name.get<std::string>()) == std::end(known_extensions)) {
+            left_out.add("extensions that the file requires: " +
+                         printable(name.get<std::string>()));
         }
     }
 }
@@ -100,7 +112,7 @@ ImportedScene import_gltf(std::string_view bytes, const std::string& path, const
     const GltfFile file(bytes, path, read);
     FileScene out;
     try {
-        check_compression(file);
+        check_required(file, left_out);
         tell_extensions(file, left_out);
         const std::vector<GltfMaterial> materials = gltf_materials(file, out.scene, left_out);
         const std::vector<glm::mat4> places = gltf_places(file, left_out);

@@ -194,6 +194,18 @@ TEST_F(ImportTest, tells_what_it_leaves_out) {
     }
 }
 
+TEST_F(ImportTest, tells_extensions_that_a_file_requires_and_models_that_are_not_read) {
+    GltfWriter gltf = one_square();
+    gltf.root["extensionsRequired"] = {"KHR_technique_webgl", "KHR_mesh_quantization"};
+    const ImportedScene imported = import(gltf);
+    EXPECT_TRUE(tells(imported, "1 extensions that the file requires: KHR_technique_webgl"));
+    EXPECT_FALSE(tells(imported, "KHR_mesh_quantization"));
+    for (const char* name : {"a.FBX", "b.stl"}) {
+        EXPECT_TRUE(is_model_file(name));
+        EXPECT_THROW(import_scene(name), lutlib::Error);
+    }
+}
+
 struct Damage {
     const char* name;
     const char* told; ///< part of the message

@@ -155,8 +155,16 @@ TEST(Floor, is_put_under_what_has_none) {
     const auto grey = build.material({});
     build.place(build.mesh(sphere(12, 24)), grey, at({0, 1, 0}));
     EXPECT_FALSE(has_floor(build.scene));
-    build.place(build.mesh(plane()), grey, at({0, 0.01F, 0}, glm::vec3(0.9F)));
+    build.place(build.mesh(plane()), grey, at({0, 0.01F, 0}, glm::vec3(2)));
     EXPECT_TRUE(has_floor(build.scene));
+
+    SceneBuilder standing; // neither a box that is seen from inside nor a sheet has one
+    standing.place(standing.mesh(two_sided(box(glm::vec3(1), 0))), standing.material({}),
+                   glm::mat4(1));
+    EXPECT_FALSE(has_floor(standing.scene));
+    SceneBuilder sheet;
+    sheet.place(sheet.mesh(plane()), sheet.material({}), turned(glm::mat4(1), 90, {1, 0, 0}));
+    EXPECT_FALSE(has_floor(sheet.scene));
 
     Scene& scene = build.scene;
     scene.objects.pop_back();

@@ -13,6 +13,9 @@ namespace {
 constexpr SampleCounts first_glance{.neutral = 64, .random = 4096, .lattice = false};
 // Colours looked at before the first that breaks the promise ends it.
 constexpr std::size_t at_once = 64, in_parallel = 8192;
+// The whole union grid of 33 and 128 nodes, and as many middles: a part of them may miss what
+// breaks the promise.
+constexpr std::size_t whole_grid = std::size_t{1} << 22;
 
 RgbD through_srgb(double (Encoding::*f)(double) const, RgbD c) {
     return {(srgb().*f)(c.r), (srgb().*f)(c.g), (srgb().*f)(c.b)};
@@ -107,7 +110,8 @@ double PromiseCheck::largest_error(const Bake& bake, double limit) {
     if (samples_size_ != bake.size) {
         samples_size_ = bake.size;
         samples_ =
-            error_samples({}, united(budget_.breaks, breaks_of(reader_of(engine_, bake.size))));
+            error_samples({}, united(budget_.breaks, breaks_of(reader_of(engine_, bake.size))),
+                          {.grid = whole_grid, .between = whole_grid});
         samples_.hiding.insert(samples_.hiding.end(), samples_.even.begin(), samples_.even.end());
         right_.clear();
     }

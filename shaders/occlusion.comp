@@ -12,25 +12,9 @@ layout(binding = 2) uniform usampler2D normals;
 layout(binding = 3) writeonly uniform image2D target;
 layout(push_constant) uniform Push { float radius, strength; };
 
-const float golden = 0.61803398875;
-
-/// PCG3D: Jarzynski and Olano 2020, "Hash functions for GPU rendering".
-uvec3 hash(uvec3 v) {
-    v = v * 1664525u + 1013904223u;
-    v.x += v.y * v.z;
-    v.y += v.z * v.x;
-    v.z += v.x * v.y;
-    v ^= v >> 16u;
-    v.x += v.y * v.z;
-    v.y += v.z * v.x;
-    v.z += v.x * v.y;
-    return v;
-}
-
-/// Of 24 bits, below 1.
-vec3 unit_of(uvec3 bits) {
-    return vec3(bits >> 8u) / 16777216.0;
-}
+/// preview/passes/occlusion.cpp makes them: a direction in the frame of tangent, bitangent and normal,
+/// and a share of the radius.
+layout(std430, binding = 4) readonly buffer Points { vec4 points[]; };
 
 /// Across the normal, away from its smallest component.
 vec3 tangent_to(vec3 n) {
@@ -57,18 +41,15 @@ void main() {
     vec3 normal = decode_octahedral(from_bits(texelFetch(normals, at, 0).xy));
     vec3 tangent = tangent_to(normal);
     vec3 bitangent = cross(normal, tangent);
-    vec3 offset = unit_of(hash(uvec3(cell & 3, 0)));
+    int first = ((cell.y & 3) * 4 + (cell.x & 3)) * samples;
     vec3 right = view.right.xyz / dot(view.right.xyz, view.right.xyz);
     vec3 up = view.up.xyz / dot(view.up.xyz, view.up.xyz);
     float least_rise = 0.01 * radius, most_gap = 2.0 * radius;
     int hidden = 0;
     for (int i = 0; i < samples; ++i) {
-        float share = (float(i) + offset.x) / float(samples);
-        float turn = 6.28318530718 * fract(float(i) * golden + offset.y);
-        float reach = fract(float(bitfieldReverse(uint(i)) >> 8u) / 16777216.0 + offset.z);
-        vec3 direction = sqrt(share) * (cos(turn) * tangent + sin(turn) * bitangent) +
-                         sqrt(1.0 - share) * normal;
-        vec3 point = position + radius * reach * reach * direction;
+        vec4 place = points[first + i];
+        vec3 direction = place.x * tangent + place.y * bitangent + place.z * normal;
+        vec3 point = position + radius * place.w * direction;
         float z = dot(point, view.forward.xyz);
         if (!(z > view.position_near.w)) {
             continue;

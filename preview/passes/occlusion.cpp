@@ -1,10 +1,63 @@
 #include "preview/passes/occlusion.h"
 
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
 #include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace preview {
 
 namespace {
+
+/// PCG3D: Jarzynski and Olano 2020, "Hash functions for GPU rendering".
+glm::uvec3 hash(glm::uvec3 v) {
+    const auto mix = [](glm::uvec3& bits) {
+        bits.x += bits.y * bits.z;
+        bits.y += bits.z * bits.x;
+        bits.z += bits.x * bits.y;
+    };
+    v = v * 1664525U + 1013904223U;
+    mix(v);
+    v = {v.x ^ v.x >> 16U, v.y ^ v.y >> 16U, v.z ^ v.z >> 16U};
+    mix(v);
+    return v;
+}
+
+/// Of 24 bits, below 1.
+double unit_of(std::uint32_t bits) {
+    return (bits >> 8U) * 0x1p-24;
+}
+
+std::uint32_t reversed(std::uint32_t bits) {
+    std::uint32_t out = 0;
+    for (unsigned i = 0; i < 32; ++i) {
+        out |= (bits >> i & 1U) << (31U - i);
+    }
+    return out;
+}
+
+/// For each of 4x4 pixels `samples` directions in the frame of tangent, bitangent and normal, and
+/// the share of the radius at which the point lies. Made here because sines and cosines of a GPU
+/// may be a thousandth off, which moves points to other texels.
+std::vector<glm::vec4> points(std::uint32_t samples) {
+    constexpr double golden = 0.61803398875;
+    const auto fraction = [](double x) { return x - std::floor(x); };
+    std::vector<glm::vec4> out;
+    for (std::uint32_t cell = 0; cell < 16; ++cell) {
+        const glm::uvec3 bits = hash({cell % 4, cell / 4, 0});
+        for (std::uint32_t i = 0; i < samples; ++i) {
+            const double share = (i + unit_of(bits.x)) / samples;
+            const double turn = 2 * std::numbers::pi * fraction(i * golden + unit_of(bits.y));
+            const double reach = fraction(unit_of(reversed(i)) + unit_of(bits.z));
+            out.emplace_back(std::sqrt(share) * std::cos(turn), std::sqrt(share) * std::sin(turn),
+                             std::sqrt(1 - share), reach * reach);
+        }
+    }
+    return out;
+}
 
 /// A pass that makes an image of `size` from `source` and the surfaces.
 ImageHandle filtered(Graph& graph, const SceneHandles& scene, const GBuffer& surfaces,
@@ -35,6 +88,8 @@ ImageHandle add_occlusion(Graph& graph, const SceneHandles& scene, const GBuffer
     const Size cells{(size.width + 1) / 2, (size.height + 1) / 2};
     ImageHandle out =
         pass.write(graph.image("ambient occlusion", {Format::r32f, cells.width, cells.height}));
+    pass.storage(graph.data("points of the occlusion",
+                            std::as_bytes(std::span<const glm::vec4>(points(inputs.samples)))));
     pass.push(std::array{inputs.radius, inputs.strength});
     pass.dispatch_over(cells.width, cells.height);
     out = filtered(graph, scene, surfaces, out, cells, inputs.radius,

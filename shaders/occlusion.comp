@@ -16,12 +16,14 @@ layout(push_constant) uniform Push { float radius, strength; };
 /// and a share of the radius.
 layout(std430, binding = 4) readonly buffer Points { vec4 points[]; };
 
-/// Across the normal, away from its smallest component.
+/// Across the normal, away from its smallest component. Of components that are equal, as those of
+/// floors and walls are but for rounding, the first.
 vec3 tangent_to(vec3 n) {
+    const float same = 1e-3;
     vec3 a = abs(n);
-    vec3 axis = a.x <= a.y && a.x <= a.z ? vec3(1.0, 0.0, 0.0)
-                : a.y <= a.z             ? vec3(0.0, 1.0, 0.0)
-                                         : vec3(0.0, 0.0, 1.0);
+    vec3 axis = a.x <= a.y + same && a.x <= a.z + same ? vec3(1.0, 0.0, 0.0)
+                : a.y <= a.z + same                    ? vec3(0.0, 1.0, 0.0)
+                                                       : vec3(0.0, 0.0, 1.0);
     return normalize(cross(n, axis));
 }
 

@@ -58,9 +58,10 @@ struct Frame {
 
 Frame frame_about(glm::dvec3 normal) {
     const glm::dvec3 a = glm::abs(normal);
-    const glm::dvec3 axis = a.x <= a.y && a.x <= a.z ? glm::dvec3(1, 0, 0)
-                            : a.y <= a.z             ? glm::dvec3(0, 1, 0)
-                                                     : glm::dvec3(0, 0, 1);
+    constexpr double same = 1e-3;
+    const glm::dvec3 axis = a.x <= a.y + same && a.x <= a.z + same ? glm::dvec3(1, 0, 0)
+                            : a.y <= a.z + same                    ? glm::dvec3(0, 1, 0)
+                                                                   : glm::dvec3(0, 0, 1);
     const glm::dvec3 tangent = glm::normalize(glm::cross(normal, axis));
     return {tangent, glm::cross(normal, tangent), normal};
 }

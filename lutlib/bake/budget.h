@@ -71,9 +71,9 @@ std::vector<int> sizes_tried(const Engine& engine, std::optional<int> nodes);
 
 /// The smallest combination that keeps the promise; of equal size, point samples come before a fit.
 /// An engine's lookup costs the same for every one of them but for its memory, so the smallest is
-/// also the fastest. Of sizes_tried() each is left at the first colour that breaks the promise. When none keeps it, the one that comes nearest of the
-/// few that seemed the nearest, with `kept` false. Throws UsageError when the engine takes no
-/// combination that was asked for.
+/// also the fastest. Of sizes_tried() each is left at the first colour that breaks the promise. When
+/// none keeps it, the one that comes nearest of the few that seemed the nearest, with `kept` false.
+/// Throws UsageError when the engine takes no combination that was asked for.
 BudgetBake bake_within(const Transform& look, const Engine& engine, const Budget& budget);
 
 } // namespace lutlib

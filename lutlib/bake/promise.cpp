@@ -13,8 +13,8 @@ namespace {
 constexpr SampleCounts first_glance{.neutral = 64, .random = 4096, .lattice = false};
 // Colours looked at before the first that breaks the promise ends it.
 constexpr std::size_t at_once = 64, in_parallel = 8192;
-// The whole union grid of 33 and 128 nodes, and as many middles: a part of them may miss what
-// breaks the promise.
+// Room for the whole union grid of 33 and 128 nodes, and as many of its middles: a part of them may
+// miss what breaks the promise.
 constexpr std::size_t whole_grid = std::size_t{1} << 22;
 
 RgbD through_srgb(double (Encoding::*f)(double) const, RgbD c) {

@@ -1,4 +1,5 @@
-// Characters for graticules and names, five dots wide and six high, rows from the top in bits 29 to 0.
+// Characters for graticules and names, five dots wide and six high, rows from the top in bits 29
+// to 0.
 // In the order of glyph_of() of preview/passes/names.cpp: figures, letters, then . - _ + : ?
 const uint glyph_r = 27u, glyph_g = 16u, glyph_b = 11u, glyph_c = 12u, glyph_m = 22u, glyph_y = 34u,
            glyph_l = 21u;

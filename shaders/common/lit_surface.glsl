@@ -1,5 +1,5 @@
-// The light that leaves a surface for the eye. Who includes this has `view`, `environment`, `lights`,
-// `light_count` and `shadow_maps`, and defines SURROUNDINGS_BINDING; after
+// The light that leaves a surface for the eye. Who includes this has `view`, `environment`,
+// `lights`, `light_count` and `shadow_maps`, and defines SURROUNDINGS_BINDING; after
 // common/scene.glsl and common/environment.glsl.
 #include "common/brdf.glsl"
 #include "common/surface.glsl"

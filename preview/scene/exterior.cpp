@@ -131,13 +131,13 @@ void add_house(Terrace& terrace) {
         }
         build.place(build.mesh(std::move(mesh)), white, at({(low + high) / 2.0F, z - 0.15F}));
     };
-    wall({-4.9F, 0}, {-3.95F, 2.5F});
-    wall({-3.95F, 2.02F}, {-3.15F, 2.5F});
-    wall({-3.15F, 0}, {-2.75F, 2.5F});
+    wall({-4.9F, 0}, {-3.95F, 2.64F});
+    wall({-3.95F, 2.02F}, {-3.15F, 2.64F});
+    wall({-3.15F, 0}, {-2.75F, 2.64F});
     wall({-2.75F, 0}, {-2.15F, 0.95F});
-    wall({-2.75F, 1.85F}, {-2.15F, 2.5F});
-    wall({-2.15F, 0}, {-1.75F, 2.5F});
-    terrace.block(white, {-2.05F, 0, z - 4}, {-1.75F, 2.5F, z - 0.3F}, 0.004F);
+    wall({-2.75F, 1.85F}, {-2.15F, 2.64F});
+    wall({-2.15F, 0}, {-1.75F, 2.64F});
+    terrace.block(white, {-2.05F, 0, z - 4}, {-1.75F, 2.64F, z - 0.3F}, 0.004F);
     const auto dark = terrace.paint_of(glm::vec3(0.006F), 0.6F);
     terrace.block(dark, {-4.8F, 0, z - 0.6F}, {-2.1F, 2.4F, z - 0.5F}, 0);
     const auto blue = terrace.paint_of({0.035F, 0.13F, 0.33F}, 0.45F);
@@ -311,9 +311,10 @@ void add_land(Terrace& terrace) {
                                               {5, -49, 6},
                                               {-20, -52, 7}};
     for (const glm::vec3 t : trees) {
-        build.place(tree, terrace.paint_of(with_distance({0.022F, 0.05F, 0.016F}, -t.y), 0.9F),
-                    at({t.x, hill_height({t.x, t.y}) - 0.4F, t.y}, {0.3F * t.z, t.z, 0.3F * t.z}),
-                    false);
+        build.place(
+            tree, terrace.paint_of(with_distance({0.022F, 0.05F, 0.016F}, -t.y), 0.9F),
+            at({t.x, hill_height({t.x, t.y}) - 0.22F * t.z, t.y}, {0.3F * t.z, t.z, 0.3F * t.z}),
+            false);
     }
 }
 

@@ -106,12 +106,8 @@ TEST_F(GeometryTest, balls_rods_and_rings_light_a_floor_nearly_as_their_integral
         double sum = 0, error = 0;
         for (std::uint32_t y = 0; y < size.height; y += 3) {
             for (std::uint32_t x = 0; x < size.width; x += 3) {
-                const double sx = (x + 0.5) / size.width * 2 - 1;
-                const double sy = (y + 0.5) / size.height * 2 - 1;
-                const glm::dvec3 ray = glm::dvec3(view.forward) + sx * glm::dvec3(view.right) +
-                                       sy * glm::dvec3(view.up);
-                const glm::dvec3 eye(view.position_near);
-                const glm::dvec3 at = eye - ray * (eye.y / ray.y);
+                glm::dvec3 ray;
+                const glm::dvec3 at = on_floor(view, x, y, ray);
                 if (ray.y >= 0 || std::abs(at.x) > 9 || std::abs(at.z) > 9) {
                     continue;
                 }

@@ -119,12 +119,9 @@ TEST_F(GeometryTest, shadows_are_what_rays_find_wherever_they_are_not_at_an_edge
         int lit = 0, dark = 0, wrong = 0;
         for (std::uint32_t y = 0; y < size.height; y += 2) {
             for (std::uint32_t x = 0; x < size.width; x += 2) {
-                const double sx = (x + 0.5) / size.width * 2 - 1;
-                const double sy = (y + 0.5) / size.height * 2 - 1;
-                const glm::dvec3 ray = glm::dvec3(view.forward) + sx * glm::dvec3(view.right) +
-                                       sy * glm::dvec3(view.up);
+                glm::dvec3 ray;
+                const glm::dvec3 at = on_floor(view, x, y, ray);
                 const glm::dvec3 eye(view.position_near);
-                const glm::dvec3 at = eye - ray * (eye.y / ray.y);
                 const double far = std::max(std::abs(at.x - source.x), std::abs(at.z - source.z));
                 // The frustum of 140 degrees has its edge at 1.37 m.
                 if (ray.y >= 0 || std::abs(at.x) > 3 || std::abs(at.z) > 3 ||

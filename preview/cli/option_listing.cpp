@@ -79,9 +79,11 @@ std::string cube_listing() {
 std::string effects_listing() {
     std::string out = "Effects (--effect)\n";
     for (const PostEffect* effect : post_effects()) {
-        out += line_of(effect->name,
-                       fmt::format("{}; {}", effect->help,
-                                   stages()[static_cast<std::size_t>(effect->stage)].help));
+        out += line_of(
+            effect->name,
+            fmt::format("{}; {}{}", effect->help,
+                        stages()[static_cast<std::size_t>(effect->stage)].help,
+                        can_stand_before_look(*effect) ? ", or before with before-look=1" : ""));
         for (const lutlib::Parameter& parameter : effect->parameters) {
             out += line_of(fmt::format("  {}", parameter.name),
                            fmt::format("{}; {} to {}, by default {}", parameter.label,

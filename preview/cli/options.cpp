@@ -120,6 +120,7 @@ FrameSettings settings_of(const Options& options, Size input_size) {
     for (const std::string& name : options.without) {
         leave_out(settings, name);
     }
+    settings.seconds = options.seconds;
     settings.output = output_size(options, settings, input_size);
     if (!options.probe.empty()) {
         settings.probe = parse_place("--probe", options.probe, settings.output);

@@ -6,6 +6,7 @@
 
 namespace preview::effect {
 
-extern const PostEffect fxaa, vignette;
+extern const PostEffect chromatic_aberration, film_grain, fxaa, glitch, paintbrush, pointillism,
+    sharpen, vaporwave, vignette;
 
 } // namespace preview::effect

@@ -20,8 +20,14 @@ namespace preview {
 enum class Stage : std::uint8_t {
     hdr,            ///< exposed light, 0..65504, before bloom
     before_tonemap, ///< the same with its bloom
-    after_look,     ///< display-encoded colours, 0..1, before the split line
+    before_look,    ///< display-encoded colours, 0..1, that the looks then take
+    after_look,     ///< the same with the looks
+    last,           ///< the same with every other effect, before the split line
 };
+/// Whether its picture holds display-encoded colours.
+constexpr bool is_on_codes(Stage stage) {
+    return stage >= Stage::before_look;
+}
 
 struct StageInfo {
     Stage stage;
@@ -32,11 +38,25 @@ struct StageInfo {
 /// In the order of the enumeration, which is that of the frame.
 std::span<const StageInfo> stages();
 
-/// What an effect is laid over.
+/// What the camera of a scene has seen, for effects whose row asks for it.
+struct EffectDepth {
+    ImageHandle image;    ///< 1 - near_plane / z, 1 where there is nothing; as wide as one side
+    float near_plane = 0; ///< metres; no surface is nearer
+    /// Of the projection: what lies at z metres and z / focal metres above the axis is at the upper
+    /// border.
+    float focal = 1;
+
+    explicit operator bool() const { return near_plane > 0; }
+};
+
+/// What an effect is laid over. Lengths in pictures are shares of their height, so that two
+/// resolutions look alike.
 struct EffectInput {
     ImageHandle picture;
     /// Columns of one side's picture: side by side, B starts this far to the right.
     std::uint32_t width = 0;
+    double seconds = 0;  ///< the moment that is shown; the same moment gives the same picture
+    EffectDepth depth{}; ///< of rows that need it; of a scene
 };
 
 struct PostEffect {
@@ -48,9 +68,21 @@ struct PostEffect {
     /// Numbers and toggles; the first is `strength`, whose fallback is that of an effect in use.
     std::span<const lutlib::Parameter> parameters;
     bool usual_for_scenes = false; ///< in use for scenes, unless it is taken out
+    /// Needs what the camera of a scene has seen; of pictures it is left out.
+    bool needs_depth = false;
+    /// Why it would change nothing in a picture of so many rows; empty: it does. Null: never.
+    std::string_view (*idle_because)(const lutlib::Values& values, const EffectDepth& depth,
+                                     std::uint32_t rows) = nullptr;
     /// Declares its passes. Returns a picture of the same size and format; values are in range.
     ImageHandle (*add)(Graph& graph, const EffectInput& in, const lutlib::Values& values) = nullptr;
 };
+
+/// For the function `add` of a row.
+inline float number_at(const lutlib::Values& values, std::size_t parameter) {
+    return static_cast<float>(std::get<double>(values[parameter]));
+}
+/// The number of the step of time in which a moment lies, with so many steps a second.
+std::uint32_t step_at(double seconds, double rate);
 
 /// Every effect; of one stage they are laid over in the order in which they are used.
 std::span<const PostEffect* const> post_effects();
@@ -59,6 +91,10 @@ const PostEffect* post_effect_named(std::string_view name);
 /// With every parameter at its fallback.
 EffectUse usual_use(const PostEffect& effect);
 double strength_of(const EffectUse& use);
+/// Where it stands: the effect's stage, or before the looks by choice.
+Stage stage_of(const EffectUse& use);
+/// Whether that choice is there: of effects after the looks.
+bool can_stand_before_look(const PostEffect& effect);
 
 /// The use of an effect; null when there is none.
 const EffectUse* use_of(const EffectUses& uses, const PostEffect& effect);
@@ -69,7 +105,8 @@ void take_out(EffectUses& uses, const PostEffect& effect);
 void set_usual(EffectUses& uses, bool is_scene);
 
 /// NAME or NAME:PARAMETER=VALUE,... as on the command line; what is not named is at its fallback.
-/// Throws lutlib::UsageError.
+/// `before-look=1` puts an effect that stands after the looks before them. Throws
+/// lutlib::UsageError.
 EffectUse parse_use(const std::string& text);
 /// The same the other way round, with every parameter.
 std::string use_text(const EffectUse& use);

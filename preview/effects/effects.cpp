@@ -3,20 +3,30 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace preview {
 
 namespace {
 
 constexpr auto table = std::to_array<const PostEffect*>({
-    &effect::fxaa,
+    &effect::chromatic_aberration,
     &effect::vignette,
+    &effect::sharpen,
+    &effect::pointillism,
+    &effect::paintbrush,
+    &effect::vaporwave,
+    &effect::glitch,
+    &effect::film_grain,
+    &effect::fxaa,
 });
 
 constexpr StageInfo stage_rows[] = {
     {Stage::hdr, "hdr", "on light, before bloom"},
     {Stage::before_tonemap, "before tone map", "on light with its bloom"},
-    {Stage::after_look, "after look", "on the finished picture"},
+    {Stage::before_look, "before look", "on codes, before the looks"},
+    {Stage::after_look, "after look", "on codes, after the looks"},
+    {Stage::last, "last", "on the finished picture, after all other effects"},
 };
 
 auto find(EffectUses& uses, const PostEffect& effect) {
@@ -39,15 +49,28 @@ const PostEffect* post_effect_named(std::string_view name) {
 }
 
 EffectUse usual_use(const PostEffect& effect) {
-    EffectUse out{&effect, {}};
+    EffectUse out{&effect, {}, false};
     for (const lutlib::Parameter& parameter : effect.parameters) {
         out.values.push_back(lutlib::default_value(parameter));
     }
     return out;
 }
 
+std::uint32_t step_at(double seconds, double rate) {
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(seconds * rate)));
+}
+
 double strength_of(const EffectUse& use) {
     return std::get<double>(use.values.front());
+}
+
+Stage stage_of(const EffectUse& use) {
+    const bool is_moved = use.before_look && can_stand_before_look(*use.effect);
+    return is_moved ? Stage::before_look : use.effect->stage;
+}
+
+bool can_stand_before_look(const PostEffect& effect) {
+    return effect.stage == Stage::after_look;
 }
 
 const EffectUse* use_of(const EffectUses& uses, const PostEffect& effect) {

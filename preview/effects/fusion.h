@@ -7,9 +7,16 @@
 
 namespace preview {
 
+/// What of a frame decides which effects it draws.
+struct EffectSurroundings {
+    const Compare* compare = &compare_a;
+    bool is_display_encoded = false;
+    bool has_scene_look = false; ///< a look takes light, so that no codes reach it
+    bool has_depth = true;
+};
+
 /// Why an effect in use is left out of the frame; empty when it is drawn.
-std::string_view left_out_because(const EffectUse& use, const Compare& compare,
-                                  bool is_display_encoded);
+std::string_view left_out_because(const EffectUse& use, const EffectSurroundings& frame);
 
 /// Whether effects of a stage are among those drawn.
 bool has_stage(const EffectUses& drawn, Stage stage);

@@ -11,7 +11,8 @@ struct PostEffect;
 
 struct EffectUse {
     const PostEffect* effect = nullptr;
-    lutlib::Values values; ///< of its parameters
+    lutlib::Values values;    ///< of its parameters
+    bool before_look = false; ///< in place of after the looks, where its effect stands there
     friend bool operator==(const EffectUse&, const EffectUse&) = default;
 };
 

@@ -125,12 +125,37 @@ void resolve(Graph& graph, const FrameInputs& inputs, const FrameSettings& setti
     handles.hdr_maximum = resolved.maximum;
 }
 
+bool has_scene_look(const FrameInputs& inputs, const FrameSettings& settings) {
+    const auto is_before_tonemap = [](bool is_shown, const GpuLook* look) {
+        return is_shown && look != nullptr && look->place != 0;
+    };
+    return !settings.without.has(Effect::looks) &&
+           (is_before_tonemap(settings.compare->shows_a, inputs.look_a) ||
+            is_before_tonemap(settings.compare->shows_b, inputs.look_b));
+}
+
+/// What effects may be told of what the camera sees in a picture of `size`; of a picture nothing.
+EffectDepth seen_depth(const FrameInputs& inputs, const FrameSettings& settings, Size size,
+                       const FrameHandles& handles) {
+    if (inputs.scene == nullptr) {
+        return {};
+    }
+    const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
+    return {handles.surfaces.depth, settings.orbit.near_plane,
+            -camera_of(settings.orbit, aspect).projection[1][1]};
+}
+
 /// The effects in use that this frame draws; says why it leaves out the others.
-EffectUses drawn_effects(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings) {
+EffectUses drawn_effects(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
+                         const EffectDepth& depth) {
+    const EffectSurroundings frame{settings.compare, is_display_encoded(inputs),
+                                   has_scene_look(inputs, settings), static_cast<bool>(depth)};
     EffectUses drawn;
     for (const EffectUse& use : settings.effects) {
-        const std::string_view reason =
-            left_out_because(use, *settings.compare, is_display_encoded(inputs));
+        std::string_view reason = left_out_because(use, frame);
+        if (reason.empty() && use.effect->idle_because != nullptr && !settings.force_all) {
+            reason = use.effect->idle_because(use.values, depth, settings.output.height);
+        }
         if (reason.empty()) {
             drawn.push_back(use);
         } else {
@@ -145,12 +170,21 @@ EffectUses drawn_effects(Graph& graph, const FrameInputs& inputs, const FrameSet
     return drawn;
 }
 
+/// The effects that a frame draws, and what they are given.
+struct DrawnEffects {
+    EffectUses uses;
+    EffectInput given; ///< but for the picture
+};
+
 /// Lays the effects of a stage over the picture, one after the other.
-ImageHandle with_effects(Graph& graph, Stage stage, const EffectUses& drawn, ImageHandle picture,
-                         std::uint32_t width, FrameHandles& handles) {
-    for (const EffectUse& use : drawn) {
-        if (use.effect->stage == stage) {
-            picture = use.effect->add(graph, {picture, width}, use.values);
+ImageHandle with_effects(Graph& graph, Stage stage, const DrawnEffects& drawn, ImageHandle picture,
+                         FrameHandles& handles) {
+    EffectInput in = drawn.given;
+    for (const EffectUse& use : drawn.uses) {
+        if (stage_of(use) == stage) {
+            in.picture = picture;
+            in.depth = use.effect->needs_depth ? drawn.given.depth : EffectDepth{};
+            picture = use.effect->add(graph, in, use.values);
             handles.effects.push_back({use.effect, picture});
         }
     }
@@ -227,17 +261,35 @@ Finishing finishing_of(Graph& graph, const FrameInputs& inputs, const FrameSetti
     return out;
 }
 
+/// Turns the light of `finishing` into codes, for effects that change them before the looks.
+void tone_map(Graph& graph, Finishing& finishing) {
+    Finishing codes = finishing;
+    codes.look_a = codes.look_b = nullptr;
+    codes.settings.compare = &compare_a;
+    codes.settings.format = Format::rgba16f;
+    codes.settings.name = "tone map";
+    finishing.picture = add_finish(graph, codes).picture;
+    finishing.bloom = {};
+    finishing.settings.tonemap = nullptr;
+}
+
 /// Finishes handles.hdr into handles.graded, and lays over it what stands after the look.
-void finish(Graph& graph, const FrameSettings& settings, const EffectUses& drawn,
+void finish(Graph& graph, const FrameSettings& settings, const DrawnEffects& drawn,
             Finishing& finishing, FrameHandles& handles) {
-    const Fusion fusion = fusion_of(drawn, *settings.compare);
-    const std::uint32_t width = size_of(graph, finishing.picture).width;
+    const Fusion fusion = fusion_of(drawn.uses, *settings.compare);
     if (fusion.is_bloom_apart) {
         finishing.picture = with_effects(graph, Stage::before_tonemap, drawn,
-                                         add_bloom_composite(graph, finishing), width, handles);
+                                         add_bloom_composite(graph, finishing), handles);
         finishing.bloom = {};
     } else {
         graph.withhold("bloom composite", "the finishing pass does it: no effect reads its result");
+    }
+    if (has_stage(drawn.uses, Stage::before_look)) {
+        if (finishing.settings.tonemap != nullptr) {
+            tone_map(graph, finishing);
+        }
+        finishing.picture =
+            with_effects(graph, Stage::before_look, drawn, finishing.picture, handles);
     }
     finishing.settings.has_line = !fusion.is_line_apart;
     const bool dithers = settings.dithers && settings.format == Format::rgba8 &&
@@ -251,7 +303,8 @@ void finish(Graph& graph, const FrameSettings& settings, const EffectUses& drawn
     const Finished finished = add_finish(graph, finishing);
     handles.graded = finished.picture;
     handles.figures = finished.figures;
-    handles.output = with_effects(graph, Stage::after_look, drawn, handles.graded, width, handles);
+    handles.output = with_effects(graph, Stage::after_look, drawn, handles.graded, handles);
+    handles.output = with_effects(graph, Stage::last, drawn, handles.output, handles);
     if (dithers) {
         handles.output = add_dither(graph, handles.output);
     }
@@ -296,7 +349,7 @@ void show_effect(Graph& graph, const FrameSettings& settings, FrameHandles& hand
                                    [&](const EffectPicture& it) { return it.effect == &effect; });
     show(graph, settings, effect.name,
          made == handles.effects.end() ? ImageHandle{} : made->picture,
-         View{effect.stage == Stage::after_look ? "view_codes.comp" : "view_light.comp"}, handles);
+         View{is_on_codes(effect.stage) ? "view_codes.comp" : "view_light.comp"}, handles);
 }
 
 } // namespace
@@ -317,18 +370,21 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
         handles.lit = render_scene(graph, inputs, settings, size, handles);
     }
 
-    const EffectUses drawn = drawn_effects(graph, inputs, settings);
+    const EffectDepth depth = seen_depth(inputs, settings, size, handles);
+    DrawnEffects drawn{drawn_effects(graph, inputs, settings, depth), {}};
+    drawn.given.seconds = settings.seconds;
+    drawn.given.depth = depth;
     resolve(graph, inputs, settings, size, handles);
     if (settings.only_maximum && handles.hdr_maximum) {
         graph.present(handles.hdr_maximum);
         return handles;
     }
-    handles.hdr = with_effects(graph, Stage::hdr, drawn, handles.hdr,
-                               size_of(graph, handles.hdr).width, handles);
+    drawn.given.width = size_of(graph, handles.hdr).width;
+    handles.hdr = with_effects(graph, Stage::hdr, drawn, handles.hdr, handles);
 
     Finishing finishing = finishing_of(graph, inputs, settings);
     finishing.picture = handles.hdr;
-    finishing.bloom = bloom_of(graph, handles.hdr, inputs, settings, drawn);
+    finishing.bloom = bloom_of(graph, handles.hdr, inputs, settings, drawn.uses);
     handles.bloom = finishing.bloom.images[0];
     finish(graph, settings, drawn, finishing, handles);
 

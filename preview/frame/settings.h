@@ -27,6 +27,7 @@ struct GpuScene;
 struct FrameSettings : PictureSettings {
     Size output{1280, 720};
     Orbit orbit;
+    double seconds = 0; ///< the moment that animated effects show
     std::uint32_t shadow_size = 1024;
     Raster raster = Raster::hardware;
     VisibilityLimits visibility; ///< of Raster::compute

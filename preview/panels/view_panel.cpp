@@ -89,6 +89,10 @@ void effect_controls(Ui& ui) {
             is_changed |= parameter_control(ui, parameter, changed.values[i],
                                             "effect." + name + "." + std::string(parameter.name));
         }
+        if (can_stand_before_look(*effect)) {
+            is_changed |= ImGui::Checkbox("Before the looks", &changed.before_look);
+            mark(ui, "effect." + name + ".before-look");
+        }
         ImGui::PopID();
         if (is_changed) {
             put_use(uses, std::move(changed));

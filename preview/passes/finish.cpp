@@ -144,9 +144,9 @@ Finished add_finish(Graph& graph, const Finishing& finishing) {
     const ImageHandle target =
         graph.image("finished", {settings.format, side ? 2 * size.width : size.width, size.height});
 
-    Pass pass = graph.compute("finish", half     ? "finish_shared_half.comp"
-                                        : shared ? "finish_shared.comp"
-                                                 : "finish.comp");
+    Pass pass = graph.compute(settings.name, half     ? "finish_shared_half.comp"
+                                             : shared ? "finish_shared.comp"
+                                                      : "finish.comp");
     bind_finish(graph, pass, shown);
     out.picture = pass.write(target);
     figures = difference ? pass.modify(figures) : pass.write(figures);

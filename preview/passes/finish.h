@@ -18,6 +18,7 @@ struct FinishSettings {
     float heat_scale = 8; ///< dE2000 at the heat map's end, a multiple of 4 up to 96
     bool has_line = true; ///< draw the split line; else a pass of its own does, later
     Format format = Format::rgba8;
+    std::string_view name = "finish"; ///< of the pass
 };
 
 struct [[nodiscard]] Finished {

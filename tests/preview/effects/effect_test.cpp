@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 namespace preview {
@@ -22,9 +23,9 @@ TEST_P(EveryEffect, starts_with_a_strength_that_leaves_it_out_at_0_and_is_in_use
     EXPECT_EQ(effect.parameters[0].min, 0);
     EffectUse use = usual_use(effect);
     EXPECT_GT(strength_of(use), 0);
-    EXPECT_EQ(left_out_because(use, compare_a, false), "");
+    EXPECT_EQ(left_out_because(use, {}), "");
     use.values[0] = 0.0;
-    EXPECT_EQ(left_out_because(use, compare_a, false), "its strength is 0");
+    EXPECT_EQ(left_out_because(use, {}), "its strength is 0");
 }
 
 TEST_P(EveryEffect, has_numbers_and_toggles_with_usual_values_within_their_ranges) {
@@ -57,7 +58,11 @@ TEST_P(EveryEffect, reads_back_from_its_text) {
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryEffect,
                          testing::ValuesIn(post_effects().begin(), post_effects().end()),
-                         [](const auto& row) { return std::string(row.param->name); });
+                         [](const auto& row) {
+                             std::string name(row.param->name);
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
 
 TEST(EffectText, refuses_what_is_no_effect_parameter_or_value_and_says_what_there_is) {
     const auto complaint = [](const char* text) -> std::string {
@@ -68,7 +73,10 @@ TEST(EffectText, refuses_what_is_no_effect_parameter_or_value_and_says_what_ther
         }
         return "nothing";
     };
-    EXPECT_EQ(complaint("nothing"), "there is no effect 'nothing'; there are fxaa, vignette");
+    EXPECT_EQ(complaint("nothing").find("there is no effect 'nothing'; there are "), 0U);
+    for (const PostEffect* effect : post_effects()) {
+        EXPECT_NE(complaint("nothing").find(effect->name), std::string::npos);
+    }
     EXPECT_EQ(complaint("vignette:size=1"),
               "--effect vignette: 'size=1' sets no parameter; write NAME=VALUE with one of: "
               "strength, angle");
@@ -79,6 +87,18 @@ TEST(EffectText, refuses_what_is_no_effect_parameter_or_value_and_says_what_ther
               std::string::npos)
         << complaint("vignette:strength=2");
     EXPECT_NE(complaint("vignette:strength=much").find("takes a number"), std::string::npos);
+    EXPECT_NE(complaint("vignette:before-look=1").find("sets no parameter"), std::string::npos);
+    EXPECT_EQ(complaint("sharpen:size=1"),
+              "--effect sharpen: 'size=1' sets no parameter; write NAME=VALUE with one of: "
+              "strength, reach, before-look");
+}
+
+TEST(EffectText, puts_effects_on_codes_before_the_looks) {
+    const EffectUse usual = parse_use("sharpen"), moved = parse_use("sharpen:before-look=1");
+    EXPECT_EQ(stage_of(usual), Stage::after_look);
+    EXPECT_EQ(stage_of(moved), Stage::before_look);
+    EXPECT_EQ(parse_use(use_text(moved)), moved);
+    EXPECT_EQ(parse_use("sharpen:before-look=0"), usual);
 }
 
 TEST(EffectUses, have_each_effect_once_and_the_usual_ones_first) {
@@ -115,9 +135,26 @@ TEST(Fusion, keeps_the_finishing_pass_whole_wherever_no_effect_sits_between) {
 TEST(LeftOut, are_effects_on_light_from_display_encoded_pictures_and_on_pictures_from_heat_maps) {
     for (const PostEffect* effect : post_effects()) {
         const EffectUse use = usual_use(*effect);
-        const bool is_on_light = effect->stage != Stage::after_look;
-        EXPECT_EQ(left_out_because(use, compare_a, true).empty(), !is_on_light) << effect->name;
-        EXPECT_EQ(left_out_because(use, compare_difference, false).empty(), is_on_light)
+        const bool is_on_light = !is_on_codes(effect->stage);
+        EXPECT_EQ(left_out_because(use, {.is_display_encoded = true}).empty(), !is_on_light)
+            << effect->name;
+        EXPECT_EQ(left_out_because(use, {.compare = &compare_difference}).empty(), is_on_light)
+            << effect->name;
+    }
+    // Looks take what those before them make, and their difference can be shown.
+    const EffectUse moved = parse_use("sharpen:before-look=1");
+    EXPECT_EQ(left_out_because(moved, {.compare = &compare_difference}), "");
+    EXPECT_EQ(left_out_because(moved, {.is_display_encoded = true}), "");
+    EXPECT_EQ(left_out_because(moved, {.has_scene_look = true}),
+              "a look takes light: no codes reach it");
+    EXPECT_EQ(left_out_because(parse_use("sharpen"), {.has_scene_look = true}), "");
+}
+
+TEST(LeftOut, are_effects_that_need_depth_where_there_is_none) {
+    for (const PostEffect* effect : post_effects()) {
+        EXPECT_EQ(left_out_because(usual_use(*effect), {.has_depth = false}),
+                  effect->needs_depth ? "it needs the depth of a scene, and a picture has none"
+                                      : "")
             << effect->name;
     }
 }

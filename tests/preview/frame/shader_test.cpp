@@ -204,9 +204,9 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
         check(inputs, changed);
     }
     for (const PostEffect* effect : post_effects()) {
-        for (const Stage stage : {Stage::hdr, Stage::before_tonemap, Stage::after_look}) {
+        for (const StageInfo& row : stages()) {
             PostEffect placed = *effect;
-            placed.stage = stage;
+            placed.stage = row.stage;
             FrameSettings changed = settings();
             changed.compare = &compare_split;
             changed.effects = {usual_use(placed)};

@@ -42,7 +42,7 @@ struct Options {
     ConfigOptions config;
     double max_delta_e = 0, max_delta_itp = 0;
     double reference_white = lutlib::reference_white_nits;
-    bool fit = false, no_measure = false, explain = false, json = false;
+    bool fit = false, measure = false, no_measure = false, explain = false, json = false;
 };
 
 std::string gain_text(std::string_view what, const lutlib::ErrorStats& before,
@@ -93,6 +93,11 @@ std::optional<Promise> promise_of(const Options& o) {
         return Promise{"--max-delta-e", "dE2000", lutlib::Metric::delta_e_2000, o.max_delta_e};
     }
     return std::nullopt;
+}
+
+// Measuring takes ten times as long as the bake, so only who wants figures waits for them.
+bool is_measured(const Options& o) {
+    return o.measure || o.fit || promise_of(o) || (o.json && !o.no_measure);
 }
 
 std::string budget_text(const Options& o, const BudgetBake& found, const lutlib::Viewing& viewing) {
@@ -239,7 +244,7 @@ BakeReport make_report(const Options& o, const Verb& verb) {
     const lutlib::Transform exact = o.config.before(placement.around(look.exact()));
     tell_unused(verb, {interpolation_part(has_lattice(look)),
                        adaptation_part(placement),
-                       {"--reference-white", !o.no_measure, "nothing is measured"}});
+                       {"--reference-white", is_measured(o), "nothing is measured"}});
     out.title = look.title();
     out.interpolation = look.interpolation();
     out.domain = o.config.given() ? Domain{} : look.domain();
@@ -264,7 +269,7 @@ BakeReport make_report(const Options& o, const Verb& verb) {
         const Bake& bake = out.filled.bake;
         if (out.filled.result) {
             out.error = out.filled.result;
-        } else if (!o.no_measure) {
+        } else if (is_measured(o)) {
             out.error = measure_lookup(bake.picture, engine, bake.size, exact, breaks, out.viewing);
         }
     }
@@ -321,6 +326,10 @@ std::string report_text(const Options& o, const BakeReport& report) {
     if (o.config.given()) {
         out += "  encodings: " + o.config.text() +
                " is converted by OpenColorIO before the look, and nothing else\n";
+    }
+    if (!report.error) {
+        out += "  not measured: how far the lookup is from the look between the nodes; --measure "
+               "says it, and so does lutconv verify\n";
     }
     if (report.filled.result) {
         out += fit_text(report.filled, report.viewing);
@@ -394,9 +403,13 @@ Run declare_bake(Verb& verb) {
         .takes(Takes::above_zero)
         .excludes({"--max-delta-e"});
     declare_reference_white(verb, o->reference_white);
-    verb.add_flag("--no-measure", o->no_measure,
-                  "write the picture without measuring what the engine's lookup makes of it: a "
-                  "tenth of the time, for many looks in a row");
+    verb.add_flag(
+        "--measure", o->measure,
+        "say how far the engine's lookup is from the look: p99 and mean, and the largest "
+        "of all colours, in code values and dE2000; takes ten times as long. With --json, "
+        "--fit and --max-delta-e always");
+    verb.add_flag("--no-measure", o->no_measure, "leave that out with --json too")
+        .excludes({"--measure"});
     verb.add_flag("--explain", o->explain,
                   "list the parts of the look that a shader could do without a LUT");
     verb.add_flag("--json", o->json, "print the results as JSON");

@@ -160,16 +160,24 @@ TEST(Bake, says_that_no_combination_keeps_a_promise_and_which_comes_nearest) {
     EXPECT_FALSE(std::filesystem::exists(picture));
 }
 
-TEST(Bake, writes_the_same_picture_without_measuring_it_and_says_no_figures) {
+TEST(Bake, writes_the_same_picture_whether_it_measures_or_not_and_says_which) {
     const Folder folder;
     const std::string look = folder.write("look.cube", saturated_cube(9));
-    const Result measured = lutconv({"bake", look, "-o", folder.path("a.png")});
-    const Result unmeasured = lutconv({"bake", look, "-o", folder.path("b.png"), "--no-measure"});
+    const Result measured = lutconv({"bake", look, "-o", folder.path("a.png"), "--measure"});
+    const Result unmeasured = lutconv({"bake", look, "-o", folder.path("b.png")});
     EXPECT_EQ(unmeasured.exit_code, 0) << unmeasured.err;
     EXPECT_EQ(contents(folder.path("a.png")), contents(folder.path("b.png")));
-    EXPECT_NE(measured.out.find("dE2000"), std::string::npos);
+    EXPECT_NE(measured.out.find("dE2000: p99"), std::string::npos);
+    EXPECT_EQ(measured.out.find("not measured"), std::string::npos);
     EXPECT_EQ(unmeasured.out.find("dE2000"), std::string::npos);
     EXPECT_NE(unmeasured.out.find("rounding"), std::string::npos);
+    EXPECT_NE(unmeasured.out.find("not measured"), std::string::npos);
+    const auto figures = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"bake", look, "-o", folder.path("c.png"), "--json"});
+        return json::parse(lutconv(more).out);
+    };
+    EXPECT_TRUE(figures({}).contains("delta_e_2000"));
+    EXPECT_FALSE(figures({"--no-measure"}).contains("delta_e_2000"));
     EXPECT_EQ(
         lutconv({"bake", look, "-o", folder.path("c.png"), "--no-measure", "--fit"}).exit_code, 3);
 }

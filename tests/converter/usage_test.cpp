@@ -118,7 +118,7 @@ TEST(UnusedOptions, are_said_on_standard_error) {
     const std::string cube = folder.write("a.cube", saturated_cube(3)),
                       curve = folder.write("c.cube", "LUT_1D_SIZE 2\n0 0 0\n.5 .5 .5\n"),
                       out = folder.path("o.cube"), picture = folder.path("o.png");
-    ASSERT_EQ(lutconv({"bake", cube, "-o", picture, "--no-measure"}).exit_code, 0);
+    ASSERT_EQ(lutconv({"bake", cube, "-o", picture}).exit_code, 0);
     const std::vector<Row> lines{
         {{"convert", cube, "-o", out, "--bits", "8"}, "--bits"},
         {{"convert", curve, "-o", out, "--size", "5"}, "--size"},
@@ -129,8 +129,7 @@ TEST(UnusedOptions, are_said_on_standard_error) {
         {{"invert", curve, "-o", out, "--outside", "nearest"}, "--outside"},
         {{"invert", cube, "-o", out, "--encoding", "logc3"}, "--encoding"},
         {{"edit", cube, "-o", out, "--adaptation", "cat02"}, "--adaptation"},
-        {{"bake", cube, "-o", picture, "--no-measure", "--reference-white", "100"},
-         "--reference-white"},
+        {{"bake", cube, "-o", picture, "--reference-white", "100"}, "--reference-white"},
         {{"eval", curve, "--interpolation", "nearest", "0", "0", "0"}, "--interpolation"},
         {{"apply", cube, picture, "-o", picture, "--alpha", "straight"}, "--alpha"},
         {{"check", cube, "--tolerance", "1"}, "--tolerance"},

@@ -44,6 +44,7 @@ constexpr Promise promises[] = {
     {"--picture-encoding linear", 0, "linear is converted to srgb before the look"},
     {"--repair", 0, "repair"},
     {"--max-delta-e 1", 0, "stays within dE2000 1"},
+    {"--measure", 0, "dE2000: p99"},
     {"--compare diff", 0, "dE2000"},
     {"--probe", 0, "dE2000"},
     {"--explain -o x.png", 0, "shadow"},

@@ -42,6 +42,18 @@ EffectUses effects_of(const Options& options, bool is_scene) {
     return uses;
 }
 
+/// Puts the effect in use, with its focus on that texel of one side's picture.
+void focus_at(EffectUses& uses, const std::string& text, Size size) {
+    const ProbePlace place = parse_place("--focus-at", text, size);
+    const EffectUse* const given = use_of(uses, *post_effect_named("depth-of-field"));
+    EffectUse use = given != nullptr ? *given : usual_use(*post_effect_named("depth-of-field"));
+    const auto share = [](int texel, std::uint32_t length) { return (texel + 0.5) / length; };
+    set_number(use, "focus", 0);
+    set_number(use, "at-x", share(place.x, size.width));
+    set_number(use, "at-y", share(place.y, size.height));
+    put_use(uses, std::move(use));
+}
+
 /// The output's size: as asked for, and of a picture's proportions.
 Size output_size(const Options& options, const FrameSettings& settings, Size input_size) {
     const bool is_picture = input_size != Size{};
@@ -122,6 +134,10 @@ FrameSettings settings_of(const Options& options, Size input_size) {
     }
     settings.seconds = options.seconds;
     settings.output = output_size(options, settings, input_size);
+    if (!options.focus_at.empty()) {
+        focus_at(settings.effects, options.focus_at,
+                 picture_size(settings.output, *settings.compare));
+    }
     if (!options.probe.empty()) {
         settings.probe = parse_place("--probe", options.probe, settings.output);
     }

@@ -6,7 +6,7 @@
 
 namespace preview::effect {
 
-extern const PostEffect chromatic_aberration, film_grain, fxaa, glitch, paintbrush, pointillism,
-    sharpen, vaporwave, vignette;
+extern const PostEffect chromatic_aberration, depth_of_field, film_grain, fxaa, glitch, paintbrush,
+    pointillism, sharpen, vaporwave, vignette;
 
 } // namespace preview::effect

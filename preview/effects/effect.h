@@ -96,6 +96,9 @@ Stage stage_of(const EffectUse& use);
 /// Whether that choice is there: of effects after the looks.
 bool can_stand_before_look(const PostEffect& effect);
 
+/// Sets a parameter, which must be there.
+void set_number(EffectUse& use, std::string_view parameter, double value);
+
 /// The use of an effect; null when there is none.
 const EffectUse* use_of(const EffectUses& uses, const PostEffect& effect);
 /// Replaces the use of that effect, or adds one behind the others.

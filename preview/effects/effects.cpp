@@ -10,6 +10,7 @@ namespace preview {
 namespace {
 
 constexpr auto table = std::to_array<const PostEffect*>({
+    &effect::depth_of_field,
     &effect::chromatic_aberration,
     &effect::vignette,
     &effect::sharpen,
@@ -67,6 +68,12 @@ double strength_of(const EffectUse& use) {
 Stage stage_of(const EffectUse& use) {
     const bool is_moved = use.before_look && can_stand_before_look(*use.effect);
     return is_moved ? Stage::before_look : use.effect->stage;
+}
+
+void set_number(EffectUse& use, std::string_view parameter, double value) {
+    const std::span<const lutlib::Parameter> parameters = use.effect->parameters;
+    const lutlib::Parameter* const found = lutlib::find_named(parameters, parameter);
+    use.values[static_cast<std::size_t>(found - parameters.data())] = value;
 }
 
 bool can_stand_before_look(const PostEffect& effect) {

@@ -201,6 +201,17 @@ TEST(Options, switch_off_every_part_of_the_frame) {
     }
 }
 
+TEST(Options, focus_on_a_texel_of_one_sides_picture) {
+    const FrameSettings given =
+        settings("--focus-at 24,12 --effect depth-of-field:aperture=4,focus=3 --size 100x50");
+    EXPECT_EQ(use_text(given.effects.back()),
+              "depth-of-field:strength=1,focus=0,at-x=0.245,at-y=0.25,aperture=4,sensor=24,"
+              "largest=40");
+    EXPECT_EQ(settings("--focus-at 24,12 --size 100x50").effects.back().effect,
+              post_effect_named("depth-of-field"));
+    EXPECT_THROW(settings("--focus-at 60,12 --size 100x50 --compare side"), lutlib::UsageError);
+}
+
 TEST(Options, show_every_intermediate_and_every_effect) {
     for (const DebugView& view : debug_views()) {
         EXPECT_EQ(settings("--debug-view " + std::string(view.name)).view, &view);

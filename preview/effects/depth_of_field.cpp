@@ -1,0 +1,178 @@
+// The blur of what a lens is not focused on.
+#include "preview/effects/all.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace preview::effect {
+namespace {
+
+constexpr lutlib::Parameter parameters[] = {
+    {.name = "strength", .flag = "strength", .label = "Strength", .fallback = 1},
+    {.name = "focus",
+     .flag = "focus",
+     .label = "Distance of the focus; 0: of what is at the point",
+     .unit = "m",
+     .max = 1000,
+     .fallback = 0},
+    {.name = "at-x", .flag = "at-x", .label = "Point from the left, of the width", .fallback = 0.5},
+    {.name = "at-y", .flag = "at-y", .label = "Point from the top, of the height", .fallback = 0.5},
+    {.name = "aperture",
+     .flag = "aperture",
+     .label = "Aperture f/N",
+     .min = 0.5,
+     .max = 64,
+     .fallback = 0.7},
+    {.name = "sensor",
+     .flag = "sensor",
+     .label = "Height of the sensor",
+     .unit = "mm",
+     .min = 1,
+     .max = 200,
+     .fallback = 24},
+    {.name = "largest",
+     .flag = "largest",
+     .label = "Largest circle",
+     .unit = "thousandths of the height",
+     .min = 1,
+     .max = 100,
+     .fallback = 40},
+};
+
+/// shaders/common/lens.glsl
+struct Lens {
+    float scale, focal, near_plane, focus, largest;
+    std::int32_t place_x = 0, place_y = 0;
+};
+
+Lens lens_of(const lutlib::Values& values, const EffectDepth& depth, std::uint32_t rows) {
+    const float sensor = number_at(values, 5) / 1000;
+    Lens out{};
+    out.focal = sensor / 2 * depth.focal;
+    out.scale = number_at(values, 0) * static_cast<float>(rows) / 2 * out.focal * out.focal /
+                (number_at(values, 4) * sensor);
+    out.near_plane = depth.near_plane;
+    out.focus = number_at(values, 1) > 0 ? 1 / number_at(values, 1) : -1;
+    out.largest = number_at(values, 6) / 1000 * static_cast<float>(rows) / 2;
+    return out;
+}
+
+/// Of any texel that the camera may see, in texels.
+float largest_radius(const Lens& lens) {
+    const float nearest = 1 / lens.near_plane, most = std::min(0.5F / lens.focal, nearest);
+    const auto of_focus = [&](float focus) {
+        return lens.scale / (1 - lens.focal * focus) * std::max(focus, nearest - focus);
+    };
+    const float focus = std::clamp(lens.focus, 0.0F, most);
+    return std::min(lens.largest,
+                    lens.focus < 0 ? std::max(of_focus(0), of_focus(most)) : of_focus(focus));
+}
+
+std::string_view idle_because(const lutlib::Values& values, const EffectDepth& depth,
+                              std::uint32_t rows) {
+    return largest_radius(lens_of(values, depth, rows)) < 0.25F
+               ? "its largest circle is under half a pixel"
+               : "";
+}
+
+/// shaders/common/disc.glsl
+std::vector<std::array<float, 4>> disc_points() {
+    std::vector<std::array<float, 4>> out{{0, 0, 0, 0}};
+    for (int ring = 1; ring <= 3; ++ring) {
+        const double radius = 2.0 / 7 * ring;
+        for (int i = 0; i < 8 * ring; ++i) {
+            const double turn = 2 * std::numbers::pi * (i + 0.5 * (ring % 2)) / (8 * ring);
+            out.push_back({static_cast<float>(radius * std::cos(turn)),
+                           static_cast<float>(radius * std::sin(turn)), static_cast<float>(radius),
+                           0});
+        }
+    }
+    return out;
+}
+
+struct Halves {
+    ImageHandle rest, near, near_radii, tiles;
+};
+
+Halves add_halves(Graph& graph, const EffectInput& in, const Lens& lens) {
+    const ImageDesc desc = graph.image_desc(in.picture);
+    const std::uint32_t width = (desc.width + 1) / 2, height = (desc.height + 1) / 2;
+    Pass pass = graph.compute("depth-of-field halves", "depth_of_field_halves.comp");
+    pass.read(in.picture);
+    pass.read(in.depth.image);
+    Halves out;
+    out.rest = pass.write(graph.image("not before the focus", {Format::rgba16f, width, height}));
+    out.near = pass.write(graph.image("before the focus", {Format::rgba16f, width, height}));
+    out.near_radii =
+        pass.write(graph.image("circles before the focus", {Format::r32f, width, height}));
+    out.tiles = pass.write(
+        graph.image("largest circles", {Format::r32f, (width + 15) / 16, (height + 15) / 16}));
+    pass.push(lens);
+    pass.dispatch_over(width, height);
+    return out;
+}
+
+/// Replaces what is to be blurred by what is.
+void blur(Graph& graph, Halves& halves, float largest) {
+    const ImageDesc desc = graph.image_desc(halves.rest), tiles = graph.image_desc(halves.tiles);
+    Pass pass = graph.compute("depth-of-field blur", "depth_of_field_blur.comp");
+    pass.read(halves.rest);
+    pass.read(halves.near);
+    pass.read(halves.near_radii);
+    pass.read(halves.tiles);
+    const std::vector<std::array<float, 4>> points = disc_points();
+    pass.storage(graph.data("disc", std::as_bytes(std::span(points))));
+    const ImageHandle rest = pass.write(graph.image("not before the focus, blurred", desc));
+    const ImageHandle near = pass.write(graph.image("before the focus, blurred", desc));
+    const ImageHandle reaches = pass.write(graph.image("reaches", tiles));
+    pass.push(largest / 2);
+    pass.dispatch_over(desc.width, desc.height);
+
+    Pass fill = graph.compute("depth-of-field fill", "depth_of_field_fill.comp");
+    fill.read(rest);
+    fill.read(near);
+    fill.read(reaches);
+    halves.rest = fill.write(graph.image("not before the focus, filled", desc));
+    halves.near = fill.write(graph.image("before the focus, filled", desc));
+    fill.dispatch_over(desc.width, desc.height);
+}
+
+ImageHandle add(Graph& graph, const EffectInput& in, const lutlib::Values& values) {
+    const ImageDesc desc = graph.image_desc(in.picture);
+    Lens lens = lens_of(values, in.depth, desc.height);
+    const auto texel = [](float share, std::uint32_t length) {
+        return std::min(static_cast<std::int32_t>(share * static_cast<float>(length)),
+                        static_cast<std::int32_t>(length) - 1);
+    };
+    lens.place_x = texel(number_at(values, 2), desc.width);
+    lens.place_y = texel(number_at(values, 3), desc.height);
+    Halves halves = add_halves(graph, in, lens);
+    blur(graph, halves, lens.largest);
+    Pass pass = graph.compute("depth-of-field", "depth_of_field.comp");
+    pass.read(in.picture);
+    pass.read(in.depth.image);
+    pass.read(halves.rest);
+    pass.sample(halves.near, Sampler::linear_clamp);
+    const ImageHandle out = pass.write(graph.image("focused", desc));
+    pass.push(lens);
+    pass.dispatch_over(desc.width, desc.height, many_each);
+    return out;
+}
+
+} // namespace
+
+const PostEffect depth_of_field{
+    .name = "depth-of-field",
+    .label = "Depth of field",
+    .help = "Blurs what a lens with this aperture and sensor is not focused on",
+    .reference = "thin lens: circle on the sensor f/N f/(z_f - f) |1 - z_f/z|; layers apart after "
+                 "Jimenez 2014, Next Generation Post Processing in Call of Duty",
+    .stage = Stage::hdr,
+    .parameters = parameters,
+    .needs_depth = true,
+    .idle_because = idle_because,
+    .add = add};
+
+} // namespace preview::effect

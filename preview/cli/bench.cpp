@@ -87,6 +87,7 @@ int main(int argc, char** argv) {
     app.add_option("--height", options.height)->check(CLI::Range(16U, 16384U));
     app.add_option("--frames", options.frames, "Frames that are measured")
         ->check(CLI::Range(1, 100000));
+    app.add_flag("--effects", options.only_effects, "Time the effects alone, beside a copy");
     app.add_option("--device", options.device, "Part of a GPU's name");
     app.add_flag("--json", options.json, "Print JSON instead of the table");
     app.add_option("-o,--output", options.output, "Also write the JSON to this file");

@@ -51,4 +51,22 @@ std::vector<std::uint8_t> codes_of(const std::vector<float>& texels) {
     return codes;
 }
 
+std::vector<float> picture_depths(Size size) {
+    constexpr std::uint32_t across = 8; // columns of discs
+    const float field = static_cast<float>(size.width) / static_cast<float>(across);
+    std::vector<float> out;
+    out.reserve(std::size_t{size.width} * size.height);
+    for (std::uint32_t y = 0; y < size.height; ++y) {
+        for (std::uint32_t x = 0; x < size.width; ++x) {
+            const float u = static_cast<float>(x) / field, v = static_cast<float>(y) / field;
+            const float dx = u - std::floor(u) - 0.5F, dy = v - std::floor(v) - 0.5F;
+            const bool is_disc = dx * dx + dy * dy < 0.24F;
+            const float place = std::fmod(3 * std::floor(u) + 5 * std::floor(v), 8.0F) / 8;
+            const float z = 0.5F * std::exp2(4 * place);
+            out.push_back(is_disc ? 1 - depths_near_plane / z : 1);
+        }
+    }
+    return out;
+}
+
 } // namespace preview

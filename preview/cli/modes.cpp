@@ -5,11 +5,13 @@
 #include "preview/cli/look_options.h"
 #include "preview/cli/option_listing.h"
 #include "preview/cli/picture_file.h"
+#include "preview/cli/sequence.h"
 #include "preview/frame/shown.h"
 #include "preview/look/gpu_look.h"
 #include "preview/look/look_file.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -118,10 +120,10 @@ FrameInputs Rendering::inputs() const {
     return out;
 }
 
-void write(const Options& options, const Rendering& rendering, const Rendered& rendered) {
+void write(const std::string& path, const Rendering& rendering, const Rendered& rendered) {
     const FrameSettings& settings = rendering.settings;
     if (settings.keep_hdr) {
-        write_light(options.output, rendered, rendering.file);
+        write_light(path, rendered, rendering.file);
         return;
     }
     std::vector<float> alpha;
@@ -129,7 +131,7 @@ void write(const Options& options, const Rendering& rendering, const Rendered& r
         settings.compare != &compare_difference) {
         alpha = alpha_for(*rendering.shown->picture, rendered.size);
     }
-    write_picture(options.output, rendered, rendering.file,
+    write_picture(path, rendered, rendering.file,
                   settings.shows_numbers ? Content::numbers : Content::codes, alpha);
 }
 
@@ -151,14 +153,56 @@ void render_once(const Options& options, const Rendering& rendering, Executor& e
                                     : "");
     }
     if (!options.output.empty()) {
-        write(options, rendering, rendered);
+        write(options.output, rendering, rendered);
     }
+}
+
+/// The frame at a moment. The scene's meshes, which the GPU has, are the same at every moment.
+void render_moment(const Options& options, const Rendering& rendering, Executor& executor,
+                   double seconds, const std::string& path) {
+    FrameSettings settings = rendering.settings;
+    settings.seconds = seconds;
+    FrameInputs inputs = rendering.inputs();
+    std::optional<Scene> scene;
+    std::vector<PointLight> lights;
+    Surroundings surroundings = rendering.surroundings;
+    surroundings.seconds = seconds;
+    inputs.surroundings = &surroundings;
+    if (const SceneInfo* const info = scene_named(options.input)) {
+        scene = scene_at(*info, seconds);
+        lights = lights_of(options, scene);
+        inputs.scene = &*scene;
+        inputs.lights = &lights;
+    }
+    write(path, rendering, render_frame(executor, inputs, settings));
+}
+
+void render_sequence(const Options& options, const Rendering& rendering, Executor& executor,
+                     const FrameRange& range) {
+    int written = 0;
+    for (int frame = range.first; frame <= range.last; ++frame) {
+        const std::string path = frame_path(options.output, frame);
+        if (!options.resume || !std::filesystem::exists(path)) {
+            render_moment(options, rendering, executor,
+                          options.seconds + frame / options.frame_rate, path);
+            ++written;
+        }
+    }
+    const int there = range.last - range.first + 1 - written;
+    std::fprintf(stderr, "lutpreview: %d frames written%s\n", written,
+                 there > 0 ? (", " + std::to_string(there) + " were there").c_str() : "");
 }
 
 /// Beside a picture on standard output there is room for people's eyes only.
 void print(const Options& options, const Report& report) {
     std::fputs((options.json ? to_json(report) : to_text(report)).c_str(),
                options.output == lutlib::io::standard_stream ? stderr : stdout);
+}
+
+void print_validation(const gpu::Device& device) {
+    for (const std::string& message : device.validation_messages()) {
+        std::fprintf(stderr, "lutpreview: %s\n", message.c_str());
+    }
 }
 
 } // namespace
@@ -197,6 +241,14 @@ void render(const Options& options) {
     if (options.output.empty() && !prints) {
         throw lutlib::UsageError("--headless needs -o FILE, --timings, --probe or --explain");
     }
+    const FramesAsked frames = parse_frames(options.frames);
+    if (frames.range) {
+        frame_path(options.output, 0);
+        if (prints) {
+            throw lutlib::UsageError("a sequence of --frames prints nothing: drop --explain, "
+                                     "--timings and --probe, or the range");
+        }
+    }
     const Rendering rendering(options);
     if (options.json && !prints && rendering.settings.compare != &compare_difference) {
         throw lutlib::UsageError(
@@ -204,20 +256,23 @@ void render(const Options& options) {
             "--compare diff");
     }
     Executor executor(rendering.device);
+    if (frames.range) {
+        render_sequence(options, rendering, executor, *frames.range);
+        print_validation(rendering.device);
+        return;
+    }
     Report report;
     if (!options.output.empty() || options.explain || rendering.settings.probe) {
         render_once(options, rendering, executor, report);
     }
     if (options.timings) {
         report.timings =
-            time_frames(executor, rendering.inputs(), rendering.settings, options.frames);
+            time_frames(executor, rendering.inputs(), rendering.settings, frames.count);
         report.device = rendering.device.name();
         report.size = rendering.settings.output;
     }
     print(options, report);
-    for (const std::string& message : rendering.device.validation_messages()) {
-        std::fprintf(stderr, "lutpreview: %s\n", message.c_str());
-    }
+    print_validation(rendering.device);
 }
 
 void run(const Options& options) {

@@ -51,7 +51,9 @@ struct Options {
     CubeView cube;
     bool headless = false, explain = false, timings = false, json = false, list = false;
     bool validate = false;
-    int frames = 50;
+    std::string frames = "50"; ///< parse_frames()
+    double frame_rate = 24;    ///< of a sequence, in 1/s
+    bool resume = false;
     std::string output, device;
     std::string depth;     ///< of the output; empty: as files of its name usually have
     bool exr_light = true; ///< files that hold light get that before the tone map

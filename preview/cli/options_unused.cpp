@@ -1,6 +1,7 @@
 #include "preview/cli/options_unused.h"
 
 #include "lutlib/named.h"
+#include "preview/cli/sequence.h"
 #include "preview/look/cube_settings.h"
 #include "preview/scene/scene.h"
 
@@ -36,7 +37,7 @@ std::vector<std::string> cube_flags() {
 }
 
 std::vector<Rule> rules_of(const Options& o) {
-    const bool window = opens_window(o),
+    const bool window = opens_window(o), is_sequence = parse_frames(o.frames).range.has_value(),
                is_scene = lutlib::find_named(scenes(), o.input) != nullptr;
     return {
         {{"--engine-a", "--look-input-a", "--look-output-a"},
@@ -49,7 +50,8 @@ std::vector<Rule> rules_of(const Options& o) {
         {{"--scope-size", "--scope-side", "--scope-scale"},
          o.frame.scope != nullptr || window,
          "no --scope is shown"},
-        {{"--frames"}, o.timings, "--timings takes it"},
+        {{"--frames"}, o.timings || is_sequence, "--timings takes it"},
+        {{"--frame-rate", "--resume"}, is_sequence, "--frames names no sequence, as 0-119 does"},
         {{"--depth"}, !o.output.empty(), "no picture is written; -o names one"},
         {{"--exr"}, !is_scene || window, "a built-in scene is no file"},
         {{"--font", "--places"}, window, "no window opens"},

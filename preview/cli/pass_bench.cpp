@@ -2,6 +2,7 @@
 
 #include "lutlib/error.h"
 #include "preview/cli/bench_pictures.h"
+#include "preview/effects/effect.h"
 #include "preview/look/gpu_look.h"
 #include "preview/look/look_bake.h"
 #include "preview/passes/copy.h"
@@ -57,13 +58,23 @@ Bench::Bench(const gpu::Device& device, const BenchOptions& options)
     display_.emplace(gpu::make_image(device, {Format::rgba8, size_.width, size_.height},
                                      std::as_bytes(std::span(codes))));
     hdr_.emplace(half_image(picture_texels(size_, 40)));
+    const std::vector<float> depth = picture_depths(size_);
+    depth_.emplace(gpu::make_image(device, {Format::r32f, size_.width, size_.height},
+                                   std::as_bytes(std::span(depth))));
 }
 
 void Bench::run() {
+    if (options_.only_effects) {
+        copy_ = time_copy("rgba16f to rgba8", *hdr_);
+        add(copy_, copy_);
+        time_effects();
+        return;
+    }
     time_lookups("rgba8", *display_);
     time_lookups("rgba16f", *hdr_);
     time_finishing();
     time_scopes();
+    time_effects();
     time_sample();
 }
 
@@ -126,16 +137,17 @@ void Bench::add(PassRow row, const PassRow& copy) {
     rows_.push_back(std::move(row));
 }
 
+PassRow Bench::time_copy(const std::string& name, const gpu::Image& image) {
+    return measure("copy", name, "copy", [&](Graph& graph) {
+        return add_copy(graph, graph.import("picture", image, image.desc()), Format::rgba8);
+    });
+}
+
 /// Every lookup from a picture of one format into 8 bits, beside the copy that does no more.
 void Bench::time_lookups(const std::string& format, const gpu::Image& image) {
     const std::string both = format + " to rgba8";
     const auto picture = [&](Graph& graph) { return graph.import("picture", image, image.desc()); };
-    const auto time_copy = [&](const std::string& name) {
-        return measure("copy", name, "copy", [&](Graph& graph) {
-            return add_copy(graph, picture(graph), Format::rgba8);
-        });
-    };
-    copy_ = time_copy(both);
+    copy_ = time_copy(both, image);
     add(copy_, copy_);
     for (const GpuLookup& lookup : gpu_lookups()) {
         if (lookup.source == GpuLookup::Source::none) {
@@ -156,7 +168,7 @@ void Bench::time_lookups(const std::string& format, const gpu::Image& image) {
         }
     }
     // Again after all the others: the clocks may have moved.
-    add(time_copy(both + ", again"), copy_);
+    add(time_copy(both + ", again", image), copy_);
 }
 
 void Bench::time_finishing() {
@@ -206,6 +218,37 @@ void Bench::time_scopes() {
         PassRow drawn = measure("scope", name + ", drawn", "draw " + name, declare);
         drawn.bytes = std::uint64_t{4} * scope.width * scope.height;
         add(std::move(drawn), copy_);
+    }
+}
+
+/// Each as it is usually used, all its passes, over the picture that its stage has.
+void Bench::time_effects() {
+    for (const PostEffect* effect : post_effects()) {
+        EffectUse use = usual_use(*effect);
+        if (effect->idle_because != nullptr) {
+            set_number(use, "focus", 2); // metres: with much before it and much behind
+        }
+        const gpu::Image& picture = is_on_codes(effect->stage) ? *display_ : *hdr_;
+        const auto declare = [&](Graph& graph) {
+            EffectInput in{graph.import("picture", picture, picture.desc()), size_.width, 0.5};
+            if (effect->needs_depth) {
+                in.depth = {graph.import("depth", *depth_, depth_->desc()), depths_near_plane,
+                            2.75F};
+            }
+            return effect->add(graph, in, use.values);
+        };
+        Graph once, graph;
+        once.present(declare(once));
+        for (int repeat = 0; repeat < repeats; ++repeat) {
+            graph.present(declare(graph));
+        }
+        PassRow row;
+        row.group = "effect";
+        row.name = std::string(effect->name);
+        row.bytes = bytes_moved(once);
+        row.milliseconds = time(
+            graph, [](const std::string&) { return true; }, repeats);
+        add(std::move(row), copy_);
     }
 }
 

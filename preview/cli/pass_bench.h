@@ -17,7 +17,7 @@ namespace preview {
 struct BenchOptions {
     std::uint32_t width = 3840, height = 2160;
     int frames = 60;
-    bool json = false;
+    bool json = false, only_effects = false;
     std::string device, output;
 };
 
@@ -53,9 +53,11 @@ class Bench {
     PassRow measure(std::string group, std::string name, const std::string& pass,
                     const std::function<ImageHandle(Graph&)>& declare);
     void add(PassRow row, const PassRow& copy);
+    PassRow time_copy(const std::string& name, const gpu::Image& image);
     void time_lookups(const std::string& format, const gpu::Image& image);
     void time_finishing();
     void time_scopes();
+    void time_effects();
     void time_sample();
     void time_frame(std::string name, const FrameInputs& inputs, const FrameSettings& settings);
 
@@ -63,7 +65,7 @@ class Bench {
     const BenchOptions& options_;
     Executor executor_;
     Size size_;
-    std::optional<gpu::Image> display_, hdr_;
+    std::optional<gpu::Image> display_, hdr_, depth_;
     PassRow copy_;
     std::vector<PassRow> rows_;
     Timings frame_; ///< of the last row of a frame

@@ -65,16 +65,18 @@ TEST(Options, that_change_nothing_in_a_run_are_said) {
     const std::string run = "--headless -o x.png --b look.cube ";
     for (const char* const flag :
          {"--engine-a unity", "--look-input-a srgb", "--cube-nodes 5", "--scope-size 64x64",
-          "--scope-side a", "--frames 5", "--exr picture", "--font x.ttf"}) {
+          "--scope-side a", "--frames 5", "--frame-rate 30", "--resume", "--exr picture",
+          "--font x.ttf"}) {
         const std::vector<std::string> lines = said(run + flag);
         ASSERT_EQ(lines.size(), 1U) << flag;
-        const std::string option(flag, std::string(flag).find(' '));
+        const std::string text(flag), option = text.substr(0, text.find(' '));
         EXPECT_TRUE(lines[0].starts_with(option + " changes nothing here: ")) << lines[0];
     }
     EXPECT_EQ(said("--explain --depth float").size(), 1U);
     EXPECT_TRUE(said(run + "--engine unity --scope waveform --scope-size 64x64 --depth uint8 "
                            "--timings --frames 3")
                     .empty());
+    EXPECT_TRUE(said("--headless -o x.##.png --frames 0-3 --frame-rate 30 --resume").empty());
     EXPECT_TRUE(said("--engine-a unity --cube-nodes 5 --font x.ttf").empty()); // in the window
 }
 

@@ -131,6 +131,57 @@ TEST_F(EffectFrameTest, before_the_look_an_effect_changes_what_the_look_takes) {
     }
 }
 
+/// The mean and the largest mean of a step of what differs from frame to frame, over a second and a
+/// quarter of 24 frames, the camera panning by 3 degrees.
+struct Steps {
+    double mean = 0, most = 0;
+};
+
+TEST_F(EffectFrameTest, over_a_pan_of_30_frames_no_effect_pops) {
+    const auto steps_with = [&](const EffectUses& uses) {
+        FrameSettings settings = small_settings();
+        settings.effects = uses;
+        std::vector<float> before;
+        Steps out;
+        for (int frame = 0; frame < 30; ++frame) {
+            settings.seconds = frame / 24.0;
+            settings.orbit.azimuth =
+                loaded().scene.orbit.azimuth + 0.1F * static_cast<float>(frame);
+            const std::vector<float> now = rendered(settings).values;
+            double sum = 0;
+            for (std::size_t at = 0; at < before.size(); ++at) {
+                sum += static_cast<double>(std::abs(now[at] - before[at]));
+            }
+            if (!before.empty()) {
+                const double step = sum / (0.75 * static_cast<double>(now.size()));
+                out.mean += step / 29;
+                out.most = std::max(out.most, step);
+            }
+            before = now;
+        }
+        return out;
+    };
+    const Steps plain = steps_with({});
+    // Beyond what the pan itself changes, in codes: noise and glitches change by their nature with
+    // each step of their own time, by no more in any than their strength; all others go smoothly.
+    struct Bound {
+        const char* use;
+        double most;
+        double over_mean; ///< the largest step, of the mean one
+    };
+    for (const Bound& bound :
+         {Bound{"film-grain", 0.06, 1.2}, Bound{"glitch", 0.08, 4}, Bound{"paintbrush", 0.015, 3},
+          Bound{"vaporwave", 0.003, 2}, Bound{"pointillism", 0.003, 2},
+          Bound{"depth-of-field:aperture=0.5,sensor=100", 0.003, 2}}) {
+        const Steps steps = steps_with({parse_use(bound.use)});
+        RecordProperty(bound.use, std::to_string(steps.most) + " of mean " +
+                                      std::to_string(steps.mean) + ", without " +
+                                      std::to_string(plain.most));
+        EXPECT_LE(steps.most, plain.most + bound.most) << bound.use;
+        EXPECT_LE(steps.most, bound.over_mean * steps.mean) << bound.use;
+    }
+}
+
 TEST_F(EffectFrameTest, of_a_picture_no_effect_gets_a_depth) {
     const GpuPicture picture(device(), {64, 36}, std::vector<float>(4UL * 64 * 36, 0.5F), true);
     FrameInputs inputs;

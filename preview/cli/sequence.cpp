@@ -1,0 +1,54 @@
+#include "preview/cli/sequence.h"
+
+#include "lutlib/error.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace preview {
+
+namespace {
+
+constexpr int most_frames = 100000;
+
+bool reads(const char* begin, const char* end, int& value) {
+    const auto read = std::from_chars(begin, end, value);
+    return read.ec == std::errc{} && read.ptr == end;
+}
+
+} // namespace
+
+FramesAsked parse_frames(const std::string& text) {
+    FramesAsked out;
+    const char* const begin = text.data();
+    const char* const end = begin + text.size();
+    if (reads(begin, end, out.count) && out.count >= 1 && out.count <= most_frames) {
+        return out;
+    }
+    const std::size_t dash = text.find('-');
+    FrameRange range;
+    if (dash != std::string::npos && reads(begin, begin + dash, range.first) &&
+        reads(begin + dash + 1, end, range.last) && range.first >= 0 && range.first <= range.last &&
+        range.last <= most_frames) {
+        out.range = range;
+        return out;
+    }
+    throw lutlib::UsageError(fmt::format("--frames needs a count of 1 to {0}, or FIRST-LAST within "
+                                         "0 to {0}, got '{1}'",
+                                         most_frames, text));
+}
+
+std::string frame_path(const std::string& pattern, int frame) {
+    const std::size_t last = pattern.find_last_of('#');
+    if (last == std::string::npos) {
+        throw lutlib::UsageError("--frames FIRST-LAST writes a file for each frame: put #### for "
+                                 "its number into -o, as in frame.####.png");
+    }
+    const std::size_t before = pattern.find_last_not_of('#', last);
+    const std::size_t first = before == std::string::npos ? 0 : before + 1;
+    return fmt::format("{}{:0{}}{}", pattern.substr(0, first), frame, last + 1 - first,
+                       pattern.substr(last + 1));
+}
+
+} // namespace preview

@@ -1,0 +1,27 @@
+// Which frames a sequence has, and their files.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace preview {
+
+/// Both are included.
+struct FrameRange {
+    int first = 0, last = 0;
+};
+
+/// What --frames says: a count for --timings, or a range for a sequence of files.
+struct FramesAsked {
+    int count = 0;
+    std::optional<FrameRange> range;
+};
+
+/// "50", or "0-119". Throws lutlib::UsageError.
+FramesAsked parse_frames(const std::string& text);
+
+/// The file of a frame: its number in place of the last run of #, with zeros before it. Throws
+/// lutlib::UsageError for a pattern without #.
+std::string frame_path(const std::string& pattern, int frame);
+
+} // namespace preview

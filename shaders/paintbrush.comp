@@ -40,11 +40,13 @@ void main() {
     ivec2 first = ivec2(int(gl_WorkGroupID.x) % groups_a_side, gl_WorkGroupID.y) * 16;
     ivec2 low = ivec2(floor((vec2(first) + 0.5) / push.cell));
     ivec2 strokes = ivec2(push.columns, textureSize(flows, 0).y);
-    for (int i = int(gl_LocalInvocationIndex); i < side_cells * side_cells; i += 256) {
-        ivec2 stroke = min(low + ivec2(i % side_cells, i / side_cells), strokes - 1);
+    ivec2 met = ivec2(floor((vec2(first) + 15.5) / push.cell)) - low + 1 + 2 * stroke_reach;
+    for (int i = int(gl_LocalInvocationIndex); i < met.x * met.y; i += 256) {
+        ivec2 place = ivec2(i % met.x, i / met.x);
+        ivec2 stroke = min(low + place, strokes - 1);
         stroke.x += side * push.columns;
-        kept_flows[i] = texelFetch(flows, stroke, 0);
-        kept_colors[i] = texelFetch(colors, stroke, 0);
+        kept_flows[place.y * side_cells + place.x] = texelFetch(flows, stroke, 0);
+        kept_colors[place.y * side_cells + place.x] = texelFetch(colors, stroke, 0);
     }
     barrier();
     ivec2 own = first + ivec2(gl_LocalInvocationID.xy);
@@ -62,12 +64,15 @@ void main() {
             ivec2 other = cell + ivec2(x, y);
             ivec2 kept = other - low + stroke_reach;
             vec4 flow = kept_flows[kept.y * side_cells + kept.x];
-            vec4 color = kept_colors[kept.y * side_cells + kept.x];
             vec2 from = place - vec2(other) - flow.zw;
             vec2 on_stroke = vec2(dot(from, flow.xy), from.y * flow.x - from.x * flow.y) * scale;
-            float inside = clamp((1.0 - length(on_stroke) + fray) * 3.0, 0.0, 1.0);
-            // What lies higher counts so much more that it hides what it lies on.
-            float weight = inside * inside * (3.0 - 2.0 * inside) * exp2(14.0 * color.a);
+            float distance_squared = dot(on_stroke, on_stroke);
+            if (distance_squared >= (1.0 + fray) * (1.0 + fray)) {
+                continue;
+            }
+            vec4 color = kept_colors[kept.y * side_cells + kept.x];
+            float inside = min((1.0 - sqrt(distance_squared) + fray) * 3.0, 1.0);
+            float weight = inside * inside * (3.0 - 2.0 * inside) * color.a;
             sum += weight * color.rgb;
             weights += weight;
         }

@@ -10,7 +10,7 @@
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(binding = 0) uniform sampler2D source;
 layout(binding = 1) writeonly uniform image2D flows;  // direction, then where in the cell
-layout(binding = 2) writeonly uniform image2D colors; // and how far on top it lies, 0..1
+layout(binding = 2) writeonly uniform image2D colors; // and how much it weighs
 layout(push_constant) uniform Push {
     float cell;      // in texels
     float frequency; // of the noise, in periods a cell
@@ -46,5 +46,7 @@ void main() {
         sum += saturate(texelFetch(source, texel + ivec2(side * push.side_width, 0), 0).rgb);
     }
     imageStore(flows, at, vec4(along, centre));
-    imageStore(colors, at, vec4(sum / 3.0, float(pcg3d(bits).x >> 8u) / 16777216.0));
+    // What lies higher counts so much more that it hides what it lies on.
+    float height = float(pcg3d(bits).x >> 8u) / 16777216.0;
+    imageStore(colors, at, vec4(sum / 3.0, exp2(14.0 * height)));
 }

@@ -91,7 +91,7 @@ Rendered render_frame(Executor& executor, const FrameInputs& inputs, const Frame
     executor.render(graph);
 
     Rendered out;
-    out.explanation = explain(graph, executor.plan());
+    out.explanation = explain(graph, executor.plan()) + order_text(handles);
     out.size = size_of(graph, handles.output);
     if (graph.image_desc(handles.output).format == Format::rgba32f) {
         out.values = values_of<float>(executor.read_image(handles.output));

@@ -123,7 +123,7 @@ void blur(Graph& graph, Halves& halves, float largest) {
     pass.read(halves.near_radii);
     pass.read(halves.tiles);
     const std::vector<std::array<float, 4>> points = disc_points();
-    pass.storage(graph.data("disc", std::as_bytes(std::span(points))));
+    pass.uniform(graph.data("disc", std::as_bytes(std::span(points))));
     const ImageHandle rest = pass.write(graph.image("not before the focus, blurred", desc));
     const ImageHandle near = pass.write(graph.image("before the focus, blurred", desc));
     const ImageHandle reaches = pass.write(graph.image("reaches", tiles));

@@ -185,7 +185,7 @@ ImageHandle with_effects(Graph& graph, Stage stage, const DrawnEffects& drawn, I
             in.picture = picture;
             in.depth = use.effect->needs_depth ? drawn.given.depth : EffectDepth{};
             picture = use.effect->add(graph, in, use.values);
-            handles.effects.push_back({use.effect, picture});
+            handles.effects.push_back({use.effect, stage, picture});
         }
     }
     return picture;
@@ -353,6 +353,20 @@ void show_effect(Graph& graph, const FrameSettings& settings, FrameHandles& hand
 }
 
 } // namespace
+
+std::string order_text(const FrameHandles& handles) {
+    // What comes after the effects of each stage.
+    constexpr std::string_view then[] = {"bloom", "tone map", "looks", "", "line and names"};
+    std::string out = "order     light";
+    for (const StageInfo& row : stages()) {
+        for (const EffectPicture& made : handles.effects) {
+            out += made.stage == row.stage ? ", " + std::string(made.effect->name) : "";
+        }
+        const std::string_view next = then[static_cast<std::size_t>(row.stage)];
+        out += next.empty() ? "" : ", " + std::string(next);
+    }
+    return out + "\n";
+}
 
 FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings) {
     const Size size = picture_size(settings.output, *settings.compare);

@@ -19,6 +19,7 @@
 namespace preview {
 
 struct DebugView;
+enum class Stage : std::uint8_t; // preview/effects/effect.h
 struct GpuLook;
 struct GpuPicture;
 struct GpuScene;
@@ -85,6 +86,7 @@ struct FrameInputs {
 /// What an effect has made.
 struct EffectPicture {
     const PostEffect* effect = nullptr;
+    Stage stage{}; ///< in which it stands
     ImageHandle picture;
 };
 

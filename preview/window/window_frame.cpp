@@ -100,7 +100,7 @@ std::optional<float> FrameReader::hdr_maximum_for(const FrameSettings& settings,
 
 bool FrameReader::read(Executor& executor, const Graph& graph, const FrameHandles& handles,
                        panels::Ui& ui) {
-    ui.facts.explanation = explain(graph, executor.plan());
+    ui.facts.explanation = explain(graph, executor.plan()) + order_text(handles);
     if (ui.shows_passes) {
         ui.facts.passes.clear();
         for (const StepTime& step : executor.timings()) {

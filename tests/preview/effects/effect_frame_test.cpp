@@ -66,6 +66,11 @@ TEST_F(EffectFrameTest, any_two_effects_and_all_of_them_go_together) {
     for (const PostEffect* effect : all) {
         settings.effects.push_back(usual_use(*effect));
     }
+    EXPECT_NE(rendered(settings).explanation.find(
+                  "order     light, depth-of-field, chromatic-aberration, vignette, bloom, tone "
+                  "map, looks, sharpen, pointillism, paintbrush, vaporwave, glitch, film-grain, "
+                  "fxaa, line and names\n"),
+              std::string::npos);
     for (const bool is_before_look : {false, true}) {
         for (EffectUse& use : settings.effects) {
             use.before_look = is_before_look;

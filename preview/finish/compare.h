@@ -15,6 +15,7 @@ struct Compare {
     std::string_view label;
     std::string_view shader; ///< the function of shaders/common/compare.glsl that shows it
     bool shows_a, shows_b;
+    bool shows_one = false; ///< a texel shows A left of the line, else B
 };
 
 inline constexpr std::array<Compare, 5> compares{{
@@ -24,7 +25,8 @@ inline constexpr std::array<Compare, 5> compares{{
      .label = "A left and B right of a line that can be moved",
      .shader = "show_split",
      .shows_a = true,
-     .shows_b = true},
+     .shows_b = true,
+     .shows_one = true},
     {.name = "side",
      .label = "A and B side by side, each half as wide as the output",
      .shader = "show_side",

@@ -40,16 +40,21 @@ std::string tonemap_choice() {
            cases + "    default:\n        return tone_curve(light);\n    }\n}\n";
 }
 
-/// The place of the colour `unit` among `n` nodes, as the engine has it. Throws lutlib::Error for
-/// one that is no straight line between clamped ends.
-std::string place_of(const lutlib::Engine* engine) {
-    double nodes = -1, offset = 0; // unit * (n + nodes) + offset
+/// The place of the colour `unit` among `n` nodes: unit * (n + nodes) + offset.
+struct Place {
+    double nodes = -1, offset = 0;
+};
+
+/// As the engine has it. Throws lutlib::Error for one that is no straight line between clamped
+/// ends.
+Place place_of(const lutlib::Engine* engine) {
+    Place place;
     if (engine != nullptr) {
-        offset = 2 * engine->place(0.375, 16) - engine->place(0.75, 16);
-        nodes = (engine->place(0.75, 16) - offset) / 0.75 - 16;
+        place.offset = 2 * engine->place(0.375, 16) - engine->place(0.75, 16);
+        place.nodes = (engine->place(0.75, 16) - place.offset) / 0.75 - 16;
         for (const int n : {2, 16, 33, 64}) {
             for (int i = 0; i <= 64; ++i) {
-                const double line = i / 64.0 * (n + nodes) + offset;
+                const double line = i / 64.0 * (n + place.nodes) + place.offset;
                 if (std::abs(engine->place(i / 64.0, n) - std::clamp(line, 0.0, n - 1.0)) > 1e-9) {
                     throw lutlib::Error(fmt::format(
                         "the engine '{}' places colours along no straight line: name a shader "
@@ -59,9 +64,14 @@ std::string place_of(const lutlib::Engine* engine) {
             }
         }
     }
-    return fmt::format("unit * (float(n) + {:.6f}) + {:.6f}", nodes, offset);
+    return place;
 }
 
+bool is_described(const GpuLookup& row) {
+    return row.source == Source::picture && row.shader.empty();
+}
+
+/// Of a row that is not described by its layout, place and interpolation.
 std::string reading_of(const GpuLookup& row) {
     if (row.source == Source::none) {
         return "c";
@@ -69,27 +79,43 @@ std::string reading_of(const GpuLookup& row) {
     if (row.source == Source::table) {
         return fmt::format("{}(volume, shaper, look, c)", row.shader);
     }
-    if (!row.shader.empty()) {
-        return fmt::format("{}(picture, n, unit)", row.shader);
-    }
-    return fmt::format("{}_picture(picture, layout_{}, n, {})", lutlib::name_of(row.interpolation),
-                       row.layout, place_of(row.engine));
+    return fmt::format("{}(picture, n, unit)", row.shader);
 }
 
+/// Rows that are described share one call for each interpolation: drivers take functions in
+/// wherever they are called before they learn which row is chosen.
 std::string lookup_choice() {
-    std::string cases;
+    std::string cases, described;
     for (const GpuLookup& row : gpu_lookups()) {
-        cases += fmt::format("    case {}: // {}\n        return {};\n", index_of(row), row.name,
-                             reading_of(row));
+        const std::string label = fmt::format("    case {}: // {}\n", index_of(row), row.name);
+        if (is_described(row)) {
+            const Place place = place_of(row.engine);
+            described +=
+                label + fmt::format("        place = NodePlace(layout_{}, {:.6f}, {:.6f}, {});\n"
+                                    "        break;\n",
+                                    row.layout, place.nodes, place.offset,
+                                    row.interpolation == lutlib::Interpolation::tetrahedral);
+        } else {
+            cases += label + fmt::format("        return {};\n", reading_of(row));
+        }
     }
     return "// Written by the build from preview/look/gpu_lookups.cpp.\n"
            "#include \"common/lookup.glsl\"\n\n"
+           "struct NodePlace {\n    int arrangement;\n    float nodes, offset;\n"
+           "    bool is_tetrahedral;\n};\n\n"
            "/// `row` is a specialisation constant wherever this is called, so one branch "
            "remains.\n"
            "vec3 apply_lookup(int row, sampler2D picture, sampler3D volume, sampler2D shaper, "
            "Look look,\n                  vec3 c) {\n"
            "    int n = look.size;\n    vec3 unit = saturate(c);\n    switch (row) {\n" +
-           cases + "    default:\n        return c;\n    }\n}\n";
+           cases +
+           "    }\n    NodePlace place = NodePlace(layout_strip, -1.0, 0.0, false);\n"
+           "    switch (row) {\n" +
+           described +
+           "    }\n    vec3 at = unit * (float(n) + place.nodes) + place.offset;\n"
+           "    if (place.is_tetrahedral) {\n"
+           "        return tetrahedral_picture(picture, place.arrangement, n, at);\n    }\n"
+           "    return trilinear_picture(picture, place.arrangement, n, at);\n}\n";
 }
 
 std::string shared_lookup_choice() {
@@ -110,10 +136,25 @@ std::string shared_lookup_choice() {
            cases + "    default:\n        return c;\n    }\n}\n";
 }
 
+std::string side_choice(char side, bool Compare::*shows) {
+    std::string any = "false";
+    for (const Compare& row : compares) {
+        if (row.*shows) {
+            any += fmt::format(" || row == {}{}", index_of(row),
+                               !row.shows_one ? ""
+                               : side == 'a'  ? " && is_left"
+                                              : " && !is_left");
+        }
+    }
+    return fmt::format("\n/// Whether a texel on that side of the line needs side {}.\n"
+                       "bool needs_{}(int row, bool is_left) {{\n    return {};\n}}\n",
+                       side, side, any);
+}
+
 std::string compare_choice() {
     std::string cases;
     for (const Compare& row : compares) {
-        cases += fmt::format("    case {}: // {}\n        {}(target, at, size, texel, how);\n"
+        cases += fmt::format("    case {}: // {}\n        {}(target, at, size, sides, how);\n"
                              "        break;\n",
                              index_of(row), row.name, row.shader);
     }
@@ -124,9 +165,10 @@ std::string compare_choice() {
                        "/// `row` is a specialisation constant wherever this is called, so one "
                        "branch remains.\n"
                        "void show(int row, writeonly image2D target, ivec2 at, ivec2 size, "
-                       "Stages texel, Shown how) {{\n    switch (row) {{\n",
+                       "Sides sides, Shown how) {{\n    switch (row) {{\n",
                        DifferenceBins::count, DifferenceBins::per_unit) +
-           cases + "    }\n}\n";
+           cases + "    }\n}\n" + side_choice('a', &Compare::shows_a) +
+           side_choice('b', &Compare::shows_b);
 }
 
 /// Leaves a file alone that says the same already, so that no shader is compiled for nothing.

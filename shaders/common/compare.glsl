@@ -12,33 +12,40 @@ struct Shown {
     float heat_scale; // dE2000
 };
 
-// Whoever includes this has Stages and the looks of both sides, and counts differences.
-vec3 graded_a(Stages texel);
-vec3 graded_b(Stages texel);
+/// A texel as both sides' looks give it; a side that is not shown there is black.
+struct Sides {
+    vec3 a, b;
+};
+
+// Whoever includes this counts differences.
 void count_difference(float difference);
 
-void show_a(writeonly image2D target, ivec2 at, ivec2 size, Stages texel, Shown how) {
-    imageStore(target, at, vec4(graded_a(texel), 1.0));
+void show_a(writeonly image2D target, ivec2 at, ivec2 size, Sides sides, Shown how) {
+    imageStore(target, at, vec4(sides.a, 1.0));
 }
 
-void show_b(writeonly image2D target, ivec2 at, ivec2 size, Stages texel, Shown how) {
-    imageStore(target, at, vec4(graded_b(texel), 1.0));
+void show_b(writeonly image2D target, ivec2 at, ivec2 size, Sides sides, Shown how) {
+    imageStore(target, at, vec4(sides.b, 1.0));
 }
 
-void show_split(writeonly image2D target, ivec2 at, ivec2 size, Stages texel, Shown how) {
-    vec3 side = float(at.x) + 0.5 < how.split * float(size.x) ? graded_a(texel) : graded_b(texel);
+bool is_left_of_line(ivec2 at, ivec2 size, float split) {
+    return float(at.x) + 0.5 < split * float(size.x);
+}
+
+void show_split(writeonly image2D target, ivec2 at, ivec2 size, Sides sides, Shown how) {
+    vec3 side = is_left_of_line(at, size, how.split) ? sides.a : sides.b;
     bool is_line = how.has_line && on_line(at.x, size, how.split);
     imageStore(target, at, vec4(is_line ? vec3(1.0) : side, 1.0));
 }
 
 /// The target is twice as wide.
-void show_side(writeonly image2D target, ivec2 at, ivec2 size, Stages texel, Shown how) {
-    imageStore(target, at, vec4(graded_a(texel), 1.0));
-    imageStore(target, at + ivec2(size.x, 0), vec4(graded_b(texel), 1.0));
+void show_side(writeonly image2D target, ivec2 at, ivec2 size, Sides sides, Shown how) {
+    imageStore(target, at, vec4(sides.a, 1.0));
+    imageStore(target, at + ivec2(size.x, 0), vec4(sides.b, 1.0));
 }
 
-void show_difference(writeonly image2D target, ivec2 at, ivec2 size, Stages texel, Shown how) {
-    float difference = delta_e_2000(saturate(graded_a(texel)), saturate(graded_b(texel)));
+void show_difference(writeonly image2D target, ivec2 at, ivec2 size, Sides sides, Shown how) {
+    float difference = delta_e_2000(saturate(sides.a), saturate(sides.b));
     count_difference(difference);
     vec3 color = with_scale(heat(difference / how.heat_scale), at, size, how.heat_scale);
     imageStore(target, at, vec4(color, 1.0));

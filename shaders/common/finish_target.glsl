@@ -2,6 +2,10 @@
 #include "common/finish.glsl"
 #include "rows/compares.glsl"
 
+// Whoever includes this has the looks of both sides.
+vec3 graded_a(Stages texel);
+vec3 graded_b(Stages texel);
+
 layout(binding = 16) writeonly uniform image2D target;
 layout(binding = 17) buffer Figures {
     uint largest; // bits of the largest difference
@@ -18,6 +22,16 @@ void count_difference(float difference) {
     }
 }
 
+// Each look stands here once, for drivers take functions in wherever they are called before they
+// learn which rows are chosen.
 void store_texel(ivec2 at, ivec2 size, Stages texel) {
-    show(compare, target, at, size, texel, Shown(push.split, has_line, push.heat_scale));
+    Sides sides = Sides(vec3(0.0), vec3(0.0));
+    bool is_left = is_left_of_line(at, size, push.split);
+    if (needs_a(compare, is_left)) {
+        sides.a = graded_a(texel);
+    }
+    if (needs_b(compare, is_left)) {
+        sides.b = graded_b(texel);
+    }
+    show(compare, target, at, size, sides, Shown(push.split, has_line, push.heat_scale));
 }

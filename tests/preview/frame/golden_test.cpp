@@ -32,6 +32,9 @@ constexpr Golden goldens[] = {
     {"studio_split", "studio", "split", "agx", "glare"},
     {"materials", "materials", "a", "khronos-neutral", "none"},
     {"chart_difference", "chart", "diff", "none", "none"},
+    {"sample_a", "sample", "a", "agx", "none"},
+    {"night_b", "night", "b", "agx", "glare"},
+    {"exterior_a", "exterior", "a", "agx", "none"},
 };
 
 /// What drivers may make of edges: so many codes may be off by more than 2, and none by more than a

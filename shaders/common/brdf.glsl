@@ -59,7 +59,7 @@ vec3 environment_reflectance(vec3 f0, float roughness, float n_dot_v) {
     vec4 r = roughness * c0 + c1;
     float a = min(r.x * r.x, exp2(-9.28 * n_dot_v)) * r.x + r.y;
     vec2 fit = vec2(-1.04, 1.04) * a + r.zw;
-    return f0 * fit.x + fit.y;
+    return max(f0 * fit.x + fit.y, 0.0); // the fit is a little below nothing for the darkest f0
 }
 
 #endif

@@ -63,20 +63,6 @@ vec3 plot_color(ivec2 at) {
     return mix(color, vec3(0.92), 0.85 * line);
 }
 
-bool labelled(ivec2 at) {
-    ivec2 low = push.plot.xy + ivec2(0, push.plot.w + 2 * push.dot_size);
-    for (int quarter = 0; quarter <= 4; ++quarter) {
-        uint number = uint(quarter) * 25u;
-        int width = (number < 10u ? 1 : number < 100u ? 2 : 3) * glyph_step * push.dot_size;
-        int middle = low.x + push.plot.z * quarter / 4;
-        int right = clamp(middle + width / 2, low.x + width, low.x + push.plot.z);
-        if (in_label(at - ivec2(right, low.y), number, push.dot_size)) {
-            return true;
-        }
-    }
-    return false;
-}
-
 void main() {
     const uint threads = gl_WorkGroupSize.x * gl_WorkGroupSize.y;
     if (gl_LocalInvocationIndex == 0u) {

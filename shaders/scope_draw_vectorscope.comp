@@ -16,9 +16,6 @@ const vec3 skin_color = vec3(0.86, 0.58, 0.40);
 // Red, magenta, blue, cyan, green, yellow.
 const vec3 bars[6] = vec3[6](vec3(1, 0, 0), vec3(1, 0, 1), vec3(0, 0, 1), vec3(0, 1, 1),
                              vec3(0, 1, 0), vec3(1, 1, 0));
-const uvec2 bar_names[6] =
-    uvec2[6](uvec2(glyph_r, ~0u), uvec2(glyph_m, glyph_g), uvec2(glyph_b, ~0u),
-             uvec2(glyph_c, glyph_y), uvec2(glyph_g, ~0u), uvec2(glyph_y, glyph_l));
 
 /// Texels from one end of Cb or Cr to the other: the boxes at full colours have room beside them.
 float scale_of_plot() {
@@ -83,24 +80,6 @@ vec3 graticule(vec2 d, float scale) {
     return color;
 }
 
-bool labelled(vec2 d, float scale) {
-    for (int i = 0; i < 6; ++i) {
-        vec2 full = 0.75 * differences_of(bars[i]);
-        // Beside its box, on the side away from the vertical axis.
-        vec2 middle = full * scale + vec2((full.x < 0.0 ? -1.0 : 1.0) *
-                                              (0.02 * scale + 8.5 * float(push.dot_size)), 0.0);
-        bool two = bar_names[i].y != ~0u;
-        vec2 corner = middle + vec2(two ? -5.5 : -2.5, 3.0) * float(push.dot_size);
-        ivec2 at = ivec2(floor(vec2(d.x * scale - corner.x, corner.y - d.y * scale)));
-        if (in_glyph(at, bar_names[i].x, push.dot_size) ||
-            (two && in_glyph(at - ivec2(glyph_step * push.dot_size, 0), bar_names[i].y,
-                             push.dot_size))) {
-            return true;
-        }
-    }
-    return false;
-}
-
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(at, imageSize(target)))) {
@@ -112,7 +91,7 @@ void main() {
         float side = float(push.plot.z), scale = scale_of_plot();
         vec2 d = vec2(float(inside.x) + 0.5 - 0.5 * side, 0.5 * side - float(inside.y) - 0.5) /
                  scale;
-        color = labelled(d, scale) ? label_color : graticule(d, scale);
+        color = labelled(at) ? label_color : graticule(d, scale);
         float bins = float(levels * levels);
         float texels = float(push.width) * float(push.height);
         color += trace(color_of(d), count_at(d) * bins / max(texels, 1.0), bins);

@@ -65,26 +65,12 @@ vec3 with_plane(vec3 color, ivec2 at, uint plane) {
     return color + trace(plane_color(plane), density, float(levels)) * (is_overlaid ? 0.4 : 1.0);
 }
 
-bool labelled(ivec2 at) {
-    bool in_margin = at.x < push.plot.x;
-    for (int quarter = 0; in_margin && quarter <= 4; ++quarter) {
-        int height = glyph_height * push.dot_size;
-        int middle = push.plot.y + push.plot.w - push.plot.w * quarter / 4;
-        int top = clamp(middle - height / 2, push.plot.y, push.plot.y + push.plot.w - height);
-        if (in_label(at - ivec2(push.plot.x - 2 * push.dot_size, top), uint(quarter) * 25u,
-                     push.dot_size)) {
-            return true;
-        }
-    }
-    return false;
-}
-
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(at, imageSize(target)))) {
         return;
     }
-    vec3 color = labelled(at) ? label_color : surround;
+    vec3 color = at.x < push.plot.x && labelled(at) ? label_color : surround;
     for (uint plane = 0u; plane < planes; ++plane) {
         ivec2 inside = at - push.plot.xy - ivec2(int(plane) * push.stride, 0);
         if (all(greaterThanEqual(inside, ivec2(0))) && all(lessThan(inside, push.plot.zw))) {

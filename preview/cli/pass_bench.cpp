@@ -209,7 +209,7 @@ void Bench::time_scopes() {
         const std::string name(scope.name);
         const auto declare = [&](Graph& graph) {
             return add_scope(graph, graph.import("display", *display_, display_->desc()), scope,
-                             all, {scope.width, scope.height}, scope.logarithmic)
+                             all, {{scope.width, scope.height}, scope.logarithmic})
                 .picture;
         };
         PassRow counted = measure("scope", name + ", counted", "count " + name, declare);

@@ -14,7 +14,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 namespace preview {
 
@@ -92,13 +94,32 @@ inline constexpr const ScopeSide& scope_side_shown = scope_sides[0];
 ColumnRange scope_range(const ScopeSide& side, const Compare& compare, float split,
                         std::uint32_t width, std::uint32_t height);
 
+/// How much room a character of a scope's figures takes, in pixels.
+struct FigureSize {
+    std::int32_t advance = 0, height = 0;
+    friend bool operator==(const FigureSize&, const FigureSize&) = default;
+};
+
 /// Where the counts stand in a scope's picture, in its pixels from the upper left; one plot for
 /// each plane of ScopeBins::columns, else one.
 struct ScopePlot {
     std::int32_t x = 0, y = 0, width = 1, height = 1; ///< of the first plot
     std::int32_t stride = 0;                          ///< from one plot to the next
-    std::int32_t dot = 1;                             ///< of the figures
+    std::int32_t dot = 1; ///< of figures that the picture has itself, 6 dots apart and 6 high
 };
-ScopePlot scope_plot(const Scope& scope, std::uint32_t width, std::uint32_t height);
+/// With room for figures of that size, else for those made of dots.
+ScopePlot scope_plot(const Scope& scope, std::uint32_t width, std::uint32_t height,
+                     std::optional<FigureSize> figures = std::nullopt);
+
+/// What is written beside a plot: levels in per cent, or the names of the 75 % bars.
+struct ScopeLabel {
+    std::string_view text;
+    std::int32_t x = 0, y = 0; ///< of its upper left corner, in pixels of the scope's picture
+};
+std::vector<ScopeLabel> scope_labels(const Scope& scope, const ScopePlot& plot, FigureSize figures);
+/// Of figures made of dots.
+constexpr FigureSize dotted_figures(const ScopePlot& plot) {
+    return {6 * plot.dot, 6 * plot.dot};
+}
 
 } // namespace preview

@@ -25,8 +25,10 @@ void add_scopes(Graph& graph, const FrameSettings& settings, FrameHandles& handl
                                                : "its side is not shown");
         } else {
             handles.scope_pictures[i] =
-                add_scope(graph, handles.output, scopes[i], range, settings.scope_sizes[i],
-                          settings.scope_logarithmic.value_or(scopes[i].logarithmic))
+                add_scope(graph, handles.output, scopes[i], range,
+                          {settings.scope_sizes[i],
+                           settings.scope_logarithmic.value_or(scopes[i].logarithmic),
+                           settings.scope_figures})
                     .picture;
             graph.present(handles.scope_pictures[i]);
         }

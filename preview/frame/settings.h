@@ -42,6 +42,8 @@ struct FrameSettings : PictureSettings {
     std::array<Size, scopes.size()> scope_sizes{};
     const ScopeSide* scope_side = &scope_side_shown;
     std::optional<bool> scope_logarithmic; ///< empty: each scope's own
+    /// Of figures that the window writes over the scopes; empty: they have their own.
+    std::optional<FigureSize> scope_figures;
     /// Tell the colour of this place of the output, before the looks and after each.
     std::optional<ProbePlace> probe;
     /// Count the colours before the looks along the curves' axes, their codes read in this

@@ -43,6 +43,21 @@ std::array<float, scopes.size()> widths_in(const ScopeChoice& choice, const Rect
     return widths;
 }
 
+/// Writes a scope's figures in the window's font over its picture, of ui.scope_figures.
+void write_figures(const Ui& ui, const Scope& scope, const Rect& place) {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    const ScopePlot plot =
+        scope_plot(scope, static_cast<std::uint32_t>(place.width * scale.x),
+                   static_cast<std::uint32_t>(place.height * scale.y), ui.scope_figures);
+    constexpr ImU32 color = IM_COL32(184, 163, 117, 255);
+    for (const ScopeLabel& label : scope_labels(scope, plot, ui.scope_figures)) {
+        ImGui::GetWindowDrawList()->AddText({place.x + static_cast<float>(label.x) / scale.x,
+                                             place.y + static_cast<float>(label.y) / scale.y},
+                                            color, label.text.data(),
+                                            label.text.data() + label.text.size());
+    }
+}
+
 } // namespace
 
 void scopes_panel(Ui& ui) {
@@ -89,6 +104,9 @@ void scope_strip(Ui& ui, const Rect& area) {
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PopStyleVar(2);
     const std::array<float, scopes.size()> widths = widths_in(choice, area);
+    const ImVec2 digit = ImGui::CalcTextSize("0"), scale = ImGui::GetIO().DisplayFramebufferScale;
+    ui.scope_figures = {static_cast<std::int32_t>(std::ceil(digit.x * scale.x)),
+                        static_cast<std::int32_t>(std::ceil(digit.y * scale.y))};
     float x = area.x;
     for (std::size_t i = 0; i < scopes.size(); ++i) {
         if (widths[i] < 1) {
@@ -102,6 +120,7 @@ void scope_strip(Ui& ui, const Rect& area) {
             ImGui::SetTooltip("%s: %s", std::string(scopes[i].label).c_str(),
                               std::string(scopes[i].help).c_str());
         }
+        write_figures(ui, scopes[i], ui.scope_places[i]);
         x += widths[i];
     }
     if (ui.history.draft().compare == &compare_difference) {

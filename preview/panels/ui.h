@@ -71,7 +71,8 @@ struct Ui {
     bool shows_curves = false; ///< set by curve editors: counts along their axes are wanted
     std::optional<ProbePlace> pointer; ///< the texel of the shown picture under the mouse
     std::array<Rect, scopes.size()> scope_places{}; ///< where scopes are seen; else empty
-    const Compare* held = nullptr;                  ///< shown instead while a key is held
+    FigureSize scope_figures;      ///< of those that are written over the scopes, in their pixels
+    const Compare* held = nullptr; ///< shown instead while a key is held
     /// Since the last frame: no press is lost, however short.
     std::vector<KeyPress> pressed;
     std::array<bool, key_count> down{}; ///< which keys are held

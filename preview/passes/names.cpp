@@ -1,5 +1,7 @@
 #include "preview/passes/names.h"
 
+#include "preview/passes/glyphs.h"
+
 #include <algorithm>
 #include <string>
 
@@ -14,17 +16,6 @@ struct NamesBlock {
     std::array<std::int32_t, 4> dot_size{};
     std::array<std::uint32_t, 2 * longest> characters{};
 };
-
-/// The character's place in shaders/common/glyphs.glsl; one beyond all for a space.
-std::uint32_t glyph_of(char c) {
-    constexpr std::string_view order = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ.-_+:?";
-    if (c == ' ') {
-        return ~std::uint32_t{0};
-    }
-    const char upper = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-    const std::size_t place = order.find(upper);
-    return static_cast<std::uint32_t>(place == std::string_view::npos ? order.size() - 1 : place);
-}
 
 /// A character of UTF-8 is one, whatever its length.
 std::string characters_of(std::string_view text) {
@@ -60,7 +51,7 @@ ImageHandle add_names(Graph& graph, ImageHandle picture, const Compare& compare,
         }
         std::fill(block.characters.begin() + static_cast<std::ptrdiff_t>(side * longest + count),
                   block.characters.begin() + static_cast<std::ptrdiff_t>((side + 1) * longest),
-                  ~std::uint32_t{0});
+                  no_glyph);
         const std::int32_t wide =
             count == 0 ? 0 : static_cast<std::int32_t>(count) * step + 3 * dot;
         const std::int32_t right = width - margin - wide;

@@ -1,7 +1,11 @@
 #include "preview/passes/scope.h"
 
+#include "preview/passes/glyphs.h"
+
 #include <algorithm>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace preview {
 
@@ -9,8 +13,25 @@ namespace {
 
 struct DrawPush {
     ScopePlot plot;
-    std::uint32_t columns, width, height, logarithmic;
+    std::uint32_t columns, width, height, logarithmic, labels;
 };
+
+using LabelRow = std::array<std::int32_t, 4>;
+
+/// As shaders/common/scope_draw.glsl reads them; at least one, for a binding must have bytes.
+std::vector<LabelRow> label_rows(std::span<const ScopeLabel> labels) {
+    std::vector<LabelRow> rows;
+    for (const ScopeLabel& label : labels) {
+        std::uint32_t glyphs = 0;
+        for (std::size_t i = 0; i < label.text.size(); ++i) {
+            glyphs |= glyph_of(label.text[i]) << 8 * i;
+        }
+        rows.push_back({label.x, label.y, static_cast<std::int32_t>(glyphs),
+                        static_cast<std::int32_t>(label.text.size())});
+    }
+    rows.resize(std::max<std::size_t>(rows.size(), 1));
+    return rows;
+}
 
 BufferHandle count_columns(Graph& graph, ImageHandle picture, const Scope& scope, ColumnRange range,
                            std::uint32_t columns, BufferHandle counts) {
@@ -52,15 +73,17 @@ const char* drawing_shader(ScopeBins bins) {
 
 } // namespace
 
-std::uint32_t scope_columns(const Scope& scope, ColumnRange range, Size size) {
-    const ScopePlot plot = scope_plot(scope, size.width, size.height);
+std::uint32_t scope_columns(const Scope& scope, ColumnRange range, const ScopeDrawing& drawing) {
+    const ScopePlot plot =
+        scope_plot(scope, drawing.size.width, drawing.size.height, drawing.room_for);
     return std::min(static_cast<std::uint32_t>(plot.width), range.count);
 }
 
 ScopePicture add_scope(Graph& graph, ImageHandle picture, const Scope& scope, ColumnRange range,
-                       Size size, bool logarithmic) {
+                       const ScopeDrawing& drawing) {
     const std::string name(scope.name);
-    const std::uint32_t columns = scope_columns(scope, range, size);
+    const Size size = drawing.size;
+    const std::uint32_t columns = scope_columns(scope, range, drawing);
     const BufferHandle counts = graph.buffer("counts of " + name, 4 * scope_counts(scope, columns));
     ScopePicture out;
     out.counts = scope.bins == ScopeBins::columns
@@ -73,8 +96,15 @@ ScopePicture add_scope(Graph& graph, ImageHandle picture, const Scope& scope, Co
     if (scope.bins == ScopeBins::columns) {
         pass.constants({scope.planes, scope.is_overlaid ? 1U : 0U});
     }
-    pass.push(DrawPush{scope_plot(scope, size.width, size.height), columns, range.count,
-                       graph.image_desc(picture).height, logarithmic});
+    const ScopePlot plot = scope_plot(scope, size.width, size.height, drawing.room_for);
+    std::vector<ScopeLabel> labels;
+    if (!drawing.room_for) {
+        labels = scope_labels(scope, plot, dotted_figures(plot));
+    }
+    const std::vector<LabelRow> rows = label_rows(labels);
+    pass.storage(graph.data("figures of " + name, std::as_bytes(std::span<const LabelRow>(rows))));
+    pass.push(DrawPush{plot, columns, range.count, graph.image_desc(picture).height,
+                       drawing.logarithmic, static_cast<std::uint32_t>(labels.size())});
     pass.dispatch_over(size.width, size.height);
     return out;
 }

@@ -4,6 +4,8 @@
 #include "preview/finish/scopes.h"
 #include "preview/passes/pass.h"
 
+#include <optional>
+
 namespace preview {
 
 struct [[nodiscard]] ScopePicture {
@@ -11,13 +13,19 @@ struct [[nodiscard]] ScopePicture {
     ImageHandle picture; ///< rgba8
 };
 
-/// Of those columns of an rgba8 `picture`, drawn in `size`, with brightness or height by the
-/// logarithm of the counts or in proportion to them. Every texel is counted once in each plane.
+struct ScopeDrawing {
+    Size size;
+    bool logarithmic = true; ///< brightness or height by the counts' logarithm, or in proportion
+    /// Leave out the figures, with room for those that somebody else writes over the picture.
+    std::optional<FigureSize> room_for = std::nullopt;
+};
+
+/// Of those columns of an rgba8 `picture`. Every texel is counted once in each plane.
 ScopePicture add_scope(Graph& graph, ImageHandle picture, const Scope& scope, ColumnRange range,
-                       Size size, bool logarithmic);
+                       const ScopeDrawing& drawing);
 
 /// How many columns ScopeBins::columns counts: one for each texel of its plots' width, but no more
 /// than the picture has.
-std::uint32_t scope_columns(const Scope& scope, ColumnRange range, Size size);
+std::uint32_t scope_columns(const Scope& scope, ColumnRange range, const ScopeDrawing& drawing);
 
 } // namespace preview

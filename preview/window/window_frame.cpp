@@ -72,6 +72,7 @@ FrameSettings window_settings(const panels::Ui& ui, FrameSettings given, Size ou
     }
     settings.scope_side = state.scopes_seen.side;
     settings.scope_logarithmic = state.scopes_seen.logarithmic;
+    settings.scope_figures = ui.scope_figures;
     if (ui.pointer) {
         settings.probe = {std::clamp(ui.pointer->x, 0, static_cast<int>(output.width) - 1),
                           std::clamp(ui.pointer->y, 0, static_cast<int>(output.height) - 1)};

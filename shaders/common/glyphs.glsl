@@ -1,8 +1,6 @@
 // Characters for graticules and names, five dots wide and six high, rows from the top in bits 29
 // to 0.
-// In the order of glyph_of() of preview/passes/names.cpp: figures, letters, then . - _ + : ?
-const uint glyph_r = 27u, glyph_g = 16u, glyph_b = 11u, glyph_c = 12u, glyph_m = 22u, glyph_y = 34u,
-           glyph_l = 21u;
+// In the order of glyph_of() of preview/passes/glyphs.cpp: figures, letters, then . - _ + : ?
 const uint glyphs[42] = uint[42](
     488232750u, 146935950u, 487657759u, 1008141870u, 73747426u, 1057949230u, 487540270u,
     1041305864u, 488064558u, 488160302u, 488177201u, 1025459774u, 488129070u, 1025033790u,

@@ -1,4 +1,5 @@
-// What the drawings of all scopes share: their layout, their colours and how counts become light.
+// What the drawings of all scopes share: their layout, their figures, their colours and how counts
+// become light.
 #include "common/glyphs.glsl"
 
 layout(push_constant) uniform Push {
@@ -8,7 +9,26 @@ layout(push_constant) uniform Push {
     uint columns; // of counts
     uint width, height; // of the picture that was counted
     uint logarithmic;
+    uint labels;
 } push;
+
+layout(std430, binding = 2) readonly buffer Labels {
+    ivec4 labels[]; // x, y of the upper left corner, four glyphs a byte each from the first, how many
+};
+
+/// Whether a texel is part of a figure.
+bool labelled(ivec2 at) {
+    for (uint i = 0u; i < push.labels; ++i) {
+        ivec2 p = at - labels[i].xy;
+        int step = glyph_step * push.dot_size, place = p.x / step;
+        if (p.x >= 0 && place < labels[i].w &&
+            in_glyph(p - ivec2(place * step, 0), uint(labels[i].z) >> 8 * place & 255u,
+                     push.dot_size)) {
+            return true;
+        }
+    }
+    return false;
+}
 
 const vec3 surround = vec3(0.075, 0.075, 0.085), ground = vec3(0.02, 0.02, 0.025);
 const vec3 line_color = vec3(0.30, 0.25, 0.16), label_color = vec3(0.72, 0.64, 0.46);

@@ -39,13 +39,13 @@ class EveryScope : public FinishTest, public testing::WithParamInterface<Scope> 
         Codes picture; ///< the drawing
     };
 
-    static Result run(const Codes& codes, std::uint32_t width, ColumnRange range, Size size,
-                      bool logarithmic = true) {
+    static Result run(const Codes& codes, std::uint32_t width, ColumnRange range,
+                      const ScopeDrawing& drawn) {
         const auto height = static_cast<std::uint32_t>(codes.size() / 4 / width);
         const gpu::Image image = upload({Format::rgba8, width, height}, codes);
         Graph graph;
-        const ScopePicture out = add_scope(graph, graph.import("codes", image, image.desc()),
-                                           GetParam(), range, size, logarithmic);
+        const ScopePicture out =
+            add_scope(graph, graph.import("codes", image, image.desc()), GetParam(), range, drawn);
         graph.present(out.counts);
         graph.present(out.picture);
         Executor executor(device());
@@ -57,7 +57,7 @@ class EveryScope : public FinishTest, public testing::WithParamInterface<Scope> 
     static std::vector<std::uint32_t> wanted(const Codes& codes, std::uint32_t width,
                                              ColumnRange range, Size size) {
         return reference::scope_counts(GetParam(), codes, width, range,
-                                       scope_columns(GetParam(), range, size));
+                                       scope_columns(GetParam(), range, {size}));
     }
 };
 
@@ -77,7 +77,7 @@ TEST_P(EveryScope, counts_what_its_twin_counts_and_each_texel_once_in_each_plane
                                    {64, 64, {63, 1}}}) {
         SCOPED_TRACE(std::to_string(picture.width) + "x" + std::to_string(picture.height));
         const Codes codes = noise(picture.width, picture.height, picture.width);
-        const auto got = run(codes, picture.width, picture.range, drawing).counts;
+        const auto got = run(codes, picture.width, picture.range, {drawing}).counts;
         EXPECT_EQ(got, wanted(codes, picture.width, picture.range, drawing));
         const std::uint64_t planes = GetParam().bins == ScopeBins::chroma ? 1 : GetParam().planes;
         EXPECT_EQ(std::accumulate(got.begin(), got.end(), std::uint64_t{0}),
@@ -93,7 +93,7 @@ TEST_P(EveryScope, counts_black_white_and_full_colours_in_their_outermost_places
                                                   {0, 0, 255, 255},
                                                   {0, 255, 0, 0}}) {
         const Codes codes = flat(300, 70, code);
-        const auto got = run(codes, 300, {0, 300}, drawing).counts;
+        const auto got = run(codes, 300, {0, 300}, {drawing}).counts;
         EXPECT_EQ(got, wanted(codes, 300, {0, 300}, drawing));
         if (GetParam().bins == ScopeBins::chroma && code[0] == code[1] && code[1] == code[2]) {
             EXPECT_EQ(got[128 * 256 + 128], 300U * 70);
@@ -112,7 +112,7 @@ TEST_P(EveryScope, counts_the_codes_that_broken_light_became) {
             .picture;
     const Size size = size_of(graph, picture);
     const ColumnRange range{0, size.width};
-    const ScopePicture scope = add_scope(graph, picture, GetParam(), range, drawing, true);
+    const ScopePicture scope = add_scope(graph, picture, GetParam(), range, {drawing});
     graph.present(picture);
     graph.present(scope.counts);
     Executor executor(device());
@@ -125,13 +125,28 @@ TEST_P(EveryScope, draws_in_any_size_and_another_picture_for_other_codes) {
     const Codes dark = flat(40, 30, {20, 24, 60, 255}), bright = noise(40, 30, 3);
     for (const Size size : {Size{1, 1}, {7, 3}, {64, 200}, {640, 360}}) {
         for (const bool logarithmic : {false, true}) {
-            const auto a = run(dark, 40, {0, 40}, size, logarithmic).picture;
+            const auto a = run(dark, 40, {0, 40}, {size, logarithmic}).picture;
             ASSERT_EQ(a.size(), std::size_t{4} * size.width * size.height);
             if (size.width == 640) {
-                EXPECT_NE(a, run(bright, 40, {0, 40}, size, logarithmic).picture);
+                EXPECT_NE(a, run(bright, 40, {0, 40}, {size, logarithmic}).picture);
             }
         }
     }
+}
+
+// Others write them over the picture then, in the room that is left for them.
+TEST_P(EveryScope, has_its_own_figures_unless_room_for_others_is_asked_for) {
+    const Codes codes = flat(40, 30, {20, 20, 20, 255});
+    const auto inked = [&](const ScopeDrawing& drawn) {
+        const Codes picture = run(codes, 40, {0, 40}, drawn).picture;
+        int count = 0;
+        for (std::size_t i = 0; i < picture.size(); i += 4) {
+            count += picture[i] == 184 && picture[i + 1] == 163 && picture[i + 2] == 117 ? 1 : 0;
+        }
+        return count;
+    };
+    EXPECT_GT(inked({drawing}), 40);
+    EXPECT_EQ(inked({drawing, true, FigureSize{7, 13}}), 0);
 }
 
 // Left black, in the middle grey, right white.
@@ -157,8 +172,8 @@ TEST_P(EveryScope, marks_clipped_texels_where_they_are_and_nothing_else) {
         const std::size_t at = (static_cast<std::size_t>(y) * drawing.width + x) * 4;
         return picture[at] < 100 && picture[at + 2] > 200;
     };
-    const Codes clipped = run(thirds({0, 128, 255}), 30, {0, 30}, drawing).picture;
-    const Codes whole = run(thirds({1, 128, 254}), 30, {0, 30}, drawing).picture;
+    const Codes clipped = run(thirds({0, 128, 255}), 30, {0, 30}, {drawing}).picture;
+    const Codes whole = run(thirds({1, 128, 254}), 30, {0, 30}, {drawing}).picture;
     const int left = plot.x + 1, right = plot.x + plot.width - 2, top = plot.y;
     const int middle = plot.x + plot.width / 2;
     const int bottom = GetParam().bins == ScopeBins::levels ? top : plot.y + plot.height - 1;

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 
 namespace preview {
 namespace {
@@ -98,14 +99,11 @@ Distance distance_between(const lutlib::io::PngImage& a, const lutlib::io::PngIm
     return out;
 }
 
-class EveryGolden : public GpuTest, public testing::WithParamInterface<Golden> {};
-
-TEST_P(EveryGolden, looks_as_it_did_when_it_was_found_right) {
+/// Compares a picture with the golden one of that name.
+void expect_golden(const std::string& name, const lutlib::io::PngImage& found) {
     const std::filesystem::path failed_folder = LUT_GOLDEN_FAILED_FOLDER;
     std::filesystem::create_directories(failed_folder);
-    const std::string name = GetParam().name;
     const std::string found_path = (failed_folder / (name + ".png")).string();
-    const auto found = rendered(device(), GetParam());
     lutlib::io::write_file(found_path, lutlib::io::write_png(found));
     const std::string path = (std::filesystem::path(LUT_GOLDEN_FOLDER) / (name + ".png")).string();
     ASSERT_TRUE(std::filesystem::exists(path)) << path << " is missing; look at " << found_path;
@@ -113,16 +111,74 @@ TEST_P(EveryGolden, looks_as_it_did_when_it_was_found_right) {
     ASSERT_EQ(found.samples.size(), expected.samples.size());
 
     const Distance distance = distance_between(found, expected);
-    RecordProperty("largest", distance.largest);
+    testing::Test::RecordProperty("largest", distance.largest);
     EXPECT_LE(distance.share, most_off);
     EXPECT_LE(distance.largest, largest_difference);
-    if (!HasFailure()) {
+    if (!testing::Test::HasFailure()) {
         std::filesystem::remove(found_path);
         return;
     }
     const std::string difference_path = (failed_folder / (name + "_difference.png")).string();
     lutlib::io::write_file(difference_path, lutlib::io::write_png(distance.enlarged));
     ADD_FAILURE() << "see " << found_path << " and " << difference_path;
+}
+
+/// Every effect alone, some stronger than usual so that small pictures show them.
+lutlib::io::PngImage sheet_of_effects(const gpu::Device& device) {
+    constexpr Size tile{160, 90};
+    constexpr std::size_t columns = 4;
+    const std::map<std::string_view, const char*> stronger{
+        {"depth-of-field", "depth-of-field:aperture=0.5,sensor=100,largest=80"},
+        {"chromatic-aberration", "chromatic-aberration:corner=40"},
+        {"film-grain", "film-grain:size=15"},
+        {"pointillism", "pointillism:size=40"},
+        {"paintbrush", "paintbrush:size=40"}};
+    const Scene scene = scene_at(*scene_named("studio"), 0);
+    const GpuScene gpu_scene(device, scene);
+    FrameInputs inputs;
+    inputs.scene = &scene;
+    inputs.gpu_scene = &gpu_scene;
+    FrameSettings settings;
+    settings.output = tile;
+    settings.orbit = scene.orbit;
+    settings.bloom = bloom_named("none");
+    settings.seconds = 0.5;
+    Executor executor(device);
+    lutlib::io::PngImage sheet;
+    for (std::size_t i = 0; i < post_effects().size(); ++i) {
+        const PostEffect& effect = *post_effects()[i];
+        const auto found = stronger.find(effect.name);
+        settings.effects = {found != stronger.end() ? parse_use(found->second) : usual_use(effect)};
+        const lutlib::io::PngImage picture = code_image(render_frame(executor, inputs, settings));
+        if (i == 0) {
+            sheet = picture;
+            const std::size_t rows = (post_effects().size() + columns - 1) / columns;
+            sheet.width = static_cast<int>(columns * tile.width);
+            sheet.height = static_cast<int>(rows * tile.height);
+            sheet.samples.assign(picture.samples.size() * columns * rows, 0);
+        }
+        const std::size_t row_values = picture.samples.size() / tile.height;
+        for (std::size_t y = 0; y < tile.height; ++y) {
+            std::copy_n(
+                picture.samples.begin() + static_cast<std::ptrdiff_t>(y * row_values), row_values,
+                sheet.samples.begin() +
+                    static_cast<std::ptrdiff_t>(
+                        ((i / columns * tile.height + y) * columns + i % columns) * row_values));
+        }
+    }
+    return sheet;
+}
+
+class EveryGolden : public GpuTest, public testing::WithParamInterface<Golden> {};
+
+TEST_P(EveryGolden, looks_as_it_did_when_it_was_found_right) {
+    expect_golden(GetParam().name, rendered(device(), GetParam()));
+}
+
+using GoldenEffects = GpuTest;
+
+TEST_F(GoldenEffects, look_as_they_did_when_they_were_found_right) {
+    expect_golden("effects", sheet_of_effects(device()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryGolden, testing::ValuesIn(goldens),

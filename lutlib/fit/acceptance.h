@@ -2,7 +2,7 @@
 // seen and over those where errors peak.
 #pragma once
 
-#include "lutlib/fit/eye_form.h"
+#include "lutlib/metrics/eye_form.h"
 #include "lutlib/interpolation/lattice_reader.h"
 #include "lutlib/metrics/breaks.h"
 #include "lutlib/metrics/stats.h"

@@ -1,7 +1,7 @@
 // Dense samples of a look, each as the weighted sum of nodes that a lattice's reader makes of it.
 #pragma once
 
-#include "lutlib/fit/eye_form.h"
+#include "lutlib/metrics/eye_form.h"
 #include "lutlib/interpolation/lattice_reader.h"
 #include "lutlib/transform.h"
 

@@ -1,6 +1,7 @@
 #include "lutlib/metrics/compare.h"
 
 #include "lutlib/metrics/samples.h"
+#include "lutlib/metrics/suspects.h"
 
 #include <tbb/parallel_for.h>
 
@@ -54,9 +55,15 @@ ErrorsOf errors_by(const Transform& a, const Transform& b, const Eye& eye, Metri
     };
 }
 
-std::vector<Rgb> all_of(const ErrorSamples& samples) {
+// The even ones first.
+std::vector<Rgb> all_of(const ErrorSamples& samples, const Transform& a, const Transform& b,
+                        const Viewing& viewing) {
     std::vector<Rgb> out = samples.even;
     out.insert(out.end(), samples.hiding.begin(), samples.hiding.end());
+    if (samples.suspects.cells + samples.suspects.nodes > 0) {
+        const std::vector<Rgb> more = suspects(a, b, samples.axis, viewing, samples.suspects);
+        out.insert(out.end(), more.begin(), more.end());
+    }
     return out;
 }
 
@@ -97,14 +104,14 @@ WorstColour worst_at(const Transform& a, const Transform& b, Rgb in) {
 Difference measure(const Transform& a, const Transform& b, const ErrorSamples& samples,
                    const Viewing& viewing) {
     const Eye eye(viewing);
-    const std::vector<Rgb> colours = all_of(samples);
+    const std::vector<Rgb> colours = all_of(samples, a, b, viewing);
     const std::vector<RgbD> even_a = images_of(a, samples.even),
                             even_b = images_of(b, samples.even);
     const std::size_t even = samples.even.size();
     Errors errors(colours.size());
     fill_all(errors, eye, even_a, even_b);
-    in_pieces(samples.hiding.size(), [&](std::size_t first, std::size_t count) {
-        const Pair pair(a, b, std::span(samples.hiding).subspan(first, count));
+    in_pieces(colours.size() - even, [&](std::size_t first, std::size_t count) {
+        const Pair pair(a, b, std::span(colours).subspan(even + first, count));
         errors.fill(eye, pair.a, pair.b, even + first);
     });
     Errors of_even(0);
@@ -133,7 +140,7 @@ Peak largest_difference(const Transform& a, const Transform& b, const ErrorSampl
                         const Viewing& viewing, Metric metric) {
     const Eye eye(viewing);
     const ErrorsOf errors_of = errors_by(a, b, eye, metric);
-    const std::vector<Rgb> colours = all_of(samples);
+    const std::vector<Rgb> colours = all_of(samples, a, b, viewing);
     std::vector<double> errors(colours.size());
     in_pieces(colours.size(), [&](std::size_t first, std::size_t count) {
         errors_of(std::span(colours).subspan(first, count),

@@ -10,7 +10,7 @@
 namespace lutlib {
 namespace {
 
-using Axes = std::array<std::vector<float>, 3>;
+using Axes = UnionAxes;
 
 constexpr std::size_t neutrals = 256;
 // A map of which nothing is known is looked at as if it had nodes here.
@@ -164,8 +164,9 @@ void append_middles_of_faces(std::vector<Rgb>& out, const Axes& fine, std::size_
     }
 }
 
-// Each channel's breaks and the middles between them; a colour has one middle at least.
-void append_between(std::vector<Rgb>& out, const Axes& axis, std::size_t most) {
+// Each channel's breaks and the middles between them; a colour has one middle at least. Whether
+// these are all.
+bool append_between(std::vector<Rgb>& out, const Axes& axis, std::size_t most) {
     Axes fine, middles;
     for (std::size_t c = 0; c < 3; ++c) {
         for (std::size_t i = 0; i + 1 < axis[c].size(); ++i) {
@@ -184,7 +185,7 @@ void append_between(std::vector<Rgb>& out, const Axes& axis, std::size_t most) {
                 }
             }
         }
-        return;
+        return true;
     }
     // Interpolations that agree on nodes, edges and faces differ most within a cell.
     if (product(middles) <= most) {
@@ -200,6 +201,7 @@ void append_between(std::vector<Rgb>& out, const Axes& axis, std::size_t most) {
             out.push_back({fine[0][r], fine[1][g], fine[2][b]});
         }
     }
+    return false;
 }
 
 // Grey codes at every coordinate of any channel, and evenly.
@@ -225,13 +227,19 @@ void append_neutrals(std::vector<Rgb>& out, const Domain& domain, const Axes& ax
 
 } // namespace
 
+UnionAxes union_axes(const Domain& domain, const Breaks& breaks) {
+    UnionAxes out;
+    for (std::size_t c = 0; c < 3; ++c) {
+        out[c] = axis_over(domain.min[c], domain.max[c], breaks.at[c], breaks.all);
+    }
+    return out;
+}
+
 ErrorSamples error_samples(const Domain& domain, const Breaks& breaks, const SampleLimits& limits) {
     ErrorSamples out;
     out.domain = domain;
     out.even = over_domain(out_of_step(spread(limits.even)), domain);
-    for (std::size_t c = 0; c < 3; ++c) {
-        out.axis[c] = axis_over(domain.min[c], domain.max[c], breaks.at[c], breaks.all);
-    }
+    out.axis = union_axes(domain, breaks);
     const bool fits = product(out.axis) <= limits.grid;
     out.whole = breaks.all && fits;
     if (fits) {
@@ -239,7 +247,12 @@ ErrorSamples error_samples(const Domain& domain, const Breaks& breaks, const Sam
     } else {
         append_part(out.hiding, out.axis, limits.grid);
     }
-    append_between(out.hiding, out.axis, limits.between);
+    const bool all = append_between(out.hiding, out.axis, limits.between);
+    constexpr std::size_t scanned_grids = 8, middles_of_cell = 19;
+    if (product(out.axis) <= scanned_grids * limits.grid) {
+        out.suspects = {all ? 0 : limits.between / middles_of_cell / 4,
+                        fits ? 0 : limits.between / 8};
+    }
     append_neutrals(out.hiding, domain, out.axis);
     return out;
 }

@@ -20,6 +20,14 @@ struct SampleLimits {
 inline constexpr SampleLimits quick_samples{
     .even = 20'000, .grid = std::size_t{1} << 15, .between = std::size_t{1} << 13};
 
+using UnionAxes = std::array<std::vector<float>, 3>;
+
+/// How many of a grid's cells, and of its own colours, are to be looked at more closely
+/// (suspects.h): by code values, and as many to the eye.
+struct SuspectCount {
+    std::size_t cells = 0, nodes = 0;
+};
+
 struct ErrorSamples {
     Domain domain;
     /// Spread evenly over the domain's code values (sample_colors(), each moved a little, so that
@@ -27,8 +35,10 @@ struct ErrorSamples {
     std::vector<Rgb> even;
     /// Where errors may peak.
     std::vector<Rgb> hiding;
+    /// Of what `hiding` leaves out of the grid and its middles.
+    SuspectCount suspects;
     /// Per channel, the coordinates of the union grid, rising, the domain's ends among them.
-    std::array<std::vector<float>, 3> axis;
+    UnionAxes axis;
     /// hiding has all of the union grid, and the grid has all breaks: a maximum over it, climbed,
     /// is the maximum; else it is the largest that was seen.
     bool whole = true;
@@ -43,7 +53,14 @@ struct ErrorSamples {
 ///
 /// Of a grid with more colours than `limits.grid`: its corners, its edges and faces up to a
 /// quarter of that number each, and the rest from within, spread evenly (the R3 sequence).
+///
+/// What is chosen by number may miss a fault of a single node. So where not all is looked at, and
+/// the grid has no more than eight times that number, `suspects` asks for the cells and colours in
+/// which the maps themselves show that an error may be large.
 ErrorSamples error_samples(const Domain& domain, const Breaks& breaks,
                            const SampleLimits& limits = {});
+
+/// ErrorSamples::axis alone.
+UnionAxes union_axes(const Domain& domain, const Breaks& breaks);
 
 } // namespace lutlib

@@ -9,6 +9,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -165,6 +166,67 @@ TEST(Measure, finds_the_largest_error_of_a_family_of_looks_within_two_percent) {
         EXPECT_NEAR(eye_distance(look(to_double(*d.delta_e_2000.at)),
                                  lookup(to_double(*d.delta_e_2000.at))),
                     d.delta_e_2000.max, 1e-9);
+    }
+}
+
+struct Spike {
+    int size, lattice;
+    std::array<int, 3> node;
+    Rgb pushed;
+};
+
+// The node that breaks a promise by number alone, and some anywhere.
+std::vector<Spike> spikes() {
+    std::vector<Spike> out{{33, 97, {0, 1, 1}, {0, -0.017F, 0.033F}},
+                           {17, 33, {8, 3, 5}, {0, 0, 0.03F}}};
+    std::mt19937 random(3);
+    const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+    std::uniform_real_distribution<float> by(-0.05F, 0.05F);
+    for (int i = 0; is_thorough() && i < 30; ++i) {
+        const int size = std::array{17, 25, 33}[static_cast<std::size_t>(i) % 3];
+        const int lattice =
+            std::array{2 * size - 1, 3 * size - 2, 64, 41, 16}[static_cast<std::size_t>(i) % 5];
+        out.push_back({size,
+                       lattice,
+                       {below(size), below(size), below(size)},
+                       {by(random), by(random), by(random)}});
+    }
+    return out;
+}
+
+TEST(Measure, finds_the_largest_error_beside_a_single_wrong_node) {
+    const std::vector<Spike> all = spikes();
+    for (const Spike& spike : all) {
+        Lut look, baked;
+        look.cube = identity_cube(spike.size);
+        const auto [r, g, b] = spike.node;
+        Rgb& wrong = look.cube->nodes[look.cube->index(r, g, b)];
+        Domain around;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float cell = 1 / static_cast<float>(spike.size - 1);
+            around.min[c] = std::max(0.0F, wrong[c] - cell);
+            around.max[c] = std::min(1.0F, wrong[c] + cell);
+        }
+        wrong = saturate(wrong + spike.pushed);
+        const Transform right = Transform::of(look);
+        baked.cube = identity_cube(spike.lattice);
+        for (Rgb& node : baked.cube->nodes) {
+            const RgbD code = right(to_double(node)) * 255;
+            node = to_float(RgbD{std::round(code.r), std::round(code.g), std::round(code.b)} *
+                            (1 / 255.0));
+        }
+        const Transform lookup = Transform::of(baked, Interpolation::trilinear);
+        ErrorSamples samples =
+            error_samples({}, united(breaks_of(look), breaks_of(baked, Interpolation::trilinear)));
+        const double found = found_by_force(right, lookup, around, eye_distance);
+        const auto largest = [&] {
+            return largest_difference(right, lookup, samples, srgb(), Metric::delta_e_2000).error;
+        };
+        EXPECT_GE(largest(), 0.98 * found) << spike.size << " nodes on " << spike.lattice;
+        if (&spike == &all.front()) {
+            samples.suspects = {};
+            EXPECT_LT(largest(), 0.95 * found) << "a choice by number finds it too";
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-#include "lutlib/fit/eye_form.h"
+#include "lutlib/metrics/eye_form.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -3,6 +3,7 @@
 
 #include "lutlib/metrics/viewing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -18,6 +19,11 @@ struct EyeForm {
         const float square = rr * e.r * e.r + gg * e.g * e.g + bb * e.b * e.b +
                              2 * (rg * e.r * e.g + rb * e.r * e.b + gb * e.g * e.b);
         return std::sqrt(square > 0 ? square : 0);
+    }
+    /// The most that is seen of an error of 1 in every channel.
+    float most() const {
+        return std::max(
+            {length({1, 1, 1}), length({1, 1, -1}), length({1, -1, 1}), length({-1, 1, 1})});
     }
     /// The square that an error of one channel alone gets, for an error of 1.
     float of_channel(std::size_t channel) const {

@@ -199,7 +199,15 @@ class Search {
         std::optional<BudgetBake> best;
         for (std::size_t i = 0; i < std::min(measured_misses, misses_.size()); ++i) {
             const Combination c = misses_[i].second;
-            BudgetBake now = measured({.bake = bake(look_, engine_, c.size, c.bits)});
+            const auto is_further = [&](double error) { return best && error > best->largest; };
+            if (best && is_further(check_.glance(c.size, c.bits, best->largest))) {
+                continue;
+            }
+            FilledBake plain{.bake = bake(look_, engine_, c.size, c.bits)};
+            if (best && is_further(check_.largest_error(plain.bake, best->largest))) {
+                continue;
+            }
+            BudgetBake now = measured(std::move(plain));
             if (!best || now.largest < best->largest) {
                 best = std::move(now);
             }

@@ -1,21 +1,32 @@
 #include "lutlib/bake/promise.h"
 
 #include "lutlib/color/encoding.h"
+#include "lutlib/metrics/eye_form.h"
 #include "lutlib/metrics/samples.h"
+#include "lutlib/metrics/suspects.h"
+#include "lutlib/nodes.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace lutlib {
 namespace {
 
 constexpr SampleCounts first_glance{.neutral = 64, .random = 4096, .lattice = false};
 // Colours looked at before the first that breaks the promise ends it.
-constexpr std::size_t at_once = 64, in_parallel = 8192;
-// Room for the whole union grid of 33 and 128 nodes, and as many of its middles: a part of them may
-// miss what breaks the promise.
+constexpr std::size_t at_once = 64, in_parallel = 8192, in_one_piece = 512;
+// Room for the whole union grid of 33 and 128 nodes: a part of it may miss what breaks the promise.
 constexpr std::size_t whole_grid = std::size_t{1} << 22;
+// Of a larger one, as many colours, and as many of its middles.
+constexpr SampleLimits as_many{.grid = whole_grid, .between = whole_grid};
+// Where all of a grid is looked at without them: the even colours, and hardly any of others.
+constexpr SampleLimits even_ones{.grid = 1024, .between = 1024};
+constexpr std::size_t suspect_cells = 8192;
 
 RgbD through_srgb(double (Encoding::*f)(double) const, RgbD c) {
     return {(srgb().*f)(c.r), (srgb().*f)(c.g), (srgb().*f)(c.b)};
@@ -23,9 +34,41 @@ RgbD through_srgb(double (Encoding::*f)(double) const, RgbD c) {
 
 } // namespace
 
+namespace {
+
+// Cells of a coarse lattice over the inputs, by what the eye sees of an error in all channels of
+// the codes that come out.
+std::vector<Domain> delicate_cells(const Transform& look, const Viewing& viewing) {
+    constexpr int cells = 16;
+    constexpr std::size_t most = 64;
+    std::vector<Domain> out;
+    std::vector<RgbD> codes;
+    for_each_node(cells, [&](int r, int g, int b) {
+        const Rgb low = Rgb{static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)} *
+                        (1.0F / cells);
+        out.push_back({low, low + Rgb{1, 1, 1} * (1.0F / cells)});
+        codes.push_back(to_double((out.back().min + out.back().max) * 0.5F));
+    });
+    look(codes);
+    const std::vector<EyeForm> forms = eye_forms(codes, viewing);
+    std::vector<std::size_t> order(out.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto seen = [&](std::size_t i) { return forms[i].most(); };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return seen(a) > seen(b); });
+    std::vector<Domain> chosen;
+    for (std::size_t i = 0; i < most; ++i) {
+        chosen.push_back(out[order[i]]);
+    }
+    return chosen;
+}
+
+} // namespace
+
 PromiseCheck::PromiseCheck(const Transform& look, const Engine& engine, const Budget& budget)
     : engine_(engine), budget_(budget), look_(held_to_codes(look)), eye_(budget.viewing),
-      remembered_(sample_colors(2, first_glance)), expected_(images_of(look_, remembered_)) {}
+      remembered_(sample_colors(2, first_glance)), expected_(images_of(look_, remembered_)),
+      delicate_(delicate_cells(look_, budget.viewing)) {}
 
 // What the engine's lookup weighs, without the picture.
 std::vector<RgbD> PromiseCheck::read_point_samples(int size, CodeDepth depth,
@@ -64,11 +107,16 @@ std::vector<RgbD> PromiseCheck::read_point_samples(int size, CodeDepth depth,
 }
 
 double PromiseCheck::glance(int size, int bits, double limit) {
+    const double largest = glance_at_remembered(size, {bits}, limit);
+    return largest > limit ? largest : std::max(largest, glance_at_delicate(size, {bits}, limit));
+}
+
+double PromiseCheck::glance_at_remembered(int size, CodeDepth depth, double limit) {
     double largest = 0;
     for (std::size_t first = 0; first < remembered_.size(); first += at_once) {
         const std::size_t count = std::min(at_once, remembered_.size() - first);
         const std::vector<RgbD> got =
-            read_point_samples(size, {bits}, std::span(remembered_).subspan(first, count));
+            read_point_samples(size, depth, std::span(remembered_).subspan(first, count));
         std::array<double, at_once> error{};
         const auto errors = std::span(error).first(count);
         eye_(budget_.metric, std::span(expected_).subspan(first, count), got, errors);
@@ -78,6 +126,41 @@ double PromiseCheck::glance(int size, int bits, double limit) {
             const std::size_t at = first + static_cast<std::size_t>(worst - errors.begin());
             std::swap(remembered_.front(), remembered_[at]);
             std::swap(expected_.front(), expected_[at]);
+            break;
+        }
+    }
+    return largest;
+}
+
+// Of fine lattices only the rounding is left, which the eye sees most of in a few of their cells.
+double PromiseCheck::glance_at_delicate(int size, CodeDepth depth, double limit) {
+    const UnionAxes axis =
+        union_axes({}, united(budget_.breaks, breaks_of(reader_of(engine_, size))));
+    double largest = 0;
+    std::vector<Rgb> colours;
+    for (const Domain& box : delicate_) {
+        std::array<std::span<const float>, 3> part;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto first = std::lower_bound(axis[c].begin(), axis[c].end(), box.min[c]);
+            part[c] = {first, std::upper_bound(first, axis[c].end(), box.max[c])};
+        }
+        colours.clear();
+        for (const float b : part[2]) {
+            for (const float g : part[1]) {
+                for (const float r : part[0]) {
+                    colours.push_back({r, g, b});
+                }
+            }
+        }
+        if (colours.empty()) {
+            continue;
+        }
+        std::vector<double> errors(colours.size());
+        eye_(budget_.metric, images_of(look_, colours), read_point_samples(size, depth, colours),
+             errors);
+        largest = std::max(largest, *std::max_element(errors.begin(), errors.end()));
+        if (largest > limit) {
+            remember(colours, errors);
             break;
         }
     }
@@ -106,39 +189,163 @@ void PromiseCheck::remember(std::span<const Rgb> colours, std::span<const double
     expected_.insert(expected_.begin(), right.begin(), right.end());
 }
 
-double PromiseCheck::largest_error(const Bake& bake, double limit) {
-    if (samples_size_ != bake.size) {
-        samples_size_ = bake.size;
-        samples_ =
-            error_samples({}, united(budget_.breaks, breaks_of(reader_of(engine_, bake.size))),
-                          {.grid = whole_grid, .between = whole_grid});
-        samples_.hiding.insert(samples_.hiding.end(), samples_.even.begin(), samples_.even.end());
-        right_.clear();
-    }
-    const std::vector<Rgb>& colours = samples_.hiding;
-    const Transform lookup = read_by(engine_, decoded(bake.picture), bake.size);
-    std::vector<double> errors(colours.size());
-    for (std::size_t first = 0; first < colours.size(); first += in_parallel) {
-        const std::size_t count = std::min(in_parallel, colours.size() - first);
-        const auto part = std::span(colours).subspan(first, count);
-        if (right_.size() <= first) {
-            const std::vector<RgbD> right = images_of(look_, part);
-            right_.insert(right_.end(), right.begin(), right.end());
+// The colours with the largest errors, from which to climb.
+class PromiseCheck::Candidates {
+  public:
+    void add(std::span<const Rgb> colours, std::span<const double> errors) {
+        for (std::size_t i = 0; i < colours.size(); ++i) {
+            if (errors[i] > floor_) {
+                worst_.push_back({errors[i], colours[i]});
+            }
         }
-        const std::vector<RgbD> got = images_of(lookup, part);
-        const auto error = std::span(errors).subspan(first, count);
-        eye_(budget_.metric, std::span(right_).subspan(first, count), got, error);
-        const double worst = *std::max_element(error.begin(), error.end());
-        if (worst > limit) {
+        if (worst_.size() > 2 * most) {
+            cut();
+        }
+    }
+    Peak climbed(const UnionAxes& axis, const ErrorsOf& errors_of) const {
+        std::vector<Rgb> colours;
+        std::vector<double> errors;
+        for (const Peak& peak : worst_) {
+            colours.push_back(peak.at);
+            errors.push_back(peak.error);
+        }
+        return lutlib::climbed(colours, errors, axis, errors_of);
+    }
+
+  private:
+    static constexpr std::size_t most = 32768;
+
+    void cut() {
+        const auto last = worst_.begin() + static_cast<std::ptrdiff_t>(most);
+        std::nth_element(worst_.begin(), last, worst_.end(),
+                         [](const Peak& a, const Peak& b) { return a.error > b.error; });
+        floor_ = last->error;
+        worst_.erase(last, worst_.end());
+    }
+
+    double floor_ = -1;
+    std::vector<Peak> worst_;
+};
+
+namespace {
+
+// A plane of a union grid, or of the middles of the cells between two of them.
+void fill_plane(std::vector<Rgb>& out, const UnionAxes& axis, std::size_t k) {
+    const bool middles = k % 2 == 1;
+    const auto at = [&](std::size_t c, std::size_t i) {
+        return middles ? std::midpoint(axis[c][i], axis[c][i + 1]) : axis[c][i];
+    };
+    const std::size_t less = middles ? 1 : 0;
+    out.clear();
+    for (std::size_t g = 0; g < axis[1].size() - less; ++g) {
+        for (std::size_t r = 0; r < axis[0].size() - less; ++r) {
+            out.push_back({at(0, r), at(1, g), at(2, k / 2)});
+        }
+    }
+}
+
+std::vector<Rgb> greys(const UnionAxes& axis) {
+    std::vector<Rgb> out;
+    for (const std::vector<float>& channel : axis) {
+        for (const float x : channel) {
+            out.push_back({x, x, x});
+        }
+    }
+    return out;
+}
+
+std::size_t grid_size(const UnionAxes& axis) {
+    return axis[0].size() * axis[1].size() * axis[2].size();
+}
+
+} // namespace
+
+// Of a few thousand colours: the largest error, in which case they become candidates, or one that
+// exceeds the limit, whose like are remembered.
+double PromiseCheck::first_beyond(double limit, const Transform& lookup, std::span<const Rgb> in,
+                                  Candidates& candidates) {
+    double largest = 0;
+    std::vector<double> errors(std::min(in_parallel, in.size()));
+    for (std::size_t first = 0; first < in.size() && largest <= limit; first += in_parallel) {
+        const auto part = in.subspan(first, std::min(in_parallel, in.size() - first));
+        const auto error = std::span(errors).first(part.size());
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, part.size(), in_one_piece),
+                          [&](const auto& range) {
+                              error_of(lookup, part.subspan(range.begin(), range.size()),
+                                       error.subspan(range.begin(), range.size()));
+                          });
+        largest = std::max(largest, *std::max_element(error.begin(), error.end()));
+        candidates.add(part, error);
+        if (largest > limit) {
             remember(part, error);
-            return worst;
         }
     }
-    const Peak peak = climbed(
-        colours, errors, samples_.axis, [&](std::span<const Rgb> in, std::span<double> error) {
-            const std::vector<RgbD> right = images_of(look_, in), got = images_of(lookup, in);
-            eye_(budget_.metric, right, got, error);
+    return largest;
+}
+
+// All of a union grid and the middles of its cells, those first that lie near the colour that broke
+// the promise last.
+double PromiseCheck::along_planes(double limit, const Transform& lookup, const UnionAxes& axis,
+                                  Candidates& candidates) {
+    const std::vector<float>& blue = axis[2];
+    const auto above = std::lower_bound(blue.begin(), blue.end() - 1, remembered_.front().b);
+    const auto start = 2 * (above - blue.begin());
+    std::vector<std::size_t> order(2 * blue.size() - 1);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [start](std::size_t a, std::size_t b) {
+        return std::abs(static_cast<std::ptrdiff_t>(a) - start) <
+               std::abs(static_cast<std::ptrdiff_t>(b) - start);
+    });
+    double largest = 0;
+    std::vector<Rgb> plane;
+    for (std::size_t i = 0; i < order.size() && largest <= limit; ++i) {
+        fill_plane(plane, axis, order[i]);
+        largest = std::max(largest, first_beyond(limit, lookup, plane, candidates));
+    }
+    return largest;
+}
+
+void PromiseCheck::error_of(const Transform& lookup, std::span<const Rgb> in,
+                            std::span<double> errors) const {
+    std::vector<RgbD> right(in.size());
+    std::transform(in.begin(), in.end(), right.begin(), to_double);
+    std::vector<RgbD> got = right;
+    look_(right);
+    lookup(got);
+    eye_(budget_.metric, right, got, errors);
+}
+
+double PromiseCheck::largest_error(const Bake& bake, double limit) {
+    const Breaks breaks = united(budget_.breaks, breaks_of(reader_of(engine_, bake.size)));
+    const UnionAxes axis = union_axes({}, breaks);
+    const Transform lookup = read_by(engine_, decoded(bake.picture), bake.size);
+    Candidates candidates;
+    const auto beyond = [&](std::span<const Rgb> in) {
+        return first_beyond(limit, lookup, in, candidates);
+    };
+    double largest = beyond(greys(axis));
+    const auto look_at = [&](auto&& largest_of) {
+        if (largest <= limit) {
+            largest = std::max(largest, largest_of());
+        }
+    };
+    const bool whole = grid_size(axis) <= whole_grid;
+    if (whole) {
+        look_at([&] { return along_planes(limit, lookup, axis, candidates); });
+        look_at([&] {
+            return beyond(suspects(look_, lookup, axis, budget_.viewing, {.cells = suspect_cells}));
         });
+    }
+    look_at([&] {
+        const ErrorSamples samples = error_samples({}, breaks, whole ? even_ones : as_many);
+        const double of_even = beyond(samples.even);
+        return whole || of_even > limit ? of_even : std::max(of_even, beyond(samples.hiding));
+    });
+    if (largest > limit) {
+        return largest;
+    }
+    const Peak peak = candidates.climbed(
+        axis, [&](std::span<const Rgb> in, std::span<double> out) { error_of(lookup, in, out); });
     if (peak.error > budget_.most) {
         remember(std::span(&peak.at, 1), std::span(&peak.error, 1));
     }

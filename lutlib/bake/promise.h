@@ -15,15 +15,25 @@ class PromiseCheck {
   public:
     PromiseCheck(const Transform& look, const Engine& engine, const Budget& budget);
 
-    /// The largest error of point samples over the remembered colours, from the nodes around them
-    /// alone; or one that exceeds `limit`, the first that is met.
+    /// The largest error of point samples over the remembered colours, and over the union grid
+    /// where the eye sees most of the look's codes, from the nodes around them alone; or one that
+    /// exceeds `limit`, the first that is met.
     double glance(int size, int bits, double limit);
 
     /// The first error met that exceeds `limit`, else the largest of all, climbed.
     double largest_error(const Bake& bake, double limit);
 
   private:
+    class Candidates;
+
+    double glance_at_remembered(int size, CodeDepth depth, double limit);
+    double glance_at_delicate(int size, CodeDepth depth, double limit);
     std::vector<RgbD> read_point_samples(int size, CodeDepth depth, std::span<const Rgb> in) const;
+    double first_beyond(double limit, const Transform& lookup, std::span<const Rgb> in,
+                        Candidates& candidates);
+    double along_planes(double limit, const Transform& lookup, const UnionAxes& axis,
+                        Candidates& candidates);
+    void error_of(const Transform& lookup, std::span<const Rgb> in, std::span<double> errors) const;
     void remember(std::span<const Rgb> colours, std::span<const double> errors);
 
     const Engine& engine_;
@@ -31,10 +41,8 @@ class PromiseCheck {
     const Transform look_;
     const Eye eye_;
     std::vector<Rgb> remembered_;
-    std::vector<RgbD> expected_; // of the remembered
-    ErrorSamples samples_;       // of the size checked last
-    std::vector<RgbD> right_;
-    int samples_size_ = 0;
+    std::vector<RgbD> expected_;   // of the remembered
+    std::vector<Domain> delicate_; // of the inputs, boxes where the eye sees most, those first
 };
 
 } // namespace lutlib

@@ -61,6 +61,17 @@ TEST(Budget, names_what_none_of_the_sizes_stays_within) {
     EXPECT_GT(found.largest, 0.1);
 }
 
+// Whose error of 1.005 lies in the middle of one of 97^3 cells, where no rounding comes above 0.9.
+TEST(Budget, is_broken_by_a_single_wrong_node) {
+    Lut lut;
+    lut.cube = identity_cube(33);
+    Rgb& wrong = lut.cube->nodes[lut.cube->index(0, 1, 1)];
+    wrong = wrong + Rgb{0, -0.017F, 0.033F};
+    const Budget budget{
+        .most = 0.95, .size = 97, .bits = 8, .fit = false, .breaks = breaks_of(lut)};
+    EXPECT_FALSE(bake_within(Transform::of(lut), *engine_named("piccolo"), budget).kept);
+}
+
 TEST(Budget, tries_every_size_that_a_strip_may_have_and_multiples_of_the_looks_cells) {
     const auto has = [](const std::vector<int>& sizes, int size) {
         return std::find(sizes.begin(), sizes.end(), size) != sizes.end();

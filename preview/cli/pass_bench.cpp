@@ -33,13 +33,22 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-/// What the passes of a graph must move in a steady frame: every image that they read or write,
-/// once each.
-std::uint64_t bytes_moved(const Graph& graph) {
+bool any_pass(const std::string&) {
+    return true;
+}
+
+/// What those passes of a graph that `counts` accepts must move in a steady frame: every image that
+/// they read or write, once each.
+std::uint64_t bytes_moved(const Graph& graph,
+                          const std::function<bool(const std::string&)>& counts = any_pass) {
     const Plan plan = make_plan(graph, make_plan(graph).held);
     std::uint64_t bytes = 0;
     for (const Step& step : plan.steps) {
-        for (const Use& use : graph.passes()[step.pass].uses) {
+        const PassRecord& pass = graph.passes()[step.pass];
+        if (!counts(pass.name)) {
+            continue;
+        }
+        for (const Use& use : pass.uses) {
             if (use.version != Version::none && plan.version_lives[use.version] &&
                 graph.resource_of(use.version).kind == ResourceKind::image) {
                 bytes += graph.resource_of(use.version).image.bytes();
@@ -275,12 +284,32 @@ void Bench::time_sample() {
         time_frame(std::string(choice.name), inputs, settings);
         frames_.push_back({std::string(choice.name), frame_});
     }
+    time_parts(inputs, settings);
     if (settings.raster != Raster::compute) {
         return;
     }
     for (const std::uint32_t side : {8U, 24U, 32U}) {
         settings.visibility.small_side = side;
         time_frame(fmt::format("compute, small up to {}", side), inputs, settings);
+    }
+}
+
+/// What the light of the surroundings takes: ambient occlusion, and a sky whose sun moves.
+void Bench::time_parts(FrameInputs inputs, FrameSettings settings) {
+    Surroundings sky;
+    sky.kind = SurroundingsKind::sky;
+    inputs.surroundings = &sky;
+    settings.force_all = true; // else the sky rests
+    Graph graph;
+    build_frame(graph, inputs, settings);
+    for (const std::string part : {"ambient occlusion", "surroundings"}) {
+        const auto is_of_part = [&](const std::string& pass) { return pass.starts_with(part); };
+        PassRow row;
+        row.group = "of the frame";
+        row.name = part;
+        row.bytes = bytes_moved(graph, is_of_part);
+        row.milliseconds = time(graph, is_of_part, 1);
+        add(std::move(row), copy_);
     }
 }
 

@@ -241,7 +241,7 @@ void Bench::time_effects() {
         const auto declare = [&](Graph& graph) {
             EffectInput in{graph.import("picture", picture, picture.desc()), size_.width, 0.5};
             if (effect->needs_depth) {
-                in.depth = {graph.import("depth", *depth_, depth_->desc()), depths_near_plane,
+                in.depth = {graph.import("depth", *depth_, depth_->desc()), depths_near_plane, 0.5F,
                             2.75F};
             }
             return effect->add(graph, in, use.values);

@@ -60,8 +60,9 @@ Lens lens_of(const lutlib::Values& values, const EffectDepth& depth, std::uint32
 }
 
 /// Of any texel that the camera may see, in texels.
-float largest_radius(const Lens& lens) {
-    const float nearest = 1 / lens.near_plane, most = std::min(0.5F / lens.focal, nearest);
+float largest_radius(const Lens& lens, float nearest_depth) {
+    const float nearest = 1 / std::max(nearest_depth, lens.near_plane),
+                most = std::min(0.5F / lens.focal, nearest);
     const auto of_focus = [&](float focus) {
         return lens.scale / (1 - lens.focal * focus) * std::max(focus, nearest - focus);
     };
@@ -72,7 +73,7 @@ float largest_radius(const Lens& lens) {
 
 std::string_view idle_because(const lutlib::Values& values, const EffectDepth& depth,
                               std::uint32_t rows) {
-    return largest_radius(lens_of(values, depth, rows)) < 0.25F
+    return largest_radius(lens_of(values, depth, rows), depth.nearest) < 0.25F
                ? "its largest circle is under half a pixel"
                : "";
 }

@@ -41,7 +41,8 @@ std::span<const StageInfo> stages();
 /// What the camera of a scene has seen, for effects whose row asks for it.
 struct EffectDepth {
     ImageHandle image;    ///< 1 - near_plane / z, 1 where there is nothing; as wide as one side
-    float near_plane = 0; ///< metres; no surface is nearer
+    float near_plane = 0; ///< metres
+    float nearest = 0;    ///< metres; no surface in the picture is nearer
     /// Of the projection: what lies at z metres and z / focal metres above the axis is at the upper
     /// border.
     float focal = 1;

@@ -7,7 +7,7 @@ namespace preview::effect {
 namespace {
 
 constexpr lutlib::Parameter parameters[] = {
-    {.name = "strength", .flag = "strength", .label = "Strength", .fallback = 0.4},
+    {.name = "strength", .flag = "strength", .label = "Strength", .fallback = 0.25},
     {.name = "size",
      .flag = "size",
      .label = "Size of a grain",

@@ -16,6 +16,7 @@
 #include "preview/passes/shadow.h"
 #include "preview/passes/split_line.h"
 #include "preview/scene/gpu_scene.h"
+#include "preview/scene/nearest.h"
 
 #include <algorithm>
 #include <cmath>
@@ -141,8 +142,17 @@ EffectDepth seen_depth(const FrameInputs& inputs, const FrameSettings& settings,
         return {};
     }
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
-    return {handles.surfaces.depth, settings.orbit.near_plane,
-            -camera_of(settings.orbit, aspect).projection[1][1]};
+    const Camera camera = camera_of(settings.orbit, aspect);
+    EffectDepth out{handles.surfaces.depth, settings.orbit.near_plane, settings.orbit.near_plane,
+                    -camera.projection[1][1]};
+    const bool is_asked =
+        std::any_of(settings.effects.begin(), settings.effects.end(),
+                    [](const EffectUse& use) { return use.effect->idle_because != nullptr; });
+    if (is_asked) {
+        out.nearest = nearest_depth(*inputs.scene, inputs.gpu_scene->geometry,
+                                    camera.projection * camera.view, settings.orbit.near_plane);
+    }
+    return out;
 }
 
 /// The effects in use that this frame draws; says why it leaves out the others.

@@ -22,7 +22,7 @@ const Names no_big_library{"OpenColorIO/", "OpenImageIO/", "vulkan/", "GLFW/", "
 const Names render =
     joined({"lutlib/*", "preview/finish", "preview/graph", "preview/look",
             "preview/look/gpu_look.*", "preview/scene", "preview/scene/light_data.*",
-            "preview/scene/scene_data.*", "preview/scene/gpu_scene.*"},
+            "preview/scene/nearest.*", "preview/scene/scene_data.*", "preview/scene/gpu_scene.*"},
            plain_gpu);
 
 } // namespace
@@ -98,6 +98,10 @@ const std::vector<Part>& parts() {
         {"preview/scene", {"lutlib/*", setting_rows}, no_screen},
         {"preview/scene/scene_data.*",
          joined({"lutlib", "preview/graph", "preview/scene"}, plain_gpu), no_screen},
+        {"preview/scene/nearest.*",
+         joined({"lutlib", "preview/graph", "preview/scene", "preview/scene/scene_data.*"},
+                plain_gpu),
+         no_screen},
         {"preview/scene/light_data.*",
          joined({"lutlib", "preview/graph", "preview/scene", "preview/scene/scene_data.*"},
                 plain_gpu),

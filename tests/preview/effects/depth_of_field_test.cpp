@@ -176,6 +176,35 @@ TEST_F(DepthOfFieldTest,
     }
 }
 
+TEST_F(DepthOfFieldTest, at_half_the_resolution_looks_alike) {
+    const Seen seen = three_discs();
+    Image half(width / 2, height / 2);
+    Given given;
+    for (int y = 0; y < half.height; ++y) {
+        for (int x = 0; x < half.width; ++x) {
+            RgbD sum{};
+            for (int n = 0; n < 4; ++n) {
+                sum = sum + seen.light.at(2 * x + n % 2, 2 * y + n / 2) * 0.25;
+            }
+            half.at(x, y) = sum;
+            const double z = seen.z[static_cast<std::size_t>(2 * y * width + 2 * x)];
+            given.depth.push_back(static_cast<float>(1 - static_cast<double>(near_plane) / z));
+        }
+    }
+    const auto large = focused(seen), small = run(use + std::string(",focus=2"), half, given);
+    Image wanted(half.width, half.height);
+    for (int y = 0; y < half.height; ++y) {
+        for (int x = 0; x < half.width; ++x) {
+            for (int n = 0; n < 4; ++n) {
+                const int at = (2 * y + n / 2) * width + 2 * x + n % 2;
+                wanted.at(x, y) =
+                    wanted.at(x, y) + lutlib::to_double(large[static_cast<std::size_t>(at)]) * 0.25;
+            }
+        }
+    }
+    EXPECT_LT(apart_of(small, wanted), 0.05);
+}
+
 TEST_F(DepthOfFieldTest, focuses_on_what_is_at_a_point) {
     const Seen seen = three_discs();
     const std::string at_x = ",at-x=" + std::to_string(50.5 / width) + ",at-y=0.5";
@@ -190,9 +219,12 @@ TEST_F(DepthOfFieldTest, focuses_on_what_is_at_a_point) {
 
 TEST(DepthOfFieldRow, is_left_out_when_its_largest_circle_is_under_half_a_pixel) {
     const PostEffect& effect = *post_effect_named("depth-of-field");
-    const auto reason = [&](const std::string& text, std::uint32_t rows) {
-        return effect.idle_because(parse_use(text).values, {{}, 0.1F, 2.75F}, rows);
+    const auto reason = [&](const std::string& text, std::uint32_t rows, float nearest = 0.1F) {
+        return effect.idle_because(parse_use(text).values, {{}, 0.1F, nearest, 2.75F}, rows);
     };
+    EXPECT_EQ(reason("depth-of-field:aperture=16", 720), "");
+    EXPECT_EQ(reason("depth-of-field:aperture=16", 720, 10),
+              "its largest circle is under half a pixel");
     EXPECT_EQ(reason("depth-of-field", 720), "");
     EXPECT_EQ(reason("depth-of-field:sensor=2,aperture=64", 720),
               "its largest circle is under half a pixel");

@@ -33,7 +33,7 @@ class EffectTest : public FinishTest {
         Graph graph;
         EffectInput in{graph.import("picture", image, image.desc()), width, given.seconds};
         if (use.effect->needs_depth) {
-            in.depth = {graph.import("depth", depth, depth.desc()), 0.1F, 2};
+            in.depth = {graph.import("depth", depth, depth.desc()), 0.1F, 0.1F, 2};
         }
         const ImageHandle out = use.effect->add(graph, in, use.values);
         graph.present(out);

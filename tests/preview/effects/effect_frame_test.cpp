@@ -175,7 +175,7 @@ TEST_F(EffectFrameTest, over_a_pan_of_30_frames_no_effect_pops) {
         double over_mean; ///< the largest step, of the mean one
     };
     for (const Bound& bound :
-         {Bound{"film-grain", 0.06, 1.2}, Bound{"glitch", 0.08, 4}, Bound{"paintbrush", 0.015, 3},
+         {Bound{"film-grain", 0.04, 1.2}, Bound{"glitch", 0.08, 4}, Bound{"paintbrush", 0.015, 3},
           Bound{"vaporwave", 0.003, 2}, Bound{"pointillism", 0.003, 2},
           Bound{"depth-of-field:aperture=0.5,sensor=100", 0.003, 2}}) {
         const Steps steps = steps_with({parse_use(bound.use)});

@@ -3,28 +3,16 @@
 // reference/pointillism.cpp is its twin.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "common/luma.glsl"
 #include "common/sanitise.glsl"
 #include "common/tile.glsl"
 layout(binding = 0) uniform sampler2D source;
-layout(binding = 1) uniform sampler2D cells;
+layout(binding = 1) uniform sampler2D cells; // ink, and radius in cells
 layout(binding = 2) writeonly uniform image2D target;
 layout(push_constant) uniform Push {
     float strength;
     float cell; // in texels
     int side_width, columns;
-    uint is_colored;
 } push;
-
-/// Of a dot that covers that share of its cell, in cells. Up to pi / 4 it lies within; from there to
-/// 1 it grows into the corners.
-float radius_of(float share) {
-    const float whole = 0.78539816;
-    if (share <= whole) {
-        return sqrt(share / 3.14159265);
-    }
-    return 0.5 + 0.20710678 * (1.0 - sqrt(max(1.0 - share, 0.0) / (1.0 - whole)));
-}
 
 void main() {
     ivec2 size = textureSize(source, 0);
@@ -43,16 +31,13 @@ void main() {
             if (any(lessThan(other, ivec2(0))) || other.x >= push.columns || other.y >= rows) {
                 continue;
             }
-            vec3 mean = texelFetch(cells, other + ivec2(side * push.columns, 0), 0).rgb;
-            float share = push.is_colored != 0u ? 1.0 - min(mean.r, min(mean.g, mean.b))
-                                                : 1.0 - luma_of(mean);
-            vec3 ink = push.is_colored != 0u ? saturate(1.0 - (1.0 - mean) / max(share, 1e-4))
-                                             : vec3(0.0);
-            float away = length(place - vec2(other) - 0.5);
-            float inside = clamp((radius_of(share) - away) * push.cell + 0.5, 0.0, 1.0);
+            vec4 dot_there = texelFetch(cells, other + ivec2(side * push.columns, 0), 0);
+            float radius = dot_there.a * push.cell; // in texels
+            float away = length(place - vec2(other) - 0.5) * push.cell;
             // What is smaller than a texel covers no more of it than it is large.
-            inside *= min(share * push.cell * push.cell, 1.0);
-            color = mix(color, ink, inside);
+            float inside =
+                clamp(radius - away + 0.5, 0.0, 1.0) * min(3.14159265 * radius * radius, 1.0);
+            color = mix(color, dot_there.rgb, inside);
         }
         vec3 own = saturate(texelFetch(source, at, 0).rgb);
         imageStore(target, at, vec4(mix(own, color, push.strength), 1.0));

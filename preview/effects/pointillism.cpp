@@ -25,11 +25,11 @@ constexpr lutlib::Parameter parameters[] = {
 
 struct CellsPush {
     float cell;
-    std::uint32_t side_width, columns, samples;
+    std::uint32_t side_width, columns, samples, is_colored;
 };
 struct Push {
     float strength, cell;
-    std::uint32_t side_width, columns, is_colored;
+    std::uint32_t side_width, columns;
 };
 
 constexpr float least_cell = 2; ///< texels
@@ -48,15 +48,15 @@ ImageHandle add(Graph& graph, const EffectInput& in, const lutlib::Values& value
     means.read(in.picture);
     const ImageHandle cells = means.write(graph.image("cells", grid));
     means.push(CellsPush{cell, in.width, columns,
-                         std::clamp(static_cast<std::uint32_t>(cell), 1U, most_samples)});
+                         std::clamp(static_cast<std::uint32_t>(cell), 1U, most_samples),
+                         number_at(values, 2) != 0 ? 1U : 0U});
     means.dispatch_over(grid.width, grid.height);
 
     Pass pass = graph.compute("pointillism", "pointillism.comp");
     pass.read(in.picture);
     pass.read(cells);
     const ImageHandle out = pass.write(graph.image("dots", desc));
-    pass.push(
-        Push{number_at(values, 0), cell, in.width, columns, number_at(values, 2) != 0 ? 1U : 0U});
+    pass.push(Push{number_at(values, 0), cell, in.width, columns});
     pass.dispatch_over(desc.width, desc.height, many_each);
     return out;
 }

@@ -24,8 +24,6 @@ constexpr std::size_t at_once = 64, in_parallel = 8192, in_one_piece = 512;
 constexpr std::size_t whole_grid = std::size_t{1} << 22;
 // Of a larger one, as many colours, and as many of its middles.
 constexpr SampleLimits as_many{.grid = whole_grid, .between = whole_grid};
-// Where all of a grid is looked at without them: the even colours, and hardly any of others.
-constexpr SampleLimits even_ones{.grid = 1024, .between = 1024};
 constexpr std::size_t suspect_cells = 8192;
 
 RgbD through_srgb(double (Encoding::*f)(double) const, RgbD c) {
@@ -336,11 +334,10 @@ double PromiseCheck::largest_error(const Bake& bake, double limit) {
             return beyond(suspects(look_, lookup, axis, budget_.viewing, {.cells = suspect_cells}));
         });
     }
-    look_at([&] {
-        const ErrorSamples samples = error_samples({}, breaks, whole ? even_ones : as_many);
-        const double of_even = beyond(samples.even);
-        return whole || of_even > limit ? of_even : std::max(of_even, beyond(samples.hiding));
-    });
+    look_at([&] { return beyond(even_samples({})); });
+    if (!whole) {
+        look_at([&] { return beyond(error_samples({}, breaks, as_many).hiding); });
+    }
     if (largest > limit) {
         return largest;
     }

@@ -227,6 +227,10 @@ void append_neutrals(std::vector<Rgb>& out, const Domain& domain, const Axes& ax
 
 } // namespace
 
+std::vector<Rgb> even_samples(const Domain& domain, std::size_t count) {
+    return over_domain(out_of_step(spread(count)), domain);
+}
+
 UnionAxes union_axes(const Domain& domain, const Breaks& breaks) {
     UnionAxes out;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -238,7 +242,7 @@ UnionAxes union_axes(const Domain& domain, const Breaks& breaks) {
 ErrorSamples error_samples(const Domain& domain, const Breaks& breaks, const SampleLimits& limits) {
     ErrorSamples out;
     out.domain = domain;
-    out.even = over_domain(out_of_step(spread(limits.even)), domain);
+    out.even = even_samples(domain, limits.even);
     out.axis = union_axes(domain, breaks);
     const bool fits = product(out.axis) <= limits.grid;
     out.whole = breaks.all && fits;

@@ -60,6 +60,8 @@ struct ErrorSamples {
 ErrorSamples error_samples(const Domain& domain, const Breaks& breaks,
                            const SampleLimits& limits = {});
 
+/// ErrorSamples::even alone, for shares of a domain.
+std::vector<Rgb> even_samples(const Domain& domain, std::size_t count = SampleLimits{}.even);
 /// ErrorSamples::axis alone.
 UnionAxes union_axes(const Domain& domain, const Breaks& breaks);
 

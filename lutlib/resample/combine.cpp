@@ -1,7 +1,7 @@
 #include "lutlib/resample/combine.h"
 
 #include "lutlib/error.h"
-#include "lutlib/metrics/compare.h"
+#include "lutlib/metrics/error_samples.h"
 #include "lutlib/resample/curves.h"
 #include "lutlib/resample/sample_lut.h"
 
@@ -137,8 +137,7 @@ Lut compose(const std::vector<const Lut*>& looks, const Sampling& sampling,
 }
 
 double clamped_share(const std::vector<const Lut*>& looks, const ResamplingMethod& method) {
-    constexpr int lattice = 17, random = 20000;
-    const std::vector<Rgb> inputs = samples_over(looks.front()->domain(), lattice, random);
+    const std::vector<Rgb> inputs = even_samples(looks.front()->domain());
     const std::vector<Transform> steps = steps_of(looks, method);
     std::size_t clamped = 0;
     for (const Rgb& input : inputs) {

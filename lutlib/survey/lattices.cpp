@@ -147,8 +147,7 @@ SurveyReference::SurveyReference(const Recipe& look, const SurveySettings& setti
     : recipe(look), exact(Transform::of(look)),
       domain(look.bake.domain.value_or(look.base_lut ? look.base_lut->domain() : Domain{})),
       viewing(look.output_encoding()), breaks(breaks_of(look)),
-      inputs(error_samples(domain, no_breaks(), settings.samples).even),
-      expected(images_of(exact, inputs)) {
+      inputs(even_samples(domain, settings.samples.even)), expected(images_of(exact, inputs)) {
     const bool display = is_for_displays(recipe.output_encoding());
     outside = display ? outside_display(expected) : OutsideDisplay{};
     clamped = display && !settings.unclamped;

@@ -307,7 +307,8 @@ TEST(WriteLut, measures_what_a_reader_makes_of_a_steep_table_before_a_cube) {
         most = std::max(most, largest_magnitude(read({v, v, v}) - evaluate_exact(look, {v, v, v})));
     }
     EXPECT_GT(most, 1e-3);
-    EXPECT_NEAR(file.losses[0].figure, most, 0.15 * most);
+    EXPECT_GE(file.losses[0].figure, 0.98 * most);
+    EXPECT_LE(file.losses[0].figure, 1.15 * most); // it looks at more than greys
 }
 
 TEST(WriteLut, says_what_a_reader_loses_of_a_narrow_domain) {

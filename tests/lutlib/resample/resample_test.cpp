@@ -177,6 +177,10 @@ TEST(Compose, with_the_identity_changes_nothing_and_counts_what_a_later_domain_c
     const double share = clamped_share({&look, &narrow}, tetrahedral());
     EXPECT_GT(share, 0.05);
     EXPECT_LT(share, 0.95);
+    // Of even colours an eighth has no channel above half, whatever part of nodes and greys does.
+    const Lut half = cube_look(identity_cube(2, {{0, 0, 0}, {0.5F, 0.5F, 0.5F}}));
+    const Lut same = cube_look(identity_cube(2));
+    EXPECT_NEAR(clamped_share({&same, &half}, tetrahedral()), 7.0 / 8, 0.004);
 }
 
 TEST(Blend, is_each_look_at_its_end_and_the_mean_between) {

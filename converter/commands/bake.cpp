@@ -1,8 +1,8 @@
 // lutconv bake: a look becomes an engine's LUT picture.
 #include "lutlib/bake/bake.h"
+#include "converter/bake_result.h"
 #include "converter/command.h"
 #include "converter/config_options.h"
-#include "converter/explain.h"
 #include "converter/look_files.h"
 #include "converter/options.h"
 #include "converter/placing.h"
@@ -28,10 +28,8 @@ namespace {
 
 using lutlib::Bake;
 using lutlib::BudgetBake;
-using lutlib::Difference;
 using lutlib::Domain;
 using lutlib::FilledBake;
-using lutlib::io::bake_report;
 
 struct Options {
     std::string input, output;
@@ -43,46 +41,6 @@ struct Options {
     double max_delta_e = 0, max_delta_itp = 0;
     double reference_white = lutlib::reference_white_nits;
     bool fit = false, measure = false, no_measure = false, explain = false, json = false;
-};
-
-std::string gain_text(std::string_view what, const lutlib::ErrorStats& before,
-                      const lutlib::ErrorStats& after) {
-    return fmt::format(
-        "    {}: mean {:.4g} instead of {:.4g} ({:.1f} % less), max {:.4g} instead of "
-        "{:.4g}\n",
-        what, after.mean, before.mean, 100 * (1 - after.mean / before.mean), after.max, before.max);
-}
-
-std::string fit_text(const FilledBake& filled, const lutlib::Viewing& viewing) {
-    if (!filled.fitted) {
-        return "  fitting does not help this look at this size; its nodes are point samples\n";
-    }
-    const lutlib::BakeLoss& lost = filled.look_loss;
-    const std::string clamped =
-        lost.clamped_values == 0
-            ? ""
-            : fmt::format("  lost: {} of the look's own values at the nodes lie outside 0..1, by "
-                          "{:.4g} at most; the fit aims at the look clamped to 0..1\n",
-                          lost.clamped_values, lost.most_clamped);
-    const Difference &before = *filled.point_sampled, &after = *filled.result;
-    const lutlib::Metric eye = eye_metric(viewing);
-    return clamped +
-           fmt::format(
-               "  fitted to the engine's lookup, over {} colours that the fit has not seen, "
-               "and the largest of all:\n{}{}    greys are tinted by {:.4g} at most instead "
-               "of {:.4g} (code values, between channels)\n",
-               after.absolute.count,
-               gain_text(lutlib::metrics()[static_cast<std::size_t>(eye)].label, before.by(eye),
-                         after.by(eye)),
-               gain_text("code values", before.absolute, after.absolute), filled.tint,
-               filled.tint_of_point_samples);
-}
-
-// What was promised: the option, its metric and its limit.
-struct Promise {
-    std::string_view option, label;
-    lutlib::Metric metric;
-    double most;
 };
 
 std::optional<Promise> promise_of(const Options& o) {
@@ -100,84 +58,6 @@ bool is_measured(const Options& o) {
     return o.measure || o.fit || promise_of(o) || (o.json && !o.no_measure);
 }
 
-std::string budget_text(const Options& o, const BudgetBake& found, const lutlib::Viewing& viewing) {
-    const Bake& bake = found.filled.bake;
-    const Promise promise = *promise_of(o);
-    const std::string note =
-        is_hdr(viewing.output) && promise.metric == lutlib::Metric::delta_e_2000
-            ? "  note: dE2000 means little above diffuse white; --max-delta-itp judges HDR\n"
-            : "";
-    return fmt::format("  {} {} {:g}{} {} nodes, {} bits, {}, {} bytes of codes, {} tried\n{}",
-                       found.kept ? "stays within" : "no combination stays within", promise.label,
-                       promise.most, found.kept ? ":" : "; the closest is", bake.size,
-                       bake.picture.depth.bits, found.filled.fitted ? "fitted" : "point-sampled",
-                       lutlib::lattice_bytes(bake.size, bake.picture.depth.bits), found.tried,
-                       note);
-}
-
-nlohmann::ordered_json as_json(const Options& o, const FilledBake& filled, const Domain& domain,
-                               const lutlib::LookPlace& place,
-                               const std::optional<Difference>& error,
-                               const lutlib::Viewing& viewing) {
-    const Bake& bake = filled.bake;
-    const lutlib::io::Reach reach = lutlib::io::reach_of(domain, place.applied());
-    nlohmann::ordered_json out{{"input", o.input},
-                               {"output", o.output},
-                               {"engine", bake.engine->name},
-                               {"layout", bake.engine->layout},
-                               {"width", bake.picture.width},
-                               {"height", bake.picture.height},
-                               {"size", bake.size},
-                               {"bits", bake.picture.depth.bits},
-                               {"srgb_tag", bake.engine->srgb_tag == lutlib::SrgbTag::present},
-                               {"encodings", to_json(place)},
-                               {"loss",
-                                {{"clamped_values", bake.loss.clamped_values},
-                                 {"most_clamped", bake.loss.most_clamped},
-                                 {"reachable_domain_share", reach.reached},
-                                 {"clamped_input_share", reach.clamped},
-                                 {"max_rounding", bake.loss.max_rounding},
-                                 {"mean_rounding", bake.loss.mean_rounding}}},
-                               {"fitted", filled.fitted},
-                               {"viewing", to_json(viewing)}};
-    if (error) {
-        out["absolute_error"] = to_json(error->absolute);
-        out["delta_e_2000"] = to_json(error->delta_e_2000);
-        out["delta_e_itp"] = to_json(error->delta_e_itp);
-    }
-    return out;
-}
-
-nlohmann::ordered_json fit_json(const FilledBake& filled) {
-    const Difference &before = *filled.point_sampled, &after = *filled.result;
-    return {
-        {"point_sampled", to_json(before.absolute)},
-        {"result", to_json(after.absolute)},
-        {"delta_e_2000",
-         {{"point_sampled", to_json(before.delta_e_2000)},
-          {"result", to_json(after.delta_e_2000)}}},
-        {"delta_e_itp",
-         {{"point_sampled", to_json(before.delta_e_itp)}, {"result", to_json(after.delta_e_itp)}}},
-        {"grey_tint", {{"point_sampled", filled.tint_of_point_samples}, {"result", filled.tint}}},
-        {"look_clamped_values", filled.look_loss.clamped_values},
-        {"look_most_clamped", filled.look_loss.most_clamped}};
-}
-
-nlohmann::ordered_json budget_json(const Options& o, const BudgetBake& found) {
-    const Promise promise = *promise_of(o);
-    return {{promise.metric == lutlib::Metric::delta_e_itp ? "max_delta_itp" : "max_delta_e",
-             promise.most},
-            {"kept", found.kept},
-            {"tried", found.tried},
-            {"bytes",
-             lutlib::lattice_bytes(found.filled.bake.size, found.filled.bake.picture.depth.bits)},
-            {"largest", found.largest}};
-}
-
-bool is_beyond_fitting(const Options& o, const FilledBake& filled) {
-    return o.fit && filled.bake.size > lutlib::largest_fitted_size;
-}
-
 FilledBake fill(const Options& o, const lutlib::Transform& look, const lutlib::Engine& engine,
                 const lutlib::FitView& view) {
     const int size = o.size ? o.size : engine.default_size;
@@ -190,21 +70,6 @@ FilledBake fill(const Options& o, const lutlib::Transform& look, const lutlib::E
 std::optional<int> if_given(int value) {
     return value ? std::optional(value) : std::nullopt;
 }
-
-// Everything that is found out about one bake, before any of it is written or printed.
-struct BakeReport {
-    FilledBake filled;
-    std::optional<BudgetBake> budgeted; ///< with --max-delta-e
-    std::string title;
-    lutlib::Interpolation interpolation; ///< how the look was read
-    Domain domain;
-    lutlib::LookPlace place;
-    lutlib::Viewing viewing;         ///< of what comes out
-    std::optional<Difference> error; ///< unless it was not to be measured
-    std::optional<Explanation> explanation;
-
-    bool is_kept() const { return !budgeted || budgeted->kept; }
-};
 
 // The look as the engine is to see it.
 lutlib::Lut table_to_explain(const lutlib::io::Look& look, const lutlib::Transform& placed,
@@ -235,10 +100,15 @@ lutlib::LookPlace place_of(const Options& o, const lutlib::Engine& engine,
     return out;
 }
 
-BakeReport make_report(const Options& o, const Verb& verb) {
+BakeResult make_result(const Options& o, const Verb& verb) {
     const lutlib::Engine& engine = o.engine.get();
     const lutlib::io::Look look = opened(o);
-    BakeReport out;
+    BakeResult out;
+    out.input = o.input;
+    out.output = o.output;
+    out.config = o.config.given() ? o.config.text() : "";
+    out.promise = promise_of(o);
+    out.fit_wanted = o.fit;
     out.place = place_of(o, engine, look);
     const lutlib::Placement placement = out.place.applied();
     const lutlib::Transform exact = o.config.before(placement.around(look.exact()));
@@ -251,7 +121,7 @@ BakeReport make_report(const Options& o, const Verb& verb) {
     out.viewing = lutlib::io::viewing_of(out.place, o.reference_white);
     const lutlib::Breaks breaks =
         o.config.given() ? lutlib::no_breaks() : lutlib::io::placed(look.breaks(), placement);
-    if (const std::optional<Promise> promise = promise_of(o)) {
+    if (const std::optional<Promise>& promise = out.promise) {
         out.budgeted = bake_within(
             exact, engine,
             {.most = promise->most,
@@ -288,62 +158,15 @@ std::string made_of(const Options& o) {
     return lutlib::io::input_name(o.input) + (o.config.given() ? ", " + o.config.text() : "");
 }
 
-void write_picture(const Options& o, const BakeReport& report) {
+void write_picture(const Options& o, const BakeResult& result) {
     lutlib::io::write_file(
-        o.output, lutlib::io::picture_bytes(report.filled.bake,
+        o.output, lutlib::io::picture_bytes(result.filled.bake,
                                             {.source = made_of(o),
-                                             .title = report.title,
-                                             .interpolation = name_of(report.interpolation),
-                                             .fitted = report.filled.fitted,
-                                             .encodings = names_of(report.place.shown()),
-                                             .look = names_of(report.place.look)}));
-}
-
-nlohmann::ordered_json report_json(const Options& o, const BakeReport& report) {
-    nlohmann::ordered_json json =
-        as_json(o, report.filled, report.domain, report.place, report.error, report.viewing);
-    if (o.config.given()) {
-        json["ocio_config"] = o.config.text();
-    }
-    if (report.filled.result) {
-        json["fit"] = fit_json(report.filled);
-    }
-    if (is_beyond_fitting(o, report.filled)) {
-        json["notes"] = {"not fitted: " + lutlib::fit_limit_text()};
-    }
-    if (report.budgeted) {
-        json["budget"] = budget_json(o, *report.budgeted);
-    }
-    if (report.explanation) {
-        json["explanation"] = to_json(*report.explanation);
-    }
-    return json;
-}
-
-std::string report_text(const Options& o, const BakeReport& report) {
-    std::string out = bake_report(input_text(o.input), output_text(o.output), report.filled.bake,
-                                  report.domain, report.place, report.error, report.viewing);
-    if (o.config.given()) {
-        out += "  encodings: " + o.config.text() +
-               " is converted by OpenColorIO before the look, and nothing else\n";
-    }
-    if (!report.error) {
-        out += "  not measured: how far the lookup is from the look between the nodes; --measure "
-               "says it, and so does lutconv verify\n";
-    }
-    if (report.filled.result) {
-        out += fit_text(report.filled, report.viewing);
-    }
-    if (is_beyond_fitting(o, report.filled)) {
-        out += "  not fitted: " + lutlib::fit_limit_text() + "\n";
-    }
-    if (report.budgeted) {
-        out += budget_text(o, *report.budgeted, report.viewing);
-    }
-    if (report.explanation) {
-        out += to_text(*report.explanation);
-    }
-    return out;
+                                             .title = result.title,
+                                             .interpolation = name_of(result.interpolation),
+                                             .fitted = result.filled.fitted,
+                                             .encodings = names_of(result.place.shown()),
+                                             .look = names_of(result.place.look)}));
 }
 
 void say_that_nothing_was_written(const Options& o, const BudgetBake& found) {
@@ -359,13 +182,13 @@ int run(const Options& o, const Verb& verb) {
     if (o.no_measure && (o.fit || promise_of(o))) {
         throw lutlib::UsageError("a fit and a promise are measured; leave --no-measure out");
     }
-    const BakeReport report = make_report(o, verb);
-    if (report.is_kept()) {
-        write_picture(o, report);
+    const BakeResult result = make_result(o, verb);
+    if (result.is_kept()) {
+        write_picture(o, result);
     }
-    o.json ? print(report_json(o, report), o.output) : print(report_text(o, report), o.output);
-    if (!report.is_kept()) {
-        say_that_nothing_was_written(o, *report.budgeted);
+    o.json ? print(to_json(result), o.output) : print(to_text(result), o.output);
+    if (!result.is_kept()) {
+        say_that_nothing_was_written(o, *result.budgeted);
         return verification_failed;
     }
     return ok;

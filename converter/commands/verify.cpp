@@ -8,6 +8,7 @@
 #include "converter/report.h"
 #include "converter/subject.h"
 #include "converter/unused.h"
+#include "converter/verify_result.h"
 #include "lutlib/bake/fitted.h"
 #include "lutlib/error.h"
 #include "lutlib/io/bake_report.h"
@@ -20,8 +21,6 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <array>
 #include <memory>
 #include <optional>
 
@@ -41,18 +40,6 @@ struct Options {
     int samples = static_cast<int>(lutlib::SampleLimits{}.even);
     double reference_white = lutlib::reference_white_nits;
     bool json = false;
-};
-
-struct Verdict {
-    std::string oracle,
-        refusal; ///< who said what is right; why it was not asked of the file itself
-    lutlib::LookPlace place{};
-    lutlib::Viewing viewing{};
-    std::string claimed{}; ///< which of the look's encodings are the picture's word alone
-    std::string scale;     ///< how its reading of the file differs by a factor, and why ours counts
-    std::optional<lutlib::Verification> result{}; ///< unless the picture has no lattice
-    std::optional<lutlib::FittedCheck> fitted{};
-    bool passed = false;
 };
 
 lutlib::Interpolation baked_interpolation(const Options& o, const Subject& s,
@@ -83,12 +70,6 @@ Claim claim_of(const Subject& s, lutlib::LookEncodings known) {
     fill(out.look.input, recorded.input, "input");
     fill(out.look.output, recorded.output, "output");
     return out;
-}
-
-std::string ignored_text(const lutlib::LookPlace& place, const lutlib::Engine& engine) {
-    lutlib::LookPlace left = place;
-    left.convert = false;
-    return sentence_of(left, engine.name) + ": bake it without --no-convert";
 }
 
 // The same look between other encodings: left alone, converted though --no-convert was given, or as
@@ -144,7 +125,13 @@ Verdict judge(const Options& o, const Subject& s, const Verb& verb) {
     const lutlib::Interpolation how = baked_interpolation(o, s, look);
     const io::LookReference reference = look.reference(how);
     const Claim claim = by_config ? Claim{} : claim_of(s, look.encodings());
-    Verdict out{.oracle = reference.name, .refusal = reference.refusal, .scale = reference.scale};
+    Verdict out;
+    out.picture = o.picture;
+    out.against = o.against;
+    out.config = by_config ? o.config.text() : "";
+    out.oracle = reference.name;
+    out.refusal = reference.refusal;
+    out.scale = reference.scale;
     // A config says what is converted, of spaces that have no encoding here.
     out.place =
         by_config ? lutlib::LookPlace{} : io::place_in(*s.engine, claim.look, o.placing.convert());
@@ -173,196 +160,6 @@ Verdict judge(const Options& o, const Subject& s, const Verb& verb) {
     return out;
 }
 
-struct NamedByWords {
-    NamedBy by;
-    std::string_view name; ///< in JSON
-    std::string_view words;
-};
-
-const NamedByWords& words_of(NamedBy by) {
-    static constexpr std::array<NamedByWords, 3> table{{
-        {NamedBy::option, "option", ""},
-        {NamedBy::picture, "picture", ", the engine that the picture names"},
-        {NamedBy::content, "content",
-         ", which is what the content looks like; for another engine name it with --engine"},
-    }};
-    return *std::find_if(table.begin(), table.end(),
-                         [by](const NamedByWords& row) { return row.by == by; });
-}
-
-// Names the engine, for a picture that is right for one is wrong for most others; so it is with the
-// encoding that the look is taken to be made for.
-std::string verdict_text(const Subject& s, const Verdict& v) {
-    const std::string taken = !v.claimed.empty()     ? v.claimed
-                              : v.place.is_unknown() ? v.place.given->name()
-                                                     : "";
-    const std::string unless =
-        v.passed && !taken.empty() ? "; right if the look is made for " + taken : "";
-    return fmt::format("{} as {} ({}){}{}", v.passed ? "passed" : "FAILED", s.engine->label,
-                       s.engine->name, words_of(s.named_by).words, unless);
-}
-
-std::string texels_text(const lutlib::TexelCheck& t) {
-    std::string out = fmt::format("  texels: {} of {} right", t.texels - t.wrong, t.texels);
-    return out + (t.wrong == 0
-                      ? "\n"
-                      : fmt::format("; off by {} codes at most (at {},{}), {:.3g} on average\n",
-                                    t.max_difference, t.worst.x, t.worst.y, t.mean_difference));
-}
-
-std::string diagnosis_text(const lutlib::Verification& result) {
-    if (!result.diagnosis) {
-        return fmt::format("  why: no known mistake explains it; check that --against names the "
-                           "look it was baked from "
-                           "(nearest: {}, {:.1f} % of the texels)\n",
-                           result.nearest.words, 100 * result.nearest.explained);
-    }
-    const double explained = result.diagnosis->explained;
-    return fmt::format(
-        "  why: {}{}\n", result.diagnosis->words,
-        explained > 0 ? fmt::format(" (explains {:.1f} % of the texels)", 100 * explained) : "");
-}
-
-nlohmann::ordered_json diagnosis_json(const lutlib::Diagnosis& diagnosis) {
-    nlohmann::ordered_json out{{"words", diagnosis.words}};
-    if (diagnosis.explained > 0) {
-        out["explained"] = diagnosis.explained;
-    }
-    return out;
-}
-
-std::string fitted_text(const lutlib::FittedCheck& check) {
-    const auto figures = [](const lutlib::Difference& error) { return to_text(error.absolute); };
-    std::string out =
-        fmt::format("  the lattice is fitted, so its texels are not the look's values: {} of {} "
-                    "are where a fit "
-                    "made anew puts them\n"
-                    "    over {} colours {}; the new fit {}; point samples {}\n",
-                    check.texels - check.moved, check.texels, check.result.absolute.count,
-                    figures(check.result), figures(check.refit), figures(check.point_sampled));
-    for (const std::string& fault : check.faults) {
-        out += "  why: " + fault + "\n";
-    }
-    return out;
-}
-
-std::string lookup_text(const Subject& s, const lutlib::Difference& error,
-                        const lutlib::Viewing& viewing) {
-    return fmt::format("  {}'s lookup ({}) against the look; p99 and mean over {} colours spread "
-                       "evenly:\n{}",
-                       s.engine->name, s.engine->lookup_help, error.absolute.count,
-                       io::figures_text(error, viewing, "    "));
-}
-
-// Everything but the file's chunks is as the engine wants it.
-bool is_a_matter_of_tags(const Subject& s, const Verdict& v) {
-    const bool right = v.result && (v.fitted ? v.fitted->right() : v.result->texels.wrong == 0);
-    return right && s.contract.size() == 1 && s.contract.front() == s.tags;
-}
-
-std::string as_text(const Options& o, const Subject& s, const Verdict& v) {
-    std::string out = fmt::format("{} against {}{} by {}\n", o.picture, o.against,
-                                  o.config.given() ? " behind " + o.config.text() : "", v.oracle);
-    out += fmt::format("  layout {}, {}x{}, {} nodes per axis, {} bits: {}\n", s.engine->layout,
-                       s.codes.width, s.codes.height, s.size, s.codes.depth.bits, s.engine->label);
-    if (!v.refusal.empty()) {
-        out += "  OpenColorIO evaluates what lutlib read of the look: " + v.refusal + "\n";
-    }
-    if (is_a_matter_of_tags(s, v)) {
-        out += "  why: the texels are right; " + s.tags + "\n";
-    }
-    if (!v.scale.empty()) {
-        out +=
-            fmt::format("  {}\n  so OpenColorIO evaluates what lutlib read of the look\n", v.scale);
-    }
-    for (const std::string& point : s.contract) {
-        if (!is_a_matter_of_tags(s, v)) {
-            out += "  contract: " + point + "\n";
-        }
-    }
-    if (v.place.is_wrong()) {
-        out += "  why: " + ignored_text(v.place, *s.engine) + "\n";
-    } else if (const std::string said = sentence_of(v.place, s.engine->name); !said.empty()) {
-        out += "  encodings: " + said + "\n";
-    }
-    if (!v.claimed.empty()) {
-        out += "  the look does not say its encodings; " + v.claimed +
-               " is what the picture's text says of it\n";
-    }
-    for (const std::string& note : s.notes) {
-        out += "  note: " + note + "\n";
-    }
-    if (v.result) {
-        out += texels_text(v.result->texels);
-        if (v.fitted) {
-            out += fitted_text(*v.fitted);
-        } else if (v.result->texels.wrong > 0) {
-            out += diagnosis_text(*v.result);
-        }
-        out += lookup_text(s, v.result->lookup, v.viewing);
-    }
-    return out + verdict_text(s, v) + "\n";
-}
-
-nlohmann::ordered_json fitted_json(const lutlib::FittedCheck& check) {
-    return {{"result", to_json(check.result.absolute)},
-            {"refit", to_json(check.refit.absolute)},
-            {"point_sampled", to_json(check.point_sampled.absolute)},
-            {"texels_moved", check.moved},
-            {"faults", check.faults}};
-}
-
-nlohmann::ordered_json as_json(const Options& o, const Subject& s, const Verdict& v) {
-    nlohmann::ordered_json out{{"picture", o.picture},
-                               {"against", o.against},
-                               {"oracle", v.oracle},
-                               {"engine", s.engine->name},
-                               {"engine_named_by", words_of(s.named_by).name},
-                               {"layout", s.engine->layout},
-                               {"size", s.size},
-                               {"bits", s.codes.depth.bits},
-                               {"contract_violations", s.contract},
-                               {"notes", s.notes},
-                               {"encodings", to_json(v.place)}};
-    out["encodings"]["claimed_by_picture"] = v.claimed;
-    if (v.place.is_wrong()) {
-        out["contract_violations"].push_back(ignored_text(v.place, *s.engine));
-    }
-    if (is_a_matter_of_tags(s, v)) {
-        out["tags_alone"] = s.tags;
-    }
-    if (!v.refusal.empty()) {
-        out["oracle_refusal"] = v.refusal;
-    }
-    if (!v.scale.empty()) {
-        out["oracle_scale"] = v.scale;
-    }
-    if (v.result) {
-        const lutlib::TexelCheck& t = v.result->texels;
-        const lutlib::Difference& lookup = v.result->lookup;
-        out["texels"] = {{"count", t.texels},
-                         {"wrong", t.wrong},
-                         {"max_difference_codes", t.max_difference},
-                         {"mean_difference_codes", t.mean_difference}};
-        if (v.result->diagnosis) {
-            out["diagnosis"] = diagnosis_json(*v.result->diagnosis);
-        } else if (t.wrong > 0 && !v.fitted) {
-            out["nearest"] = diagnosis_json(v.result->nearest);
-        }
-        out["lookup"] = {{"viewing", to_json(v.viewing)},
-                         {"absolute_error", to_json(lookup.absolute)},
-                         {"delta_e_2000", to_json(lookup.delta_e_2000)},
-                         {"delta_e_itp", to_json(lookup.delta_e_itp)},
-                         {"worst", {lookup.worst.in.r, lookup.worst.in.g, lookup.worst.in.b}}};
-    }
-    if (v.fitted) {
-        out["fitted"] = fitted_json(*v.fitted);
-    }
-    out["passed"] = v.passed;
-    out["verdict"] = verdict_text(s, v);
-    return out;
-}
-
 int run(const Options& o, const Verb& verb) {
     if (o.samples < 1 || o.samples > most_samples) {
         throw lutlib::UsageError(fmt::format("--samples must be 1 to {}", most_samples));
@@ -374,7 +171,7 @@ int run(const Options& o, const Verb& verb) {
     }
     const Subject s = open_subject(o.picture, o.engine.given() ? &o.engine.get() : nullptr);
     const Verdict v = judge(o, s, verb);
-    o.json ? print(as_json(o, s, v), "") : print(as_text(o, s, v), "");
+    o.json ? print(to_json(s, v), "") : print(to_text(s, v), "");
     return v.passed ? ok : verification_failed;
 }
 

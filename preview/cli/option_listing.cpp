@@ -77,7 +77,7 @@ std::string cube_listing() {
 }
 
 std::string effects_listing() {
-    std::string out = "Effects (--effect)\n";
+    std::string out = "Effects (--effect); h is the picture's height\n";
     for (const PostEffect* effect : post_effects()) {
         out += line_of(
             effect->name,
@@ -86,7 +86,9 @@ std::string effects_listing() {
                         can_stand_before_look(*effect) ? ", or before with before-look=1" : ""));
         for (const lutlib::Parameter& parameter : effect->parameters) {
             out += line_of(fmt::format("  {}", parameter.name),
-                           fmt::format("{}; {} to {}, by default {}", parameter.label,
+                           fmt::format("{}{}; {} to {}, by default {}", parameter.label,
+                                       parameter.unit.empty() ? std::string()
+                                                              : fmt::format(", {}", parameter.unit),
                                        parameter.min, parameter.max, parameter.fallback));
         }
     }

@@ -45,9 +45,12 @@ void find_reach() {
     }
 }
 
-vec4 blurred_rest(ivec2 at, float near_radius) {
+vec4 blurred_rest(ivec2 at, float near_radius, vec4 before) {
     vec4 own = texelFetch(rest, at, 0);
     bool is_hidden = own.a < 0.0;
+    if (is_hidden && before.a >= 0.98) {
+        return vec4(before.rgb / before.a, 0.0); // hardly anything of it is seen
+    }
     if (!is_hidden && own.a < 0.25) {
         return own;
     }
@@ -100,8 +103,8 @@ void main() {
     if (any(greaterThan(at, last))) {
         return;
     }
-    vec4 behind = blurred_rest(at, texelFetch(near_radii, at, 0).r);
-    imageStore(rest_blurred, at, vec4(round_to_half(min(behind.rgb, half_max)), behind.a));
     vec4 before = reach > 0.0 ? blurred_near(at, reach) : vec4(0.0);
     imageStore(near_blurred, at, vec4(round_to_half(min(before.rgb, half_max)), before.a));
+    vec4 behind = blurred_rest(at, texelFetch(near_radii, at, 0).r, before);
+    imageStore(rest_blurred, at, vec4(round_to_half(min(behind.rgb, half_max)), behind.a));
 }

@@ -1,6 +1,7 @@
 #include "lutlib/engine/lookups.h"
 
 #include "lutlib/color/encoding.h"
+#include "lutlib/interpolation/interpolation.h"
 
 #include <algorithm>
 #include <array>
@@ -68,9 +69,7 @@ Rgb trilinear(const Lattice& l, Rgb x) {
 
 Rgb tetrahedral(const Lattice& l, Rgb x) {
     std::array<Axis, 3> axes{axis_at(x.r, l.n), axis_at(x.g, l.n), axis_at(x.b, l.n)};
-    std::array<std::size_t, 3> order{0, 1, 2};
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return axes[a].f > axes[b].f; });
+    const Walk& order = axes_by_fraction(std::array{axes[0].f, axes[1].f, axes[2].f});
     std::array<int, 3> node{axes[0].low, axes[1].low, axes[2].low};
     Rgb sum = l.at(node[0], node[1], node[2]) * (1 - axes[order[0]].f);
     for (std::size_t step = 0; step < 3; ++step) {

@@ -47,6 +47,7 @@ class OutputIndex {
     Bucket bucket_of(RgbD output) const;
     std::size_t bucket_index(const Bucket& b) const;
     void divide(RgbD high, int buckets);
+    bool may_give(RgbD wanted, double tolerance) const;
     template <class F>
     void each_cell(F visit) const;
     std::uint64_t cell_entries() const;

@@ -25,7 +25,7 @@ constexpr Exception exceptions[] = {
     {"cmake ", "builds everything, this test too"},
     {"ctest ", "runs this test"},
     {"export ", "sets up the reader's shell"},
-    {"xvfb-run ", "wants a screen and ImageMagick"},
+    {"xvfb-run ", "wants a screen and ffmpeg"},
     {"lutpreview --b look.json ", "opens a window"},
     {"build/bin/preview_golden_tests", "renews golden pictures"},
 };

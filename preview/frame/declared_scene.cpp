@@ -112,7 +112,7 @@ DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const Frame
     if (!blocks.empty()) {
         handles.lights = graph.data("lights", std::as_bytes(std::span(blocks)));
     }
-    handles.environment = graph.data_of("environment", environment_block(scene.environment));
+    add_environment(graph, handles, scene.environment);
     handles.light_count = static_cast<std::uint32_t>(lights.size());
     handles.has_spots =
         settings.force_all || std::any_of(lights.begin(), lights.end(),

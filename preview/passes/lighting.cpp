@@ -11,7 +11,8 @@ std::vector<std::uint32_t> lighting_constants(const SceneHandles& scene,
                                    scene.has_suns ? 1U : 0U,
                                    static_cast<std::uint32_t>(inputs.surroundings.kind),
                                    inputs.occlusion ? 1U : 0U,
-                                   scene.has_areas ? 1U : 0U};
+                                   scene.has_areas ? 1U : 0U,
+                                   scene.soft_boxes};
     out.insert(out.end(), own);
     return out;
 }

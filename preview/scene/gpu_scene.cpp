@@ -39,6 +39,11 @@ GpuScene::GpuScene(const gpu::Device& device, const Scene& scene)
     }
 }
 
+void add_environment(Graph& graph, SceneHandles& handles, const Environment& environment) {
+    handles.environment = graph.data_of("environment", environment_block(environment));
+    handles.soft_boxes = static_cast<std::uint32_t>(environment.soft_box_count);
+}
+
 SceneHandles import_scene(Graph& graph, const Scene& scene, const GpuScene& gpu_scene,
                           const ViewBlock& view) {
     SceneHandles out;

@@ -30,6 +30,9 @@ struct GpuScene {
 SceneHandles import_scene(Graph& graph, const Scene& scene, const GpuScene& gpu_scene,
                           const ViewBlock& view);
 
+/// The scene's own surroundings, as lit surfaces take them.
+void add_environment(Graph& graph, SceneHandles& handles, const Environment& environment);
+
 /// A picture as the scene. Linear light, or display-encoded as from a PNG.
 struct GpuPicture {
     /// `rgba` has four floats a pixel, rows from the top.

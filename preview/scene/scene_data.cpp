@@ -197,7 +197,7 @@ EnvironmentBlock environment_block(const Environment& environment) {
     EnvironmentBlock block;
     block.zenith = glm::vec4(environment.zenith, 0);
     block.horizon = glm::vec4(environment.horizon, 0);
-    block.ground = glm::vec4(environment.ground, static_cast<float>(environment.soft_box_count));
+    block.ground = glm::vec4(environment.ground, 0);
     for (int box = 0; box < environment.soft_box_count; ++box) {
         const SoftBox& soft = environment.soft_boxes[box];
         block.soft_boxes[2 * box] = glm::vec4(soft.axis, soft.sharpness);

@@ -92,7 +92,7 @@ struct LightBlock {
 };
 
 struct EnvironmentBlock {
-    glm::vec4 zenith{0}, horizon{0}, ground{0}; ///< ground.w: how many soft boxes
+    glm::vec4 zenith{0}, horizon{0}, ground{0};
     glm::vec4 soft_boxes[2 * Environment::max_soft_boxes]{};
 };
 
@@ -141,6 +141,7 @@ struct SceneHandles {
     std::uint32_t light_count = 0;
     bool has_spots = false, has_suns = false;
     bool has_areas = false; ///< lights that are no points
+    std::uint32_t soft_boxes = 0;
     /// Of a scene with detail; else empty.
     struct Detail {
         BufferHandle vertices, materials, textures, texels;

@@ -1,5 +1,6 @@
 // What the eye sees where there is no surface. After `view`, `environment`, has_environment and
 // common/surroundings.glsl.
+#include "common/environment_light.glsl"
 
 /// Of a unit direction, in a picture of so many rows.
 vec3 background_at(vec3 direction, float rows) {
@@ -7,6 +8,6 @@ vec3 background_at(vec3 direction, float rows) {
         return vec3(0.0);
     }
     return surroundings_kind == kind_gradient
-               ? environment_radiance(environment, direction, 0.0)
+               ? environment_radiance(direction, 0.0)
                : surroundings_behind(direction, 2.0 * length(view.up.xyz) / rows);
 }

@@ -4,6 +4,7 @@
 #include "common/brdf.glsl"
 #include "common/surface.glsl"
 #include "common/lighting_constants.glsl"
+#include "common/environment_light.glsl"
 #include "common/surroundings.glsl"
 
 /// A sun has its direction in place of a position.
@@ -80,9 +81,9 @@ vec3 light_from(Surface surface, vec3 position, vec3 normal, vec3 face, vec3 to_
             vec3 f0 = mix(vec3(0.04), albedo, metalness);
             vec3 mirrored = environment_reflectance(f0, roughness, n_dot_v);
             radiance += seen_mirrored * mirrored *
-                        environment_radiance(environment, reflect(-to_eye, normal), roughness);
+                        environment_radiance(reflect(-to_eye, normal), roughness);
             radiance += seen * (1.0 - mirrored) * (1.0 - metalness) * albedo / pi *
-                        environment_irradiance(environment, normal);
+                        environment_irradiance(normal);
         }
     }
     return radiance;

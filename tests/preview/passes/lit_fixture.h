@@ -63,7 +63,7 @@ class GeometryTest : public GpuTest {
         Graph graph;
         const ViewBlock view = view_block(scene.orbit, 1.5F);
         SceneHandles handles = import_scene(graph, scene, gpu_scene, view);
-        handles.environment = graph.data_of("environment", environment_block(scene.environment));
+        add_environment(graph, handles, scene.environment);
         ShadowMaps shadows;
         shadows.size = map_size;
         std::vector<LightBlock> lights;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace lutlib {
@@ -123,19 +124,43 @@ RgbD place_in(const Lut& inverse, RgbD colour) {
     return out;
 }
 
-// Every node of the look, and between them, closely enough that each cell of the inverse has some.
+// Of the look's inputs, closely enough that each cell of the inverse has some, those that can be
+// undone and that read an open node of the inverse. Of others the inverse gives another input.
 std::vector<InverseSample> samples_of(const Lut& look, const InverseSolver& solver,
-                                      const Lut& inverse) {
-    constexpr int most = 65;
+                                      const Lut& inverse, const std::vector<bool>& open,
+                                      bool folds) {
+    constexpr int most = 129;
     const int size = std::min(2 * std::max(look.cube->size, inverse.cube->size) - 1, most);
-    std::vector<InverseSample> out;
-    for (const Rgb& node : identity_cube(size, look.cube->domain).nodes) {
-        const RgbD place = to_double(node);
-        if (solver.reached(place) && !solver.is_flat(place)) {
-            out.push_back(
-                {place_in(inverse, evaluate_exact(*look.cube, place, Interpolation::tetrahedral)),
-                 solver.unshaped(place)});
+    const std::vector<Rgb> places = identity_cube(size, look.cube->domain).nodes;
+    const auto reads_open_node = [&](RgbD among_nodes) {
+        const NodeWeights read =
+            node_weights(Interpolation::tetrahedral, inverse.cube->size, among_nodes);
+        return std::any_of(read.node.begin(),
+                           read.node.begin() + static_cast<std::ptrdiff_t>(read.count),
+                           [&](std::size_t node) { return open[node]; });
+    };
+    const auto sample_at = [&](RgbD place) -> std::optional<InverseSample> {
+        const RgbD at =
+            place_in(inverse, evaluate_exact(*look.cube, place, Interpolation::tetrahedral));
+        const RgbD input = solver.unshaped(place);
+        const bool is_wanted = solver.reached(place) && !solver.is_flat(place) &&
+                               reads_open_node(at) &&
+                               (!folds || solver.fate(input) == Fate::undoable);
+        return is_wanted ? std::optional(InverseSample{at, input}) : std::nullopt;
+    };
+    // Planes at once, and in their order.
+    const auto plane = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+    std::vector<std::vector<InverseSample>> found(static_cast<std::size_t>(size));
+    tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t k) {
+        for (std::size_t i = 0; i < plane; ++i) {
+            if (const auto sample = sample_at(to_double(places[k * plane + i]))) {
+                found[k].push_back(*sample);
+            }
         }
+    });
+    std::vector<InverseSample> out;
+    for (const std::vector<InverseSample>& part : found) {
+        out.insert(out.end(), part.begin(), part.end());
     }
     return out;
 }
@@ -274,7 +299,9 @@ Inversion Inverter::of(int size) const {
                     "domain, or how they are filled");
     }
     if (options.outside == Outside::extrapolate) {
-        out.extrapolated = fit_open_nodes(inverse, open, samples_of(look, solver, out.lut));
+        out.extrapolated = fit_open_nodes(
+            inverse, open,
+            samples_of(look, solver, out.lut, open, parts_->judged.shares.folded > 0));
     }
     out.inputs = parts_->judged.shares;
     out.undoable = parts_->judged.undoable;

@@ -85,5 +85,20 @@ TEST(InvertClosely, of_a_constant_has_nothing_to_choose_by) {
     EXPECT_EQ(out.inversion.lut.cube->size, 3);
 }
 
+// Blue turns back at heights that differ from cell to cell: colours that can be undone share the
+// inverse's cells with others that cannot, and with nodes that no input gives.
+TEST(InvertClosely, lets_no_folded_input_speak_for_what_lies_beside_the_gamut) {
+    const Lut look = cube_look(sampled(
+        [](RgbD c) {
+            const double turn = 0.6 + 0.4 * std::abs(std::sin(6 * c.r + 5 * c.g));
+            return RgbD{c.r, c.g, c.b < turn ? c.b : turn - 0.3 * (c.b - turn)};
+        },
+        17));
+    const Inversion inverse = invert(look, {.size = 17});
+    EXPECT_GT(inverse.inputs.folded, 0.15);
+    const Difference error = compare({}, round_trip(look, inverse.lut), inverse.undoable, srgb());
+    EXPECT_LT(error.delta_e_2000.p99, 1.2); // 2.35 where they do
+}
+
 } // namespace
 } // namespace lutlib

@@ -117,7 +117,13 @@ std::vector<ScopeLabel> scope_labels(const Scope& scope, const ScopePlot& plot,
     }
     std::vector<ScopeLabel> labels;
     const int gap = beside_figures * plot.dot;
-    for (std::size_t i = 0; i < quarters.size(); ++i) {
+    const bool upwards = scope.bins == ScopeBins::columns;
+    // Where quarters have no room beside each other, halves; else the ends alone.
+    const int room = upwards ? plot.height : plot.width;
+    // Across, the last figure ends where its line is.
+    const int taken = (upwards ? figures.height : 4 * figures.advance) + gap;
+    const std::size_t step = room >= 4 * taken ? 1 : room >= 2 * taken ? 2 : 4;
+    for (std::size_t i = 0; i < quarters.size(); i += step) {
         const auto quarter = static_cast<int>(i);
         const int width = static_cast<int>(quarters[i].size()) * figures.advance;
         ScopeLabel label{quarters[i], plot.x - gap - width, plot.y + plot.height + gap};

@@ -30,7 +30,10 @@ struct Colours {
 // In units of nodes, 0 .. size-1. The comparison's form sends NaN to 0.
 HWY_INLINE V lattice_coordinate(V value, float min, float max, int size) {
     const D d;
-    const V t = hn::Div(hn::Sub(value, hn::Set(d, min)), hn::Set(d, max - min));
+    V t = value;
+    if (min != 0 || max != 1) { // what this would do for 0 and 1 changes no bit
+        t = hn::Div(hn::Sub(value, hn::Set(d, min)), hn::Set(d, max - min));
+    }
     const V held = hn::IfThenElseZero(hn::Gt(t, hn::Zero(d)), hn::Min(t, hn::Set(d, 1)));
     return hn::Mul(held, hn::Set(d, static_cast<float>(size - 1)));
 }
@@ -113,26 +116,49 @@ struct Cell {
     }
 };
 
-// From the dark corner to the bright one, along the axes in order of falling fraction.
+// The nodes from the dark corner to the bright one, along the axes in order of falling fraction.
+struct Corners {
+    VI offset[4];
+    V weight[4];
+};
+
+struct Axis {
+    V f;
+    VI step;
+};
+
+HWY_INLINE void order(Axis& a, Axis& b) {
+    const auto falls = hn::Ge(a.f, b.f);
+    const auto falls_i = hn::RebindMask(DI(), falls);
+    const Axis high{hn::IfThenElse(falls, a.f, b.f), hn::IfThenElse(falls_i, a.step, b.step)};
+    b = {hn::IfThenElse(falls, b.f, a.f), hn::IfThenElse(falls_i, b.step, a.step)};
+    a = high;
+}
+
+template <class Fetch>
+HWY_INLINE Corners corners_of(const StoredLut& lut, const Colours& in) {
+    const Cell<Fetch> cell(lut, in);
+    const DI di;
+    Axis x{cell.r.f, hn::Set(di, cell.dr)}, y{cell.g.f, hn::Set(di, cell.dg)},
+        z{cell.b.f, hn::Set(di, cell.db)};
+    order(x, y);
+    order(y, z);
+    order(x, y);
+    const VI corner = cell.dark_corner();
+    const VI first = hn::Add(corner, x.step), second = hn::Add(first, y.step);
+    return {{corner, first, second, hn::Add(second, z.step)},
+            {hn::Sub(hn::Set(D(), 1), x.f), hn::Sub(x.f, y.f), hn::Sub(y.f, z.f), z.f}};
+}
+
 template <class Fetch>
 class Tetrahedral {
   public:
     HWY_INLINE void find(const StoredLut& lut, const Colours& in) {
-        const Cell<Fetch> cell(lut, in);
-        const D d;
-        const DI di;
-        Axis x{cell.r.f, hn::Set(di, cell.dr)}, y{cell.g.f, hn::Set(di, cell.dg)},
-            z{cell.b.f, hn::Set(di, cell.db)};
-        order(x, y);
-        order(y, z);
-        order(x, y);
-        const VI corner = cell.dark_corner();
-        const VI first = hn::Add(corner, x.step), second = hn::Add(first, y.step);
-        const VI last = hn::Add(second, z.step);
-        put(0, corner, hn::Sub(hn::Set(d, 1), x.f));
-        put(1, first, hn::Sub(x.f, y.f));
-        put(2, second, hn::Sub(y.f, z.f));
-        put(3, last, z.f);
+        const Corners corners = corners_of<Fetch>(lut, in);
+        for (std::size_t k = 0; k < 4; ++k) {
+            hn::Store(corners.offset[k], DI(), reads_.offset[k].data());
+            hn::Store(corners.weight[k], D(), reads_.weight[k].data());
+        }
     }
     HWY_INLINE Pixel at(const std::uint8_t* nodes, std::size_t pixel) const {
         return term(nodes, 0, pixel) + term(nodes, 1, pixel) + term(nodes, 2, pixel) +
@@ -140,23 +166,8 @@ class Tetrahedral {
     }
 
   private:
-    struct Axis {
-        V f;
-        VI step;
-    };
-    static HWY_INLINE void order(Axis& a, Axis& b) {
-        const auto falls = hn::Ge(a.f, b.f);
-        const auto falls_i = hn::RebindMask(DI(), falls);
-        const Axis high{hn::IfThenElse(falls, a.f, b.f), hn::IfThenElse(falls_i, a.step, b.step)};
-        b = {hn::IfThenElse(falls, b.f, a.f), hn::IfThenElse(falls_i, b.step, a.step)};
-        a = high;
-    }
     HWY_INLINE Pixel term(const std::uint8_t* nodes, std::size_t k, std::size_t pixel) const {
         return Fetch::at(nodes + reads_.offset[k][pixel]) * reads_.weight[k][pixel];
-    }
-    HWY_INLINE void put(std::size_t k, VI offset, V weight) {
-        hn::Store(offset, DI(), reads_.offset[k].data());
-        hn::Store(weight, D(), reads_.weight[k].data());
     }
 
     Reads<4> reads_;

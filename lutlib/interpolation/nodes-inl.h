@@ -90,7 +90,7 @@ HWY_INLINE void store(Pixel a, float* p) {
 }
 #endif
 
-// How a node's values are loaded: 16 bytes at most from its first.
+// How a node's values are loaded: 16 bytes at most from its first. `bytes`: to the next node.
 struct Codes8 {
     static constexpr std::size_t bytes = 3;
     static constexpr float scale = 1.0F / 255;
@@ -120,7 +120,7 @@ struct Halves {
     }
 };
 struct Floats {
-    static constexpr std::size_t bytes = 12;
+    static constexpr std::size_t bytes = 16;
     static constexpr float scale = 1;
     static HWY_INLINE Pixel at(const std::uint8_t* p) {
         return loaded(reinterpret_cast<const float*>(p));

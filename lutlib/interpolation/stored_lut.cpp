@@ -13,11 +13,11 @@ namespace lutlib {
 namespace {
 
 constexpr std::array<Storage, 5> storage_table{{
-    {NodeFormat::codes8, "8", "8 bits", 3, 8},
-    {NodeFormat::codes10, "10", "10 bits", 4, 10},
-    {NodeFormat::codes16, "16", "16 bits", 6, 16},
-    {NodeFormat::halves, "half", "half float", 6, 0},
-    {NodeFormat::floats, "float", "float", 12, 0},
+    {NodeFormat::codes8, "8", "8 bits", 3, 8, 3},
+    {NodeFormat::codes10, "10", "10 bits", 4, 10, 4},
+    {NodeFormat::codes16, "16", "16 bits", 6, 16, 6},
+    {NodeFormat::halves, "half", "half float", 6, 0, 6},
+    {NodeFormat::floats, "float", "float", 12, 0, 16},
 }};
 
 constexpr std::array<Lookup, 4> lookup_table{{
@@ -86,22 +86,25 @@ StoredLut::StoredLut(const Lut& lut) : storage_(&storage_table.back()), shaper_(
         size_ = lut.cube->size;
         cube_domain_ = lut.cube->domain;
         static_assert(sizeof(Rgb) == 3 * sizeof(float));
-        const std::size_t bytes = lut.cube->nodes.size() * sizeof(Rgb);
-        data_.resize(bytes + padding);
-        std::memcpy(data_.data(), lut.cube->nodes.data(), bytes);
+        const std::vector<Rgb>& nodes = lut.cube->nodes;
+        data_.resize(nodes.size() * storage_->stride + padding);
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            std::memcpy(&data_[k * storage_->stride], &nodes[k], sizeof(Rgb));
+        }
     }
 }
 
 StoredLut::StoredLut(const Lut& lut, const std::vector<RgbD>& nodes, const Storage& storage)
     : storage_(&storage), shaper_(lut.shaper), size_(lut.cube->size),
-      cube_domain_(lut.cube->domain), data_(nodes.size() * storage.bytes + padding) {
+      cube_domain_(lut.cube->domain), data_(nodes.size() * storage.stride + padding) {
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-        store_node(&data_[k * storage.bytes], nodes[k], storage);
+        store_node(&data_[k * storage.stride], nodes[k], storage);
     }
 }
 
 std::size_t StoredLut::bytes() const {
-    return (size_ ? data_.size() - padding : 0) +
+    return static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_) *
+               static_cast<std::size_t>(size_) * storage_->bytes +
            (shaper_ ? shaper_->entries.size() * sizeof(Rgb) : 0);
 }
 

@@ -19,8 +19,9 @@ struct Storage {
     NodeFormat format;
     std::string_view name;
     std::string_view label;
-    std::size_t bytes; ///< of a node
-    int bits;          ///< of codes of 0..1; 0 for floating point
+    std::size_t bytes;  ///< of a node
+    int bits;           ///< of codes of 0..1; 0 for floating point
+    std::size_t stride; ///< bytes from a node to the next as a program keeps them
 };
 
 /// 8 bits, 10 bits (three in 32), 16 bits, half, float.
@@ -56,7 +57,8 @@ class StoredLut {
     /// Nodes a side; 0 when there is no lattice.
     int size() const { return size_; }
     const Domain& cube_domain() const { return cube_domain_; }
-    /// The nodes, red fastest, storage().bytes each; 16 bytes more may be read.
+    /// The nodes, red fastest, storage().stride apart; 16 bytes from each may be read. Floats are
+    /// aligned to 16 bytes.
     const std::uint8_t* nodes() const { return data_.data(); }
 
     /// Of the lattice and the 1D table, which is kept in floats.

@@ -131,6 +131,38 @@ INSTANTIATE_TEST_SUITE_P(Shapes, OnEveryProcessor,
                                          Shape{33, 1024, {}}, Shape{0, 3, {}},
                                          Shape{0, 4096, odd_domain}, Shape{0, 0, {}}));
 
+// What is larger than the caches is written past them, from wherever its first whole vector lies.
+TEST(Apply, a_picture_larger_than_the_caches_comes_out_as_in_place) {
+    const Lut lut = random_look({17, 0, {}});
+    const StoredLut stored(lut);
+    constexpr std::size_t pixels = (std::size_t{1} << 18) + 77;
+    std::vector<float> in(4 * pixels + 64);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> value(-0.1F, 1.1F);
+    std::generate(in.begin(), in.end(), [&] { return value(random); });
+    for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
+        hwy::SetSupportedTargetsForTest(left & -left);
+        SCOPED_TRACE(hwy::TargetName(left & -left));
+        for (const Interpolation how : {Interpolation::trilinear, Interpolation::tetrahedral}) {
+            std::vector<float> in_place = in;
+            apply_on_this_thread(stored, lookup_of(how), in_place.data(), in_place.data(), pixels,
+                                 4);
+            for (const std::size_t first : {0U, 4U, 8U, 12U, 1U}) {
+                std::vector<float> out(in.size(), -7);
+                apply_on_this_thread(stored, lookup_of(how), in.data(), out.data() + first, pixels,
+                                     4);
+                EXPECT_TRUE(
+                    std::equal(out.begin() + static_cast<std::ptrdiff_t>(first),
+                               out.begin() + static_cast<std::ptrdiff_t>(first + 4 * pixels),
+                               in_place.begin()))
+                    << "from float " << first;
+                EXPECT_EQ(out[first + 4 * pixels], -7);
+            }
+        }
+    }
+    hwy::SetSupportedTargetsForTest(0);
+}
+
 TEST_P(OnEveryProcessor, many_pixels_are_what_evaluate_makes_of_each) {
     const Lut lut = random_look(GetParam());
     const std::vector<Rgb> inputs = inputs_for(GetParam());

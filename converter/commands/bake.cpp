@@ -53,7 +53,7 @@ std::optional<Promise> promise_of(const Options& o) {
     return std::nullopt;
 }
 
-// Measuring takes ten times as long as the bake, so only who wants figures waits for them.
+// Measuring takes some twenty times as long as the bake, so only who wants figures waits for them.
 bool is_measured(const Options& o) {
     return o.measure || o.fit || promise_of(o) || (o.json && !o.no_measure);
 }
@@ -229,8 +229,8 @@ Run declare_bake(Verb& verb) {
     verb.add_flag(
         "--measure", o->measure,
         "say how far the engine's lookup is from the look: p99 and mean, and the largest "
-        "of all colours, in code values and dE2000; takes ten times as long. With --json, "
-        "--fit and --max-delta-e always");
+        "of all colours, in code values and dE2000; a tenth of a second where the bake takes a "
+        "hundredth. With --json, --fit and --max-delta-e always");
     verb.add_flag("--no-measure", o->no_measure, "leave that out with --json too")
         .excludes({"--measure"});
     verb.add_flag("--explain", o->explain,

@@ -16,9 +16,6 @@ struct SampleLimits {
     std::size_t grid = 1 << 19;    ///< of the union grid; of a larger one, a part
     std::size_t between = 1 << 17; ///< of the middles between its colours
 };
-/// For what has to follow a hand.
-inline constexpr SampleLimits quick_samples{
-    .even = 20'000, .grid = std::size_t{1} << 15, .between = std::size_t{1} << 13};
 
 using UnionAxes = std::array<std::vector<float>, 3>;
 

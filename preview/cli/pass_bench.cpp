@@ -275,17 +275,20 @@ void Bench::time_sample() {
     settings.orbit = scene.orbit;
     settings.tonemap = tonemap_named("agx");
     settings.bloom = bloom_named("glare");
+    bool has_compute = false;
     for (const RasterChoice& choice : rasters().subspan(1)) {
         try {
             settings.raster = choice.on(device_, size_);
         } catch (const lutlib::UsageError&) {
             continue; // not on this device
         }
+        has_compute = has_compute || settings.raster == Raster::compute;
         time_frame(std::string(choice.name), inputs, settings);
         frames_.push_back({std::string(choice.name), frame_});
     }
+    settings.raster = has_compute ? Raster::compute : Raster::hardware;
     time_parts(inputs, settings);
-    if (settings.raster != Raster::compute) {
+    if (!has_compute) {
         return;
     }
     for (const std::uint32_t side : {8U, 24U, 32U}) {

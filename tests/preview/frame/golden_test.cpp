@@ -27,21 +27,21 @@ struct Golden {
     const char* compare;
     const char* tonemap;
     const char* bloom;
+    /// No code may be off by more: about what a surface differs from what lies behind it.
+    int largest = 64;
 };
 
 constexpr Golden goldens[] = {
     {"studio_split", "studio", "split", "agx", "glare"},
     {"materials", "materials", "a", "khronos-neutral", "none"},
     {"chart_difference", "chart", "diff", "none", "none"},
-    {"sample_a", "sample", "a", "agx", "none"},
+    {"sample_a", "sample", "a", "agx", "none", 96}, // white linen on black glass
     {"night_b", "night", "b", "agx", "glare"},
     {"exterior_a", "exterior", "a", "agx", "none"},
 };
 
-/// What drivers may make of edges: so many codes may be off by more than 2, and none by more than a
-/// surface differs from what lies behind it.
+/// What drivers may make of edges: so many codes may be off by more than 2.
 constexpr double most_off = 0.01;
-constexpr int largest_difference = 64;
 
 /// Warmer, and more saturated.
 lutlib::Lut warm_look() {
@@ -113,7 +113,7 @@ void expect_golden(const std::string& name, const lutlib::io::PngImage& found) {
     const Distance distance = distance_between(found, expected);
     testing::Test::RecordProperty("largest", distance.largest);
     EXPECT_LE(distance.share, most_off);
-    EXPECT_LE(distance.largest, largest_difference);
+    EXPECT_LE(distance.largest, GetParam().largest);
     if (!testing::Test::HasFailure()) {
         std::filesystem::remove(found_path);
         return;

@@ -92,6 +92,7 @@ Rendered render_frame(Executor& executor, const FrameInputs& inputs, const Frame
 
     Rendered out;
     out.explanation = explain(graph, executor.plan()) + order_text(handles);
+    out.withheld.assign(graph.withheld().begin(), graph.withheld().end());
     out.size = size_of(graph, handles.output);
     if (graph.image_desc(handles.output).format == Format::rgba32f) {
         out.values = values_of<float>(executor.read_image(handles.output));
@@ -118,9 +119,24 @@ Rendered render_frame(Executor& executor, const FrameInputs& inputs, const Frame
     return out;
 }
 
+std::vector<std::string> left_out(const std::vector<AskedPart>& asked,
+                                  const std::vector<Withheld>& withheld) {
+    std::vector<std::string> out;
+    for (const AskedPart& part : asked) {
+        const auto found =
+            std::find_if(withheld.begin(), withheld.end(),
+                         [&](const Withheld& item) { return item.name == part.name; });
+        if (found != withheld.end()) {
+            out.push_back(fmt::format("{} changes nothing here: {}", part.option, found->reason));
+        }
+    }
+    return out;
+}
+
 Timings time_frames(Executor& executor, const FrameInputs& inputs, const FrameSettings& settings,
                     int frames) {
     const FrameInputs known = measured(executor, inputs, settings);
+    Timings out;
     std::vector<std::string> order;
     std::map<std::string, std::vector<double>> by_name;
     std::vector<double> gpu;
@@ -134,6 +150,7 @@ Timings time_frames(Executor& executor, const FrameInputs& inputs, const FrameSe
         const std::chrono::duration<double, std::milli> took =
             std::chrono::steady_clock::now() - start;
         if (frame < warm_up_frames) {
+            out.withheld.assign(graph.withheld().begin(), graph.withheld().end());
             continue;
         }
         std::map<std::string, double> sums;
@@ -152,7 +169,6 @@ Timings time_frames(Executor& executor, const FrameInputs& inputs, const FrameSe
         gpu.push_back(total);
         wall.push_back(took.count());
     }
-    Timings out;
     out.frames = frames;
     for (const std::string& name : order) {
         out.passes.push_back(statistics(name, by_name[name]));

@@ -1,6 +1,7 @@
 // Renders without a window: into a file, or for its timings.
 #pragma once
 
+#include "preview/cli/options_unused.h"
 #include "preview/frame/settings.h"
 #include "preview/graph/execute.h"
 
@@ -19,6 +20,7 @@ struct Rendered {
     float heat_scale = 0;                     ///< dE2000 at the end of its heat map
     std::optional<Probe> probe;               ///< of the place that the settings name
     std::string explanation;                  ///< what was kept and left out
+    std::vector<Withheld> withheld;           ///< of it what the frame withheld
 };
 
 /// One frame. What depends on measurements (bloom) is measured in a first frame and decided in a
@@ -34,7 +36,12 @@ struct Timings {
     std::vector<PassTiming> passes; ///< in order; several passes of one name are added up
     PassTiming gpu;                 ///< the whole frame by the GPU's clock
     PassTiming wall;                ///< from the declaration of a frame to its end, on the CPU
+    std::vector<Withheld> withheld; ///< by the frame
 };
+
+/// A sentence for each part that a person has asked for and the frame has withheld.
+std::vector<std::string> left_out(const std::vector<AskedPart>& asked,
+                                  const std::vector<Withheld>& withheld);
 
 /// Medians over `frames` frames after a warm-up.
 Timings time_frames(Executor& executor, const FrameInputs& inputs, const FrameSettings& settings,

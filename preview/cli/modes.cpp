@@ -14,10 +14,15 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 
 namespace preview {
 
 namespace {
+
+void tell(const std::string& line) {
+    std::fprintf(stderr, "lutpreview: %s\n", line.c_str());
+}
 
 std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& path,
                                  const LookUse& use, bool force, std::string& notes,
@@ -98,6 +103,10 @@ Rendering::Rendering(const Options& options)
     const bool shows_picture = !settings.shows_intermediate() && settings.scope == nullptr;
     settings.keep_hdr =
         file.holds_light && options.exr_light && shows_picture && !shown->display_encoded();
+    if (const std::string line = not_in_light(options, settings);
+        settings.keep_hdr && !line.empty()) {
+        tell(line);
+    }
     settings.format = file.frame_format();
     settings.dithers = options.dither.value_or(false);
     settings.shows_numbers = file.holds_light && settings.shows_intermediate();
@@ -135,10 +144,21 @@ void write(const std::string& path, const Rendering& rendering, const Rendered& 
                   settings.shows_numbers ? Content::numbers : Content::codes, alpha);
 }
 
+/// Says once what the frame leaves out of what was asked for; the explanation has it anyhow.
+void tell_left_out(const Options& options, const std::vector<Withheld>& withheld,
+                   std::set<std::string>& told) {
+    for (const std::string& line : left_out(asked_parts(options), withheld)) {
+        if (told.insert(line).second && !options.explain) {
+            tell(line);
+        }
+    }
+}
+
 void render_once(const Options& options, const Rendering& rendering, Executor& executor,
-                 Report& report) {
+                 Report& report, std::set<std::string>& told) {
     FrameSettings settings = rendering.settings;
     const Rendered rendered = render_frame(executor, rendering.inputs(), settings);
+    tell_left_out(options, rendered.withheld, told);
     report.probe = rendered.probe;
     report.place = settings.probe.value_or(ProbePlace{});
     report.figures = rendered.figures;
@@ -159,7 +179,7 @@ void render_once(const Options& options, const Rendering& rendering, Executor& e
 
 /// The frame at a moment. The scene's meshes, which the GPU has, are the same at every moment.
 void render_moment(const Options& options, const Rendering& rendering, Executor& executor,
-                   double seconds, const std::string& path) {
+                   double seconds, const std::string& path, std::set<std::string>& told) {
     FrameSettings settings = rendering.settings;
     settings.seconds = seconds;
     FrameInputs inputs = rendering.inputs();
@@ -174,17 +194,20 @@ void render_moment(const Options& options, const Rendering& rendering, Executor&
         inputs.scene = &*scene;
         inputs.lights = &lights;
     }
-    write(path, rendering, render_frame(executor, inputs, settings));
+    const Rendered rendered = render_frame(executor, inputs, settings);
+    tell_left_out(options, rendered.withheld, told);
+    write(path, rendering, rendered);
 }
 
 void render_sequence(const Options& options, const Rendering& rendering, Executor& executor,
                      const FrameRange& range) {
     int written = 0;
+    std::set<std::string> told;
     for (int frame = range.first; frame <= range.last; ++frame) {
         const std::string path = frame_path(options.output, frame);
         if (!options.resume || !std::filesystem::exists(path)) {
             render_moment(options, rendering, executor,
-                          options.seconds + frame / options.frame_rate, path);
+                          options.seconds + frame / options.frame_rate, path, told);
             ++written;
         }
     }
@@ -262,12 +285,14 @@ void render(const Options& options) {
         return;
     }
     Report report;
+    std::set<std::string> told;
     if (!options.output.empty() || options.explain || rendering.settings.probe) {
-        render_once(options, rendering, executor, report);
+        render_once(options, rendering, executor, report, told);
     }
     if (options.timings) {
         report.timings =
             time_frames(executor, rendering.inputs(), rendering.settings, frames.count);
+        tell_left_out(options, report.timings->withheld, told);
         report.device = rendering.device.name();
         report.size = rendering.settings.output;
     }

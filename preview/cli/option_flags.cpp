@@ -162,6 +162,15 @@ void declare(CLI::App& app, Options& options) {
     for (const OptionRow& row : option_rows()) {
         declare(app, row, options);
     }
-    app.parse_complete_callback([&] { options.unused = unused_options(app, options); });
+    app.parse_complete_callback([&] {
+        for (const CLI::Option* const option : app.get_options()) {
+            for (const std::string& name : option->get_lnames()) {
+                if (option->count() > 0) {
+                    options.given.push_back("--" + name);
+                }
+            }
+        }
+        options.unused = unused_options(options);
+    });
 }
 } // namespace preview

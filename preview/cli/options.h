@@ -58,7 +58,8 @@ struct Options {
     std::string depth;     ///< of the output; empty: as files of its name usually have
     bool exr_light = true; ///< files that hold light get that before the tone map
     std::string font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"; ///< of the window
-    std::string places; ///< file that tells where the window's controls are
+    std::string places;             ///< file that tells where the window's controls are
+    std::vector<std::string> given; ///< each name, as "--split", of the options that were given
     /// A sentence for each option that was given and changes nothing in what the others ask for.
     std::vector<std::string> unused;
 };

@@ -1,4 +1,4 @@
-// Options of a command line that change nothing in what it asks for.
+// Options of a command line that change nothing in what it asks for, and what of it a file lacks.
 #pragma once
 
 #include "preview/cli/options.h"
@@ -8,7 +8,22 @@
 
 namespace preview {
 
-/// A sentence for each that was given, once `app` has been parsed into `options`.
-std::vector<std::string> unused_options(const CLI::App& app, const Options& options);
+/// A sentence for each that was given, as far as the command line alone tells.
+std::vector<std::string> unused_options(const Options& options);
+
+/// Whether the output is of a type that holds light and never codes: OpenEXR, Radiance.
+bool output_holds_light(const Options& options);
+
+/// What a person has asked for and a file of the light before the tone map has not, in a sentence
+/// with the remedy; empty: nothing.
+std::string not_in_light(const Options& options, const FrameSettings& settings);
+
+/// An effect or another part of the frame that a person has asked for, and by what.
+struct AskedPart {
+    std::string name;   ///< as the frame calls it
+    std::string option; ///< as "--effect vignette"
+};
+/// Those that are not switched off by another option.
+std::vector<AskedPart> asked_parts(const Options& options);
 
 } // namespace preview

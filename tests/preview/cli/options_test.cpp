@@ -4,6 +4,7 @@
 #include "preview/cli/look_options.h"
 #include "preview/cli/option_listing.h"
 #include "preview/cli/option_rows.h"
+#include "preview/cli/options_unused.h"
 #include "preview/effects/effect.h"
 #include "preview/frame/frame.h"
 #include "preview/look/cube_settings.h"
@@ -78,6 +79,51 @@ TEST(Options, that_change_nothing_in_a_run_are_said) {
                     .empty());
     EXPECT_TRUE(said("--headless -o x.##.png --frames 0-3 --frame-rate 30 --resume").empty());
     EXPECT_TRUE(said("--engine-a unity --cube-nodes 5 --font x.ttf").empty()); // in the window
+}
+
+TEST(Options, of_files_of_light_have_a_part_in_every_file_that_may_hold_it) {
+    for (const char* const input : {"sample", "picture.exr"}) {
+        for (const char* const output : {"x.exr", "x.hdr", "x.EXR"}) {
+            EXPECT_TRUE(parsed(std::string(input) + " --exr picture -o " + output).unused.empty());
+        }
+        EXPECT_EQ(parsed(std::string(input) + " --exr picture -o x.tif").unused.size(), 1U);
+    }
+}
+
+TEST(Options, that_a_file_of_light_has_not_are_named_with_the_remedy) {
+    const auto missing = [](const std::string& arguments) {
+        const Options options = parsed("-o x.exr " + arguments);
+        return not_in_light(options, settings_of(options, {}));
+    };
+    EXPECT_EQ(missing("--b look.cube --compare side --tonemap agx --effect glitch --effect "
+                      "sharpen:before-look=1"),
+              "'x.exr' holds the light before bloom and tone map, without the tone map, the looks, "
+              "the comparison, glitch and sharpen: add --exr picture for the finished picture");
+    EXPECT_EQ(missing("--bloom-strength 0.5 --exr light"),
+              "'x.exr' holds the light before bloom and tone map, without the bloom: add --exr "
+              "picture for the finished picture");
+    for (const PostEffect* const effect : post_effects()) {
+        EXPECT_EQ(missing("--effect " + std::string(effect->name)).empty(),
+                  effect->stage == Stage::hdr)
+            << effect->name;
+    }
+    EXPECT_EQ(missing("--exposure 1 --size 8x8"), "");
+    EXPECT_EQ(missing("--effect vignette --without vignette"), "");
+}
+
+TEST(Options, ask_for_parts_that_are_said_with_the_reason_that_withholds_them) {
+    const Options options = parsed("--effect vignette --effect sharpen --focus-at 1,1 --dither "
+                                   "--without sharpen");
+    const std::vector<Withheld> withheld{{"vignette", "because"},
+                                         {"sharpen", "it is not in use"},
+                                         {"dither", "so"},
+                                         {"depth-of-field", "it has none"},
+                                         {"glitch", "it is not in use"}};
+    EXPECT_EQ(left_out(asked_parts(options), withheld),
+              (std::vector<std::string>{"--effect vignette changes nothing here: because",
+                                        "--focus-at changes nothing here: it has none",
+                                        "--dither changes nothing here: so"}));
+    EXPECT_TRUE(left_out(asked_parts(options), {}).empty());
 }
 
 TEST(Options, move_the_scenes_camera_by_every_number) {

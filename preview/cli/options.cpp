@@ -45,8 +45,19 @@ EffectUses effects_of(const Options& options, bool is_scene) {
 /// Puts the effect in use, with its focus on that texel of one side's picture.
 void focus_at(EffectUses& uses, const std::string& text, Size size) {
     const ProbePlace place = parse_place("--focus-at", text, size);
-    const EffectUse* const given = use_of(uses, *post_effect_named("depth-of-field"));
-    EffectUse use = given != nullptr ? *given : usual_use(*post_effect_named("depth-of-field"));
+    const PostEffect& effect = *post_effect_named("depth-of-field");
+    const EffectUse usual = usual_use(effect);
+    const EffectUse* const given = use_of(uses, effect);
+    EffectUse use = given != nullptr ? *given : usual;
+    for (const std::string_view parameter : {"focus", "at-x", "at-y"}) {
+        const lutlib::Parameter* const row = lutlib::find_named(effect.parameters, parameter);
+        const auto i = static_cast<std::size_t>(row - effect.parameters.data());
+        if (use.values[i] != usual.values[i]) {
+            throw lutlib::UsageError(fmt::format("--focus-at and --effect {}:{}=... both say where "
+                                                 "the focus is: drop one of them",
+                                                 effect.name, parameter));
+        }
+    }
     const auto share = [](int texel, std::uint32_t length) { return (texel + 0.5) / length; };
     set_number(use, "focus", 0);
     set_number(use, "at-x", share(place.x, size.width));
@@ -111,11 +122,15 @@ bool opens_window(const Options& options) {
            options.probe.empty() && options.output.empty() && options.cube_view.empty();
 }
 
+const Compare* compare_of(const Options& options) {
+    return options.is_compare_given ? options.frame.compare
+           : options.look_b.empty() ? &compare_a
+                                    : &compare_split;
+}
+
 FrameSettings settings_of(const Options& options, Size input_size) {
     FrameSettings settings = options.frame;
-    if (!options.is_compare_given) {
-        settings.compare = options.look_b.empty() ? &compare_a : &compare_split;
-    }
+    settings.compare = compare_of(options);
     const UsualFinish usual = usual_finish(options.input);
     if (!options.is_tonemap_given) {
         settings.tonemap = usual.tonemap;
@@ -129,14 +144,14 @@ FrameSettings settings_of(const Options& options, Size input_size) {
                                        : parse_size("--scope-size", options.scope_size);
     }
     settings.effects = effects_of(options, input_size == Size{});
-    for (const std::string& name : options.without) {
-        leave_out(settings, name);
-    }
     settings.seconds = options.seconds;
     settings.output = output_size(options, settings, input_size);
     if (!options.focus_at.empty()) {
         focus_at(settings.effects, options.focus_at,
                  picture_size(settings.output, *settings.compare));
+    }
+    for (const std::string& name : options.without) {
+        leave_out(settings, name);
     }
     if (!options.probe.empty()) {
         settings.probe = parse_place("--probe", options.probe, settings.output);

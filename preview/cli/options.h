@@ -70,6 +70,9 @@ void declare(CLI::App& app, Options& options);
 /// Whether they ask for the window, as those do that ask for nothing else.
 bool opens_window(const Options& options);
 
+/// The comparison: as given, else A alone, or both sides when there is a look for B.
+const Compare* compare_of(const Options& options);
+
 /// What the options say of the frame; `input_size` is a picture's own size, or {} for a scene.
 /// Throws lutlib::UsageError for names that no table has, with those that it has.
 FrameSettings settings_of(const Options& options, Size input_size);

@@ -18,18 +18,25 @@ namespace {
 struct Rule {
     std::vector<std::string> flags;
     bool has_part;
-    std::string_view why_not;
+    std::string why_not;
 };
 
 bool is_look(const std::string& path) {
     return !path.empty() && path != "none";
 }
 
-std::vector<std::string> cube_flags() {
-    std::vector<std::string> out{"--cube-nodes"};
-    for (const NumberRow<CubeView>& row : cube_numbers()) {
+template <class S>
+std::vector<std::string> flags_of(std::span<const NumberRow<S>> rows) {
+    std::vector<std::string> out;
+    for (const NumberRow<S>& row : rows) {
         out.push_back(fmt::format("--{}", row.flag));
     }
+    return out;
+}
+
+std::vector<std::string> cube_flags() {
+    std::vector<std::string> out = flags_of(cube_numbers());
+    out.emplace_back("--cube-nodes");
     for (const SwitchRow<CubeView>& row : cube_switches()) {
         out.push_back(fmt::format("--{}", row.flag));
     }
@@ -51,6 +58,16 @@ bool is_given(const Options& options, const std::string& flag) {
     return std::find(options.given.begin(), options.given.end(), flag) != options.given.end();
 }
 
+bool is_without(const Options& options, const std::string& name) {
+    return std::find(options.without.begin(), options.without.end(), name) != options.without.end();
+}
+
+std::vector<std::string> bloom_flags() {
+    std::vector<std::string> out = picture_flags("bloom");
+    out.emplace_back("--bloom");
+    return out;
+}
+
 bool is_any_given(const Options& options, const std::vector<std::string>& flags) {
     return std::any_of(flags.begin(), flags.end(),
                        [&](const std::string& flag) { return is_given(options, flag); });
@@ -69,7 +86,9 @@ std::vector<std::string> said(const Options& options, const std::vector<Rule>& r
 }
 
 std::vector<Rule> rules_of(const Options& o) {
-    const bool window = opens_window(o), is_sequence = parse_frames(o.frames).range.has_value();
+    const bool window = opens_window(o), is_sequence = parse_frames(o.frames).range.has_value(),
+               has_looks = is_look(o.look_a) || is_look(o.look_b);
+    const Compare* const compare = compare_of(o);
     return {
         {{"--engine-a", "--look-input-a", "--look-output-a"},
          is_look(o.look_a) || window,
@@ -86,16 +105,55 @@ std::vector<Rule> rules_of(const Options& o) {
         {{"--depth"}, !o.output.empty(), "no picture is written; -o names one"},
         {{"--exr"}, output_holds_light(o), "it is for an output of .exr or .hdr"},
         {{"--font", "--places"}, window, "no window opens"},
+        {{"--split"}, compare == &compare_split || window, "it is for --compare split"},
+        {{"--heat-scale"}, compare == &compare_difference || window, "it is for --compare diff"},
+        {{"--picture-encoding", "--no-convert", "--look-at"},
+         has_looks || window,
+         "neither side has a look"},
+        {bloom_flags(), !is_without(o, "bloom"), "--without bloom switches it off"},
+        {{"--tonemap"}, !is_without(o, "tonemap"), "--without tonemap switches it off"},
+        {{"--focus-at"},
+         !is_without(o, "depth-of-field"),
+         "--without depth-of-field switches it off"},
+        {{"--fxaa"}, !is_without(o, "fxaa"), "--without fxaa switches it off"},
     };
 }
 
+std::vector<std::string> joined(std::vector<std::string> first,
+                                const std::vector<std::string>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
 /// "a", "a and b", "a, b and c".
-std::string enumerated(const std::vector<std::string>& items) {
+std::string enumerated(const std::vector<std::string>& items, std::string_view last) {
     std::string out;
     for (std::size_t i = 0; i < items.size(); ++i) {
-        out += (i == 0 ? "" : i + 1 == items.size() ? " and " : ", ") + items[i];
+        out += i == 0                  ? items[i]
+               : i + 1 == items.size() ? fmt::format(" {} {}", last, items[i])
+                                       : ", " + items[i];
     }
     return out;
+}
+
+/// A rule for each number of surroundings that those of this kind have not.
+void add_surroundings(std::vector<Rule>& rules, SurroundingsKind kind) {
+    for (const NumberRow<Surroundings>& row : surroundings_numbers()) {
+        bool has_part = false;
+        std::vector<std::string> kinds;
+        for (const SurroundingsInfo& info : surroundings_kinds()) {
+            if (std::any_of(
+                    info.numbers.begin(), info.numbers.end(),
+                    [&](const NumberRow<Surroundings>& own) { return own.flag == row.flag; })) {
+                has_part = has_part || info.kind == kind;
+                kinds.push_back(
+                    fmt::format("--surroundings {}",
+                                info.kind == SurroundingsKind::picture ? "FILE" : info.name));
+            }
+        }
+        rules.push_back(
+            {{fmt::format("--{}", row.flag)}, has_part, "it is for " + enumerated(kinds, "or")});
+    }
 }
 
 } // namespace
@@ -106,7 +164,49 @@ bool output_holds_light(const Options& options) {
 }
 
 std::vector<std::string> unused_options(const Options& options) {
-    return said(options, rules_of(options));
+    std::vector<std::string> out = said(options, rules_of(options));
+    if (!options.cube_view.empty() &&
+        !is_look(options.cube_view == "a" ? options.look_a : options.look_b)) {
+        out.push_back(fmt::format("--cube-view {0} draws nodes that no look has moved: --{0} names "
+                                  "a look",
+                                  options.cube_view));
+    }
+    for (const EffectUse& use : options.effects) {
+        const std::string name(use.effect->name);
+        if (is_without(options, name)) {
+            out.push_back(fmt::format("--effect {0} changes nothing here: --without {0} switches "
+                                      "it off",
+                                      name));
+        }
+    }
+    return out;
+}
+
+std::vector<std::string> unused_options(const Options& options, const KnownInput& input,
+                                        const FrameSettings& settings) {
+    std::vector<Rule> rules{
+        {{"--surroundings", "--shadow-size", "--raster", "--camera"},
+         input.scene != nullptr,
+         "a picture is shown"},
+        {joined(flags_of(camera_numbers()), picture_flags("occlusion")), input.scene != nullptr,
+         "a picture is shown"},
+        {picture_flags("bloom"), input.has_codes || settings.bloom != bloom_named("none"),
+         "the bloom is none"},
+        {joined(bloom_flags(), {"--tonemap"}), !input.has_codes,
+         "the picture is display-encoded already"},
+    };
+    if (input.scene == nullptr) {
+        rules.push_back({flags_of(surroundings_numbers()), false, "a picture is shown"});
+    } else {
+        add_surroundings(rules, surroundings_of(options, *input.scene).kind);
+    }
+    std::vector<std::string> out = said(options, rules);
+    if (settings.without.has(Effect::floor) && (input.scene == nullptr || !input.scene->floor)) {
+        out.push_back(fmt::format("--without floor changes nothing here: {}",
+                                  input.scene == nullptr ? "a picture is shown"
+                                                         : "no floor was put under the scene"));
+    }
+    return out;
 }
 
 std::vector<AskedPart> asked_parts(const Options& options) {
@@ -125,18 +225,14 @@ std::vector<AskedPart> asked_parts(const Options& options) {
         out.push_back({"dither", "--dither"});
     }
     out.erase(std::remove_if(out.begin(), out.end(),
-                             [&](const AskedPart& part) {
-                                 return std::find(options.without.begin(), options.without.end(),
-                                                  part.name) != options.without.end();
-                             }),
+                             [&](const AskedPart& part) { return is_without(options, part.name); }),
               out.end());
     return out;
 }
 
 std::string not_in_light(const Options& options, const FrameSettings& settings) {
-    std::vector<std::string> bloom = picture_flags("bloom"), missing;
-    bloom.emplace_back("--bloom");
-    if (is_any_given(options, bloom)) {
+    std::vector<std::string> missing;
+    if (is_any_given(options, bloom_flags())) {
         missing.emplace_back("the bloom");
     }
     if (is_given(options, "--tonemap")) {
@@ -161,7 +257,7 @@ std::string not_in_light(const Options& options, const FrameSettings& settings) 
                ? std::string()
                : fmt::format("'{}' holds the light before bloom and tone map, without {}: add "
                              "--exr picture for the finished picture",
-                             options.output, enumerated(missing));
+                             options.output, enumerated(missing, "and"));
 }
 
 } // namespace preview

@@ -11,6 +11,17 @@ namespace preview {
 /// A sentence for each that was given, as far as the command line alone tells.
 std::vector<std::string> unused_options(const Options& options);
 
+/// What is known once the input has been read.
+struct KnownInput {
+    const Scene* scene = nullptr; ///< null: a picture is shown
+    bool has_codes = false;       ///< its numbers are for a display already
+};
+
+/// A sentence for each that was given and changes nothing of this input, without a window.
+/// `settings` are those that settings_of() makes of `options`.
+std::vector<std::string> unused_options(const Options& options, const KnownInput& input,
+                                        const FrameSettings& settings);
+
 /// Whether the output is of a type that holds light and never codes: OpenEXR, Radiance.
 bool output_holds_light(const Options& options);
 

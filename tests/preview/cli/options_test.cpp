@@ -14,6 +14,7 @@
 #include <CLI/CLI.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 namespace preview {
@@ -67,7 +68,7 @@ TEST(Options, that_change_nothing_in_a_run_are_said) {
     for (const char* const flag :
          {"--engine-a unity", "--look-input-a srgb", "--cube-nodes 5", "--scope-size 64x64",
           "--scope-side a", "--frames 5", "--frame-rate 30", "--resume", "--exr picture",
-          "--font x.ttf"}) {
+          "--font x.ttf", "--heat-scale 8"}) {
         const std::vector<std::string> lines = said(run + flag);
         ASSERT_EQ(lines.size(), 1U) << flag;
         const std::string text(flag), option = text.substr(0, text.find(' '));
@@ -79,6 +80,65 @@ TEST(Options, that_change_nothing_in_a_run_are_said) {
                     .empty());
     EXPECT_TRUE(said("--headless -o x.##.png --frames 0-3 --frame-rate 30 --resume").empty());
     EXPECT_TRUE(said("--engine-a unity --cube-nodes 5 --font x.ttf").empty()); // in the window
+}
+
+TEST(Options, that_another_option_takes_the_part_of_are_said) {
+    for (const char* const arguments :
+         {"--headless -o x.png --split 0.3", "--headless -o x.png --compare diff --split 0.3",
+          "--headless -o x.png --picture-encoding slog3", "--headless -o x.png --no-convert",
+          "--headless -o x.png --look-at before", "--effect vignette --without vignette",
+          "--focus-at 1,1 --without depth-of-field", "--fxaa --without shadows,fxaa",
+          "--bloom glare --without bloom", "--bloom-radius 2 --without bloom",
+          "--tonemap agx --without tonemap", "--cube-view b -o x.png",
+          "--cube-view a --b look.cube -o x.png"}) {
+        EXPECT_EQ(parsed(arguments).unused.size(), 1U) << arguments;
+    }
+    for (const char* const arguments :
+         {"--headless -o x.png --b look.cube --split 0.3", "--split 0.3 --heat-scale 8",
+          "--headless -o x.png --compare diff --heat-scale 8 --a look.cube --look-at before",
+          "--effect vignette --without fxaa", "--cube-view b --b look.cube -o x.png"}) {
+        EXPECT_TRUE(parsed(arguments).unused.empty()) << arguments;
+    }
+}
+
+TEST(Options, that_change_nothing_of_this_input_are_said) {
+    Scene scene = scene_at(scenes().front(), 0);
+    const auto said = [](const std::string& arguments, const KnownInput& input) {
+        const Options options = parsed(arguments);
+        return unused_options(options, input, settings_of(options, {})).size();
+    };
+    const KnownInput shows_scene{&scene, false}, shows_light{nullptr, false},
+        shows_codes{nullptr, true};
+    for (const SurroundingsInfo& kind : surroundings_kinds()) {
+        const std::string surroundings =
+            "--surroundings " +
+            (kind.kind == SurroundingsKind::picture ? "x.exr" : std::string(kind.name));
+        for (const NumberRow<Surroundings>& row : surroundings_numbers()) {
+            const bool has_part =
+                std::any_of(kind.numbers.begin(), kind.numbers.end(),
+                            [&](const auto& own) { return own.flag == row.flag; });
+            const std::string number = " --" + std::string(row.flag) + " 1";
+            EXPECT_EQ(said(surroundings + number, shows_scene), has_part ? 0U : 1U)
+                << surroundings << number;
+            EXPECT_EQ(said(number, shows_light), 1U) << number;
+        }
+    }
+    scene.floor.reset();
+    EXPECT_EQ(said("--without floor", shows_scene), 1U);
+    EXPECT_EQ(said("--without floor", shows_light), 1U);
+    scene.floor = 0;
+    EXPECT_EQ(said("--without floor", shows_scene), 0U);
+    for (const char* const flag : {"--tonemap agx", "--bloom glare", "--bloom-radius 2"}) {
+        EXPECT_EQ(said(flag, shows_codes), 1U) << flag;
+        EXPECT_EQ(said(flag, shows_light), 0U) << flag;
+    }
+    EXPECT_EQ(said("--bloom none --bloom-radius 2", shows_light), 1U);
+    EXPECT_EQ(said("--bloom none --bloom-radius 2", shows_codes), 2U) << "each once";
+    for (const char* const flag : {"--shadow-size 64", "--raster compute", "--azimuth 3",
+                                   "--occlusion-radius 1", "--camera x", "--surroundings sky"}) {
+        EXPECT_EQ(said(flag, shows_codes), 1U) << flag;
+        EXPECT_EQ(said(flag, shows_scene), 0U) << flag;
+    }
 }
 
 TEST(Options, of_files_of_light_have_a_part_in_every_file_that_may_hold_it) {
@@ -251,13 +311,21 @@ TEST(Options, switch_off_every_part_of_the_frame) {
 
 TEST(Options, focus_on_a_texel_of_one_sides_picture) {
     const FrameSettings given =
-        settings("--focus-at 24,12 --effect depth-of-field:aperture=4,focus=3 --size 100x50");
+        settings("--focus-at 24,12 --effect depth-of-field:aperture=4 --size 100x50");
     EXPECT_EQ(use_text(given.effects.back()),
               "depth-of-field:strength=1,focus=0,at-x=0.245,at-y=0.25,aperture=4,sensor=24,"
               "largest=40");
     EXPECT_EQ(settings("--focus-at 24,12 --size 100x50").effects.back().effect,
               post_effect_named("depth-of-field"));
     EXPECT_THROW(settings("--focus-at 60,12 --size 100x50 --compare side"), lutlib::UsageError);
+    for (const char* const place : {"focus=3", "at-x=0.25", "at-y=0"}) {
+        EXPECT_THROW(settings(std::string("--focus-at 1,1 --effect depth-of-field:") + place),
+                     lutlib::UsageError)
+            << place;
+    }
+    EXPECT_EQ(use_of(settings("--focus-at 1,1 --without depth-of-field").effects,
+                     *post_effect_named("depth-of-field")),
+              nullptr);
 }
 
 TEST(Options, show_every_intermediate_and_every_effect) {

@@ -11,7 +11,6 @@
 #include "preview/look/look_file.h"
 
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <set>
@@ -91,6 +90,11 @@ Rendering::Rendering(const Options& options)
     if (shown->scene) {
         settings.orbit = orbit_of(options, *shown->scene);
         surroundings = surroundings_of(options, *shown->scene);
+    }
+    for (const std::string& line : unused_options(
+             options, {shown->scene ? &*shown->scene : nullptr, shown->display_encoded()},
+             settings)) {
+        tell(line);
     }
     settings.raster = options.raster->on(device, picture_size(settings.output, *settings.compare));
     for (const std::string& line : shown->told) {
@@ -205,7 +209,7 @@ void render_sequence(const Options& options, const Rendering& rendering, Executo
     std::set<std::string> told;
     for (int frame = range.first; frame <= range.last; ++frame) {
         const std::string path = frame_path(options.output, frame);
-        if (!options.resume || !std::filesystem::exists(path)) {
+        if (!options.resume || !is_frame_there(path)) {
             render_moment(options, rendering, executor,
                           options.seconds + frame / options.frame_rate, path, told);
             ++written;
@@ -245,6 +249,7 @@ void render_cube(const Options& options) {
     if (options.output.empty()) {
         throw lutlib::UsageError("--cube-view needs -o FILE");
     }
+    refuse_hashes(options.output);
     const LoadedLook look = options.cube_view == "a"
                                 ? load_look(options.look_a, use_a(options, true))
                                 : load_look(options.look_b, use_b(options, true));
@@ -271,6 +276,8 @@ void render(const Options& options) {
             throw lutlib::UsageError("a sequence of --frames prints nothing: drop --explain, "
                                      "--timings and --probe, or the range");
         }
+    } else {
+        refuse_hashes(options.output);
     }
     const Rendering rendering(options);
     if (options.json && !prints && rendering.settings.compare != &compare_difference) {

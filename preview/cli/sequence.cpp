@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <filesystem>
+#include <system_error>
 
 namespace preview {
 
@@ -37,6 +39,21 @@ FramesAsked parse_frames(const std::string& text) {
     throw lutlib::UsageError(fmt::format("--frames needs a count of 1 to {0}, or FIRST-LAST within "
                                          "0 to {0}, got '{1}'",
                                          most_frames, text));
+}
+
+void refuse_hashes(const std::string& path) {
+    if (path.find("##") != std::string::npos) {
+        throw lutlib::UsageError(fmt::format("-o '{}': # stand for the number of a frame; name "
+                                             "frames, as --frames 0-119, without --cube-view, or "
+                                             "take the # out",
+                                             path));
+    }
+}
+
+bool is_frame_there(const std::string& path) {
+    std::error_code failed;
+    return std::filesystem::is_regular_file(path, failed) &&
+           std::filesystem::file_size(path, failed) > 0 && !failed;
 }
 
 std::string frame_path(const std::string& pattern, int frame) {

@@ -20,6 +20,13 @@ struct FramesAsked {
 /// "50", or "0-119". Throws lutlib::UsageError.
 FramesAsked parse_frames(const std::string& text);
 
+/// Throws lutlib::UsageError for a run of # in a file's name, which no sequence fills.
+void refuse_hashes(const std::string& path);
+
+/// Whether a frame's file is there: a file that is not empty, as they are written whole or not at
+/// all.
+bool is_frame_there(const std::string& path);
+
 /// The file of a frame: its number in place of the last run of #, with zeros before it. Throws
 /// lutlib::UsageError for a pattern without #.
 std::string frame_path(const std::string& pattern, int frame);

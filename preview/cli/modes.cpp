@@ -103,6 +103,10 @@ Rendering::Rendering(const Options& options)
     }
     if (!options.output.empty()) {
         file = file_format(options.output, options.depth);
+        for (const std::string& line : shown->not_written) {
+            std::fprintf(stderr, "lutpreview: %s: not written: %s; 'lutconv apply' keeps it\n",
+                         shown->name.c_str(), line.c_str());
+        }
     }
     const bool shows_picture = !settings.shows_intermediate() && settings.scope == nullptr;
     settings.keep_hdr =

@@ -3,6 +3,7 @@
 #include "lutlib/color/matrix.h"
 #include "lutlib/error.h"
 #include "lutlib/io/image.h"
+#include "lutlib/io/orientation.h"
 #include "preview/scene/floor.h"
 #include "preview/scene/import.h"
 
@@ -26,6 +27,9 @@ void to_rec709(std::vector<float>& rgba, const lutlib::Encoding& from) {
 
 ShownPicture read_picture(Shown& shown, const std::string& path) {
     lutlib::io::FloatImage image = lutlib::io::read_image(path);
+    if (image.source && image.source->orientation > 1) {
+        image = upright(image, image.source->orientation);
+    }
     const std::optional<lutlib::Encoding> encoding = encoding_of(image);
     ShownPicture picture;
     picture.display_encoded = lutlib::io::info_of(image.depth).integer;
@@ -40,6 +44,11 @@ ShownPicture read_picture(Shown& shown, const std::string& path) {
         to_rec709(image.rgba, *encoding);
         shown.told.push_back("its light is converted from " + std::string(encoding->gamut->label) +
                              " to Rec.709");
+    }
+    if (image.source) {
+        for (const std::string& lost : image.source->beyond_text()) {
+            shown.not_written.push_back(lost);
+        }
     }
     picture.size = {static_cast<std::uint32_t>(image.width),
                     static_cast<std::uint32_t>(image.height)};

@@ -2,6 +2,7 @@
 
 #include "lutlib/half.h"
 #include "preview/frame/frame.h"
+#include "preview/frame/frame_effects.h"
 #include "preview/passes/pass.h"
 #include "preview/scene/gpu_scene.h"
 

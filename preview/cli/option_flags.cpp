@@ -107,7 +107,7 @@ void declare_cube(CLI::App& app, Options& options) {
 void declare_effects(CLI::App& app, Options& options) {
     app.add_flag_function(
         "--fxaa,!--no-fxaa", [&options](std::int64_t count) { options.fxaa = count > 0; },
-        "Antialiasing; by default on for scenes and off for pictures");
+        "Antialiasing; by default on for scenes but the chart, off for pictures");
     app.add_flag_function(
         "--dither,!--no-dither", [&options](std::int64_t count) { options.dither = count > 0; },
         "Spread the rounding to 8 bits, so that smooth ramps show no contours; by default on in "

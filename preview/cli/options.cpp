@@ -35,7 +35,7 @@ void leave_out(FrameSettings& settings, const std::string& name) {
 
 EffectUses effects_of(const Options& options, bool is_scene) {
     EffectUses uses;
-    set_usual(uses, options.fxaa.value_or(is_scene));
+    set_usual(uses, options.fxaa.value_or(is_scene && usual_finish(options.input).is_antialiased));
     for (const EffectUse& use : options.effects) {
         put_use(uses, use);
     }

@@ -31,7 +31,7 @@ struct Options {
     FrameSettings frame;
     bool is_compare_given = false;
     bool is_tonemap_given = false, is_bloom_given = false; ///< else the scene's own
-    std::optional<bool> fxaa;         ///< empty: on for scenes, off for pictures
+    std::optional<bool> fxaa;         ///< empty: as usual_finish() and pictures have it
     std::optional<bool> dither;       ///< empty: on in the window, else off
     EffectUses effects;               ///< that are put in
     std::vector<std::string> without; ///< names of parts of the frame and of effects

@@ -12,6 +12,7 @@ UsualFinish usual_finish(std::string_view input) {
         if (!info->tonemap.empty()) {
             out.tonemap = tonemap_named(info->tonemap);
         }
+        out.is_antialiased = info->is_antialiased;
         if (!info->bloom.empty()) {
             out.bloom = bloom_named(info->bloom);
         }

@@ -12,6 +12,7 @@ namespace preview {
 struct UsualFinish {
     const Tonemap* tonemap;
     const Bloom* bloom;
+    bool is_antialiased = true; ///< of a scene
 };
 UsualFinish usual_finish(std::string_view input);
 

@@ -62,7 +62,8 @@ std::span<const SceneInfo> scenes() {
          .help = "light of exactly known values: ColorChecker, stops, hues, ramps, skins",
          .make = chart_scene,
          .tonemap = "none",
-         .bloom = "none"},
+         .bloom = "none",
+         .is_antialiased = false},
     }};
     return table;
 }

@@ -105,6 +105,7 @@ struct SceneInfo {
     void (*animate)(Scene& scene, double seconds) = nullptr;
     /// Rows of the tone maps and blooms that it is made for; empty: the program's defaults.
     std::string_view tonemap = {}, bloom = {};
+    bool is_antialiased = true; ///< unless it is asked for otherwise
 };
 
 std::span<const SceneInfo> scenes();

@@ -16,7 +16,7 @@ void take_shown(editor::State& state, std::shared_ptr<const Shown> shown) {
     if (state.bloom == before.bloom) {
         state.bloom = usual.bloom;
     }
-    set_usual(state.effects, shown->scene.has_value());
+    set_usual(state.effects, shown->scene && usual.is_antialiased);
     state.lights.clear();
     state.surroundings = {};
     if (shown->scene) {

@@ -3,9 +3,11 @@
 #include "lutlib/error.h"
 #include "preview/effects/fusion.h"
 #include "preview/frame/declared_scene.h"
+#include "preview/frame/frame_effects.h"
 #include "preview/frame/instruments.h"
 #include "preview/look/gpu_look.h"
 #include "preview/passes/bloom_composite.h"
+#include "preview/passes/copy.h"
 #include "preview/passes/dither.h"
 #include "preview/passes/finish.h"
 #include "preview/passes/forward.h"
@@ -16,7 +18,6 @@
 #include "preview/passes/shadow.h"
 #include "preview/passes/split_line.h"
 #include "preview/scene/gpu_scene.h"
-#include "preview/scene/nearest.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,10 +106,6 @@ ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSet
                        filters_normals);
 }
 
-bool is_display_encoded(const FrameInputs& inputs) {
-    return inputs.picture != nullptr && inputs.picture->display_encoded;
-}
-
 /// Exposes and measures handles.lit into handles.hdr. The codes of a picture that needs neither
 /// reach the looks as they are.
 void resolve(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings, Size size,
@@ -124,81 +121,6 @@ void resolve(Graph& graph, const FrameInputs& inputs, const FrameSettings& setti
                                           has_codes ? Format::rgba32f : Format::rgba16f);
     handles.hdr = resolved.hdr;
     handles.hdr_maximum = resolved.maximum;
-}
-
-bool has_scene_look(const FrameInputs& inputs, const FrameSettings& settings) {
-    const auto is_before_tonemap = [](bool is_shown, const GpuLook* look) {
-        return is_shown && look != nullptr && look->place != 0;
-    };
-    return !settings.without.has(Effect::looks) &&
-           (is_before_tonemap(settings.compare->shows_a, inputs.look_a) ||
-            is_before_tonemap(settings.compare->shows_b, inputs.look_b));
-}
-
-/// What effects may be told of what the camera sees in a picture of `size`; of a picture nothing.
-EffectDepth seen_depth(const FrameInputs& inputs, const FrameSettings& settings, Size size,
-                       const FrameHandles& handles) {
-    if (inputs.scene == nullptr) {
-        return {};
-    }
-    const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
-    const Camera camera = camera_of(settings.orbit, aspect);
-    EffectDepth out{handles.surfaces.depth, settings.orbit.near_plane, settings.orbit.near_plane,
-                    -camera.projection[1][1]};
-    const bool is_asked =
-        std::any_of(settings.effects.begin(), settings.effects.end(),
-                    [](const EffectUse& use) { return use.effect->idle_because != nullptr; });
-    if (is_asked) {
-        out.nearest = nearest_depth(*inputs.scene, inputs.gpu_scene->geometry,
-                                    camera.projection * camera.view, settings.orbit.near_plane);
-    }
-    return out;
-}
-
-/// The effects in use that this frame draws; says why it leaves out the others.
-EffectUses drawn_effects(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
-                         const EffectDepth& depth) {
-    const EffectSurroundings frame{settings.compare, is_display_encoded(inputs),
-                                   has_scene_look(inputs, settings), static_cast<bool>(depth)};
-    EffectUses drawn;
-    for (const EffectUse& use : settings.effects) {
-        std::string_view reason = left_out_because(use, frame);
-        if (reason.empty() && use.effect->idle_because != nullptr && !settings.force_all) {
-            reason = use.effect->idle_because(use.values, depth, settings.output.height);
-        }
-        if (reason.empty()) {
-            drawn.push_back(use);
-        } else {
-            graph.withhold(use.effect->name, reason);
-        }
-    }
-    for (const PostEffect* effect : post_effects()) {
-        if (use_of(settings.effects, *effect) == nullptr) {
-            graph.withhold(effect->name, "it is not in use");
-        }
-    }
-    return drawn;
-}
-
-/// The effects that a frame draws, and what they are given.
-struct DrawnEffects {
-    EffectUses uses;
-    EffectInput given; ///< but for the picture
-};
-
-/// Lays the effects of a stage over the picture, one after the other.
-ImageHandle with_effects(Graph& graph, Stage stage, const DrawnEffects& drawn, ImageHandle picture,
-                         FrameHandles& handles) {
-    EffectInput in = drawn.given;
-    for (const EffectUse& use : drawn.uses) {
-        if (stage_of(use) == stage) {
-            in.picture = picture;
-            in.depth = use.effect->needs_depth ? drawn.given.depth : EffectDepth{};
-            picture = use.effect->add(graph, in, use.values);
-            handles.effects.push_back({use.effect, stage, picture});
-        }
-    }
-    return picture;
 }
 
 /// Why there is no bloom; empty when there is.
@@ -276,7 +198,9 @@ void tone_map(Graph& graph, Finishing& finishing) {
     Finishing codes = finishing;
     codes.look_a = codes.look_b = nullptr;
     codes.settings.compare = &compare_a;
-    codes.settings.format = Format::rgba16f;
+    if (codes.settings.format != Format::rgba32f) {
+        codes.settings.format = Format::rgba16f;
+    }
     codes.settings.name = "tone map";
     finishing.picture = add_finish(graph, codes).picture;
     finishing.bloom = {};
@@ -302,11 +226,16 @@ void finish(Graph& graph, const FrameSettings& settings, const DrawnEffects& dra
             with_effects(graph, Stage::before_look, drawn, finishing.picture, handles);
     }
     finishing.settings.has_line = !fusion.is_line_apart;
-    const bool dithers = settings.dithers && settings.format == Format::rgba8 &&
-                         settings.compare != &compare_difference;
+    const bool rounds = settings.format == Format::rgba8 && settings.compare != &compare_difference;
+    const bool dithers = settings.dithers && rounds;
+    // Effects take what is not yet rounded; antialiasing alone is not worth a pass for it.
+    const bool rounds_apart = rounds && !dithers && has_stage(drawn.uses, Stage::after_look);
     if (dithers) {
         finishing.settings.format = Format::rgba32f;
     } else {
+        if (rounds_apart) {
+            finishing.settings.format = Format::rgba16f;
+        }
         graph.withhold("dither", settings.dithers ? "there are no 8 bits of colour to round to"
                                                   : "it is off");
     }
@@ -317,6 +246,8 @@ void finish(Graph& graph, const FrameSettings& settings, const DrawnEffects& dra
     handles.output = with_effects(graph, Stage::last, drawn, handles.output, handles);
     if (dithers) {
         handles.output = add_dither(graph, handles.output);
+    } else if (rounds_apart) {
+        handles.output = add_copy(graph, handles.output, Format::rgba8);
     }
     if (fusion.is_line_apart) {
         handles.output = add_split_line(graph, handles.output, settings.split);
@@ -364,20 +295,6 @@ void show_effect(Graph& graph, const FrameSettings& settings, FrameHandles& hand
 
 } // namespace
 
-std::string order_text(const FrameHandles& handles) {
-    // What comes after the effects of each stage.
-    constexpr std::string_view then[] = {"bloom", "tone map", "looks", "", "line and names"};
-    std::string out = "order     light";
-    for (const StageInfo& row : stages()) {
-        for (const EffectPicture& made : handles.effects) {
-            out += made.stage == row.stage ? ", " + std::string(made.effect->name) : "";
-        }
-        const std::string_view next = then[static_cast<std::size_t>(row.stage)];
-        out += next.empty() ? "" : ", " + std::string(next);
-    }
-    return out + "\n";
-}
-
 FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings) {
     const Size size = picture_size(settings.output, *settings.compare);
     FrameHandles handles;
@@ -394,10 +311,7 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
         handles.lit = render_scene(graph, inputs, settings, size, handles);
     }
 
-    const EffectDepth depth = seen_depth(inputs, settings, size, handles);
-    DrawnEffects drawn{drawn_effects(graph, inputs, settings, depth), {}};
-    drawn.given.seconds = settings.seconds;
-    drawn.given.depth = depth;
+    DrawnEffects drawn = drawn_effects(graph, inputs, settings, size, handles);
     resolve(graph, inputs, settings, size, handles);
     if (settings.only_maximum && handles.hdr_maximum) {
         graph.present(handles.hdr_maximum);

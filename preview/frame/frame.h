@@ -9,7 +9,6 @@
 #include "preview/passes/view.h"
 
 #include <span>
-#include <string>
 #include <string_view>
 
 namespace preview {
@@ -29,8 +28,5 @@ const DebugView* debug_view_named(std::string_view name);
 /// the settings keep; with a debug view the output alone. Throws lutlib::UsageError for a view of
 /// something that this frame withholds.
 FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings);
-
-/// A line that tells where in the frame the effects stand that it has laid over the picture.
-std::string order_text(const FrameHandles& handles);
 
 } // namespace preview

@@ -1,5 +1,7 @@
 #include "preview/window/window_frame.h"
 
+#include "preview/frame/frame_effects.h"
+
 #include <imgui.h>
 
 #include <algorithm>

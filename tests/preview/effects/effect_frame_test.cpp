@@ -48,6 +48,23 @@ class EffectFrameTest : public FrameTest {
     }
 };
 
+// Sharpening what is rounded already doubles its error and more.
+TEST_F(EffectFrameTest, codes_are_rounded_once_after_all_effects) {
+    FrameSettings settings = small_settings();
+    settings.effects = {parse_use("sharpen")};
+    const Rendered exact = rendered(settings);
+    settings.format = Format::rgba8;
+    const Rendered codes = rendered(settings);
+    ASSERT_EQ(codes.rgba.size(), exact.values.size());
+    double squares = 0;
+    for (std::size_t i = 0; i < codes.rgba.size(); ++i) {
+        const double off = codes.rgba[i] - 255.0 * exact.values[i];
+        squares += off * off;
+    }
+    // Rounding alone leaves 1 / sqrt(12) = 0.289 of a code.
+    EXPECT_LT(std::sqrt(squares / static_cast<double>(codes.rgba.size())), 0.35);
+}
+
 TEST_F(EffectFrameTest, any_two_effects_and_all_of_them_go_together) {
     FrameSettings settings = small_settings();
     const std::span<const PostEffect* const> all = post_effects();

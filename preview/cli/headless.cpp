@@ -1,6 +1,9 @@
 #include "preview/cli/headless.h"
 
+#include "lutlib/error.h"
 #include "lutlib/half.h"
+#include "lutlib/named.h"
+#include "preview/effects/effect.h"
 #include "preview/frame/frame.h"
 #include "preview/frame/frame_effects.h"
 #include "preview/passes/pass.h"
@@ -13,6 +16,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <map>
 #include <sstream>
 
@@ -29,6 +33,49 @@ std::vector<T> values_of(const std::vector<std::byte>& bytes) {
     return values;
 }
 
+/// Of an intermediate that is called otherwise than what withholds it: how that begins.
+struct NamedOtherwise {
+    std::string_view view, withheld;
+};
+constexpr NamedOtherwise named_otherwise[] = {
+    {"occlusion", "ambient occlusion"},
+    {"shadows", "shadow of "},
+    {"shadows", "light"},
+    {"normal", "g-buffer"},
+    {"albedo", "g-buffer"},
+    {"roughness", "g-buffer"},
+    {"metalness", "g-buffer"},
+    {"emission", "g-buffer"},
+};
+
+/// What a person can do about a reason.
+std::string remedy_of(const Withheld& item) {
+    if (item.reason == "it is not in use") {
+        return fmt::format("; add --effect {}", item.name);
+    }
+    if (item.reason == "switched off" && lutlib::find_named(effects, item.name) != nullptr) {
+        return fmt::format("; drop --without {}", item.name);
+    }
+    const bool is_forward = item.reason == "surfaces are lit as they are drawn" ||
+                            item.reason == "it needs the g-buffer";
+    return is_forward ? "; drop --raster forward" : "";
+}
+
+/// build_frame(), whose refusal of what is to be shown then has the reason.
+FrameHandles declare_frame(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings) {
+    try {
+        return build_frame(graph, inputs, settings);
+    } catch (const lutlib::UsageError&) {
+        const std::string name(settings.view != nullptr          ? settings.view->name
+                               : settings.effect_view != nullptr ? settings.effect_view->name
+                               : settings.scope != nullptr       ? settings.scope->name
+                                                                 : "");
+        const std::string why =
+            why_not_shown(name, {graph.withheld().begin(), graph.withheld().end()});
+        throw lutlib::UsageError(fmt::format("this frame has no '{}' to show: {}", name, why));
+    }
+}
+
 /// The inputs with the HDR maximum measured, where the frame has one.
 FrameInputs measured(Executor& executor, FrameInputs inputs, const FrameSettings& settings) {
     // Only bloom asks for it, and only where some light would not bloom.
@@ -40,7 +87,7 @@ FrameInputs measured(Executor& executor, FrameInputs inputs, const FrameSettings
     FrameSettings measuring = settings;
     measuring.only_maximum = true;
     Graph graph;
-    const FrameHandles handles = build_frame(graph, inputs, measuring);
+    const FrameHandles handles = declare_frame(graph, inputs, measuring);
     executor.render(graph);
     inputs.hdr_maximum = values_of<float>(executor.read_buffer(handles.hdr_maximum)).front();
     return inputs;
@@ -60,7 +107,7 @@ FrameSettings with_heat_scale(Executor& executor, const FrameInputs& inputs,
         return settings;
     }
     Graph graph;
-    const FrameHandles handles = build_frame(graph, inputs, settings);
+    const FrameHandles handles = declare_frame(graph, inputs, settings);
     executor.render(graph);
     settings.heat_scale = heat_scale_for(figures_of(executor, graph, handles));
     return settings;
@@ -88,7 +135,7 @@ Rendered render_frame(Executor& executor, const FrameInputs& inputs, const Frame
     const FrameInputs known = measured(executor, inputs, asked);
     const FrameSettings settings = with_heat_scale(executor, known, asked);
     Graph graph;
-    const FrameHandles handles = build_frame(graph, known, settings);
+    const FrameHandles handles = declare_frame(graph, known, settings);
     executor.render(graph);
 
     Rendered out;
@@ -120,6 +167,33 @@ Rendered render_frame(Executor& executor, const FrameInputs& inputs, const Frame
     return out;
 }
 
+std::string why_not_shown(const std::string& name, const std::vector<Withheld>& withheld) {
+    std::string why;
+    const auto add = [&](const Withheld& item) {
+        why += why.empty() ? "" : ", ";
+        why += item.name == name || item.name == "scene" ? "" : item.name + ": ";
+        why += item.reason + remedy_of(item);
+    };
+    for (const Withheld& item : withheld) {
+        const bool is_meant =
+            item.name == name ||
+            std::any_of(std::begin(named_otherwise), std::end(named_otherwise),
+                        [&](const NamedOtherwise& row) {
+                            return row.view == name && item.name.starts_with(row.withheld);
+                        });
+        if (is_meant) {
+            add(item);
+        }
+    }
+    for (const Withheld& item : withheld) {
+        // Without a scene nothing that is made of one has a reason of its own.
+        if (why.empty() && item.name == "scene") {
+            add(item);
+        }
+    }
+    return why.empty() ? "nothing in the scene makes one" : why;
+}
+
 std::vector<std::string> left_out(const std::vector<AskedPart>& asked,
                                   const std::vector<Withheld>& withheld) {
     std::vector<std::string> out;
@@ -145,7 +219,7 @@ Timings time_frames(Executor& executor, const FrameInputs& inputs, const FrameSe
     for (int frame = 0; frame < warm_up_frames + frames; ++frame) {
         const auto start = std::chrono::steady_clock::now();
         Graph graph;
-        build_frame(graph, known, settings);
+        declare_frame(graph, known, settings);
         executor.render(graph);
         executor.wait();
         const std::chrono::duration<double, std::milli> took =

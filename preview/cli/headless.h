@@ -39,6 +39,9 @@ struct Timings {
     std::vector<Withheld> withheld; ///< by the frame
 };
 
+/// Why a frame that has withheld these has nothing of this name to show, with the remedy.
+std::string why_not_shown(const std::string& name, const std::vector<Withheld>& withheld);
+
 /// A sentence for each part that a person has asked for and the frame has withheld.
 std::vector<std::string> left_out(const std::vector<AskedPart>& asked,
                                   const std::vector<Withheld>& withheld);

@@ -104,6 +104,9 @@ std::vector<Rule> rules_of(const Options& o) {
         {{"--frame-rate", "--resume"}, is_sequence, "--frames names no sequence, as 0-119 does"},
         {{"--depth"}, !o.output.empty(), "no picture is written; -o names one"},
         {{"--exr"}, output_holds_light(o), "it is for an output of .exr or .hdr"},
+        {{"--exr"},
+         !output_holds_light(o) || (!o.frame.shows_intermediate() && o.frame.scope == nullptr),
+         "it is for the picture, not for what --debug-view and --scope show"},
         {{"--font", "--places"}, window, "no window opens"},
         {{"--split"}, compare == &compare_split || window, "it is for --compare split"},
         {{"--heat-scale"}, compare == &compare_difference || window, "it is for --compare diff"},
@@ -195,6 +198,9 @@ std::vector<std::string> unused_options(const Options& options, const KnownInput
         {joined(bloom_flags(), {"--tonemap"}), !input.has_codes,
          "the picture is display-encoded already"},
     };
+    if (output_holds_light(options) && options.exr_light) {
+        rules.push_back({{"--exr"}, !input.has_codes, "the picture holds codes and no light"});
+    }
     if (input.scene == nullptr) {
         rules.push_back({flags_of(surroundings_numbers()), false, "a picture is shown"});
     } else {

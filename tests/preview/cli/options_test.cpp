@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 namespace preview {
@@ -30,6 +31,18 @@ Options parsed(const std::string& arguments) {
 
 FrameSettings settings(const std::string& arguments, Size input = {}) {
     return settings_of(parsed(arguments), input);
+}
+
+/// Whether that throws what is no mistake of the command line.
+bool is_bad_input(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const lutlib::UsageError&) {
+        return false;
+    } catch (const lutlib::Error&) {
+        return true;
+    }
+    return false;
 }
 
 constexpr Size picture{400, 200};
@@ -90,7 +103,8 @@ TEST(Options, that_another_option_takes_the_part_of_are_said) {
           "--focus-at 1,1 --without depth-of-field", "--fxaa --without shadows,fxaa",
           "--bloom glare --without bloom", "--bloom-radius 2 --without bloom",
           "--tonemap agx --without tonemap", "--cube-view b -o x.png",
-          "--cube-view a --b look.cube -o x.png"}) {
+          "--cube-view a --b look.cube -o x.png", "--exr light --scope waveform -o x.exr",
+          "--exr picture --debug-view depth -o x.exr"}) {
         EXPECT_EQ(parsed(arguments).unused.size(), 1U) << arguments;
     }
     for (const char* const arguments :
@@ -134,6 +148,9 @@ TEST(Options, that_change_nothing_of_this_input_are_said) {
     }
     EXPECT_EQ(said("--bloom none --bloom-radius 2", shows_light), 1U);
     EXPECT_EQ(said("--bloom none --bloom-radius 2", shows_codes), 2U) << "each once";
+    EXPECT_EQ(said("--exr light -o x.exr", shows_codes), 1U);
+    EXPECT_EQ(said("--exr picture -o x.exr", shows_codes), 0U);
+    EXPECT_EQ(said("--exr light -o x.exr", shows_light), 0U);
     for (const char* const flag : {"--shadow-size 64", "--raster compute", "--azimuth 3",
                                    "--occlusion-radius 1", "--camera x", "--surroundings sky"}) {
         EXPECT_EQ(said(flag, shows_codes), 1U) << flag;
@@ -186,6 +203,24 @@ TEST(Options, ask_for_parts_that_are_said_with_the_reason_that_withholds_them) {
     EXPECT_TRUE(left_out(asked_parts(options), {}).empty());
 }
 
+TEST(Views, that_a_frame_lacks_are_refused_with_the_reason) {
+    const std::vector<Withheld> withheld{
+        {"occlusion", "switched off"},     {"g-buffer", "surfaces are lit as they are drawn"},
+        {"vignette", "it is not in use"},  {"shadow of light 0", "it casts none"},
+        {"shadow of sun", "it is behind"}, {"scene", "a picture is shown"}};
+    EXPECT_EQ(why_not_shown("occlusion", withheld), "switched off; drop --without occlusion");
+    EXPECT_EQ(why_not_shown("vignette", withheld), "it is not in use; add --effect vignette");
+    EXPECT_EQ(why_not_shown("shadows", withheld),
+              "shadow of light 0: it casts none, shadow of sun: it is behind");
+    EXPECT_EQ(why_not_shown("albedo", withheld),
+              "g-buffer: surfaces are lit as they are drawn; drop --raster forward");
+    EXPECT_EQ(why_not_shown("wireframe", withheld), "a picture is shown");
+    EXPECT_EQ(why_not_shown("shadows", {{"bloom", "it is off"}, {"lights", "switched off"}}),
+              "lights: switched off; drop --without lights");
+    EXPECT_EQ(why_not_shown("shadows", {{"light 0", "switched off"}}), "light 0: switched off");
+    EXPECT_EQ(why_not_shown("shadows", {}), "nothing in the scene makes one");
+}
+
 TEST(Options, move_the_scenes_camera_by_every_number) {
     const Scene scene = scene_at(scenes().front(), 0);
     for (const NumberRow<Orbit>& row : camera_numbers()) {
@@ -224,7 +259,14 @@ TEST(Options, surround_the_scene_by_every_number_and_kind) {
     EXPECT_EQ(surroundings_of(file, scene).kind, SurroundingsKind::picture);
     EXPECT_EQ(surroundings_file(file), "room.exr");
     EXPECT_THROW(surroundings_of(parsed("--surroundings picture"), scene), lutlib::UsageError);
-    EXPECT_THROW(shown_of(file), lutlib::UsageError) << "there is no such file";
+    EXPECT_TRUE(is_bad_input([&] { shown_of(file); })) << "there is no such file";
+    EXPECT_THROW(shown_of(parsed("--surroundings skies")), lutlib::UsageError);
+}
+
+TEST(Input, that_is_named_like_a_file_and_is_none_is_no_mistake_of_usage) {
+    EXPECT_TRUE(is_bad_input([] { shown_of(parsed("missing.gltf")); }));
+    EXPECT_TRUE(is_bad_input([] { shown_of(parsed("folder/missing")); }));
+    EXPECT_THROW(shown_of(parsed("sampel")), lutlib::UsageError);
 }
 
 TEST(Options, set_every_number_and_every_choice) {

@@ -98,8 +98,8 @@ Rendering::Rendering(const Options& options)
     }
     settings.raster = options.raster->on(device, picture_size(settings.output, *settings.compare));
     for (const std::string& line : shown->told) {
-        notes += shown->name + ": " + line + "\n";
-        std::fprintf(stderr, "lutpreview: %s: %s\n", shown->name.c_str(), line.c_str());
+        notes += line + "\n";
+        tell(line);
     }
     if (!options.output.empty()) {
         file = file_format(options.output, options.depth);

@@ -83,6 +83,9 @@ FileFormat file_format(const std::string& path, const std::string& depth) {
     const std::string extension = io::extension_of(path);
     out.holds_light = extension == "exr" || extension == "hdr";
     if (depth.empty()) {
+        if (!is_png(path)) {
+            io::depths_of(path); // refuses names of no type
+        }
         out.depth = out.holds_light ? io::Depth::half : io::Depth::uint8;
         return out;
     }

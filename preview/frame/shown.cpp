@@ -25,7 +25,10 @@ void to_rec709(std::vector<float>& rgba, const lutlib::Encoding& from) {
     }
 }
 
-ShownPicture read_picture(Shown& shown, const std::string& path) {
+/// Reads a picture file; says of its colours what was made of them, by the name of the file.
+/// `profile_is` tells what becomes of a colour profile.
+ShownPicture read_picture(Shown& shown, const std::string& path, const std::string& profile_is) {
+    const auto tell = [&](const std::string& line) { shown.told.push_back(path + ": " + line); };
     lutlib::io::FloatImage image = lutlib::io::read_image(path);
     if (image.source && image.source->orientation > 1) {
         image = upright(image, image.source->orientation);
@@ -34,16 +37,14 @@ ShownPicture read_picture(Shown& shown, const std::string& path) {
     ShownPicture picture;
     picture.display_encoded = lutlib::io::info_of(image.depth).integer;
     if (image.profile_tag) {
-        shown.told.emplace_back("its colour profile is not applied and not written: the codes are "
-                                "taken for those of --picture-encoding");
+        tell("its colour profile is " + profile_is);
     }
     if (!picture.display_encoded && image.chromaticities && !encoding) {
-        shown.told.emplace_back("its primaries are of no known gamut and taken for Rec.709's");
+        tell("its primaries are of no known gamut and taken for Rec.709's");
     } else if (!picture.display_encoded && encoding &&
                *encoding != *lutlib::encoding_named("linear")) {
         to_rec709(image.rgba, *encoding);
-        shown.told.push_back("its light is converted from " + std::string(encoding->gamut->label) +
-                             " to Rec.709");
+        tell("its light is converted from " + std::string(encoding->gamut->label) + " to Rec.709");
     }
     if (image.source) {
         for (const std::string& lost : image.source->beyond_text()) {
@@ -57,6 +58,14 @@ ShownPicture read_picture(Shown& shown, const std::string& path) {
     return picture;
 }
 
+/// A name that has an ending or a folder is a file's, and nothing else.
+void refuse_missing_file(const std::string& path) {
+    const std::filesystem::path file(path);
+    if ((file.has_extension() || file.has_parent_path()) && !std::filesystem::exists(file)) {
+        throw lutlib::Error("cannot open the file: No such file or directory", {path, 0, {}});
+    }
+}
+
 } // namespace
 
 Shown load_shown(const std::string& input, double seconds) {
@@ -66,6 +75,7 @@ Shown load_shown(const std::string& input, double seconds) {
         shown.scene = scene_at(*info, seconds);
         return shown;
     }
+    refuse_missing_file(input);
     if (!std::filesystem::exists(input)) {
         std::string names;
         for (const SceneInfo& info : scenes()) {
@@ -82,7 +92,9 @@ Shown load_shown(const std::string& input, double seconds) {
         }
         shown.left_out = std::move(imported.left_out);
     } else {
-        shown.picture = read_picture(shown, input);
+        shown.picture = read_picture(shown, input,
+                                     "not applied and not written: the codes are taken for those "
+                                     "of --picture-encoding");
     }
     return shown;
 }
@@ -92,12 +104,14 @@ void load_surroundings(Shown& shown, const std::string& path) {
         throw lutlib::UsageError("--surroundings stand about a scene, and '" + shown.name +
                                  "' is a picture: drop one of them");
     }
+    refuse_missing_file(path);
     if (!std::filesystem::exists(path)) {
         throw lutlib::UsageError("--surroundings: '" + path +
                                  "' is neither a file nor one of the kinds of surroundings that "
                                  "--list has");
     }
-    ShownPicture picture = read_picture(shown, path);
+    ShownPicture picture = read_picture(shown, path, "not applied: the codes are taken for sRGB");
+    shown.not_written.clear(); // nobody looks for what this file says in pictures of the scene
     if (picture.display_encoded) {
         const lutlib::Encoding& display = lutlib::srgb();
         for (std::size_t at = 0; at < picture.rgba.size(); ++at) {
@@ -107,7 +121,7 @@ void load_surroundings(Shown& shown, const std::string& path) {
             }
         }
         picture.display_encoded = false;
-        shown.told.push_back("'" + path + "' holds no light: its codes are decoded as sRGB");
+        shown.told.push_back(path + ": it holds no light: its codes are decoded as sRGB");
     }
     shown.surroundings = std::move(picture);
 }

@@ -28,7 +28,7 @@ struct Shown {
     std::optional<ShownPicture> picture;
     std::optional<ShownPicture> surroundings; ///< a picture of all directions about the scene
     std::vector<std::string> left_out; ///< what its file has and the scene has not, with counts
-    std::vector<std::string> told;     ///< what was made of a picture's colours, a line each
+    std::vector<std::string> told;     ///< what was made of pictures' colours: "FILE: ..." each
     /// What a picture's file holds and no file written here does, a phrase each.
     std::vector<std::string> not_written;
 

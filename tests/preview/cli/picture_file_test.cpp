@@ -45,6 +45,9 @@ TEST(PictureFile, is_refused_a_depth_that_its_type_has_not) {
     const lutlib::ScratchFolder folder;
     EXPECT_THROW(file_format(folder.file("x.png"), "half"), lutlib::UsageError);
     EXPECT_THROW(file_format(folder.file("x.png"), "uint9"), lutlib::UsageError);
+    for (const char* const name : {"x.nonsense", "x"}) {
+        EXPECT_THROW(file_format(folder.file(name), ""), lutlib::UsageError) << name;
+    }
     EXPECT_EQ(file_format(folder.file("x.exr"), "").frame_format(), Format::rgba32f);
     EXPECT_EQ(file_format(folder.file("x.png"), "").frame_format(), Format::rgba8);
 }

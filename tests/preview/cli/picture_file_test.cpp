@@ -1,6 +1,7 @@
 // Rendered pictures in files: what numbers they hold, at which depth, with which alpha.
 #include "lutlib/color/encoding.h"
 #include "lutlib/error.h"
+#include "preview/cli/look_options.h"
 #include "preview/cli/picture_file.h"
 #include "tests/lutlib/io/scratch.h"
 
@@ -50,6 +51,18 @@ TEST(PictureFile, is_refused_a_depth_that_its_type_has_not) {
     }
     EXPECT_EQ(file_format(folder.file("x.exr"), "").frame_format(), Format::rgba32f);
     EXPECT_EQ(file_format(folder.file("x.png"), "").frame_format(), Format::rgba8);
+}
+
+TEST(PictureFile, of_the_surroundings_is_named_in_what_is_said_of_it) {
+    const lutlib::ScratchFolder folder;
+    Options options;
+    options.surroundings = folder.file("room.png");
+    write_picture(options.surroundings, two_texels(), file_format(options.surroundings, ""));
+    const Shown shown = shown_of(options);
+    ASSERT_EQ(shown.told.size(), 1U);
+    EXPECT_EQ(shown.told[0],
+              options.surroundings + ": it holds no light: its codes are decoded as sRGB");
+    EXPECT_TRUE(shown.not_written.empty());
 }
 
 TEST(PictureFile, keeps_the_alpha_of_the_picture) {

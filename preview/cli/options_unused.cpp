@@ -85,7 +85,35 @@ std::vector<std::string> said(const Options& options, const std::vector<Rule>& r
     return out;
 }
 
+/// The options that were given and have no part in the cube of a side's look.
+Rule cube_rule(const Options& options) {
+    const std::string& side = options.cube_view;
+    std::vector<std::string> taken = cube_flags();
+    for (const std::string_view flag : {"cube-view", "size", "output", "depth", "headless",
+                                        "picture-encoding", "no-convert", "look-at"}) {
+        taken.push_back(fmt::format("--{}", flag));
+    }
+    for (const std::string_view flag : {"", "engine-", "look-input-", "look-output-"}) {
+        taken.push_back(fmt::format("--{}{}", flag, side));
+    }
+    Rule out{
+        {}, false, fmt::format("--cube-view {} draws that side's look and nothing else", side)};
+    for (const std::string& flag : options.given) {
+        // Other names of options that are given under their own as well.
+        const bool is_alias = flag == "--engine" || flag == "--look-input" ||
+                              flag == "--look-output" || flag == "--no-fxaa" ||
+                              flag == "--no-dither";
+        if (!is_alias && std::find(taken.begin(), taken.end(), flag) == taken.end()) {
+            out.flags.push_back(flag);
+        }
+    }
+    return out;
+}
+
 std::vector<Rule> rules_of(const Options& o) {
+    if (!o.cube_view.empty()) {
+        return {cube_rule(o)};
+    }
     const bool window = opens_window(o), is_sequence = parse_frames(o.frames).range.has_value(),
                has_looks = is_look(o.look_a) || is_look(o.look_b);
     const Compare* const compare = compare_of(o);
@@ -96,7 +124,7 @@ std::vector<Rule> rules_of(const Options& o) {
         {{"--engine-b", "--look-input-b", "--look-output-b"},
          is_look(o.look_b) || window,
          "side B has no look"},
-        {cube_flags(), !o.cube_view.empty() || window, "no --cube-view is drawn"},
+        {cube_flags(), window, "no --cube-view is drawn"},
         {{"--scope-size", "--scope-side", "--scope-scale"},
          o.frame.scope != nullptr || window,
          "no --scope is shown"},
@@ -118,7 +146,9 @@ std::vector<Rule> rules_of(const Options& o) {
         {{"--focus-at"},
          !is_without(o, "depth-of-field"),
          "--without depth-of-field switches it off"},
-        {{"--fxaa"}, !is_without(o, "fxaa"), "--without fxaa switches it off"},
+        {{"--fxaa"},
+         !is_without(o, "fxaa") || !o.fxaa.value_or(true),
+         "--without fxaa switches it off"},
     };
 }
 
@@ -176,7 +206,7 @@ std::vector<std::string> unused_options(const Options& options) {
     }
     for (const EffectUse& use : options.effects) {
         const std::string name(use.effect->name);
-        if (is_without(options, name)) {
+        if (is_without(options, name) && options.cube_view.empty()) {
             out.push_back(fmt::format("--effect {0} changes nothing here: --without {0} switches "
                                       "it off",
                                       name));

@@ -102,15 +102,19 @@ TEST(Options, that_another_option_takes_the_part_of_are_said) {
           "--headless -o x.png --look-at before", "--effect vignette --without vignette",
           "--focus-at 1,1 --without depth-of-field", "--fxaa --without shadows,fxaa",
           "--bloom glare --without bloom", "--bloom-radius 2 --without bloom",
-          "--tonemap agx --without tonemap", "--cube-view b -o x.png",
-          "--cube-view a --b look.cube -o x.png", "--exr light --scope waveform -o x.exr",
-          "--exr picture --debug-view depth -o x.exr"}) {
+          "--tonemap agx --without tonemap", "--cube-view b -o x.png", "--cube-view a -o x.png",
+          "--cube-view a --a look.cube --b look.cube -o x.png",
+          "--cube-view b --b look.cube --engine unity --depth uint8 --json -o x.png",
+          "--cube-view b --b look.cube --effect vignette --cube-nodes 5 -o x.png",
+          "--exr light --scope waveform -o x.exr", "--exr picture --debug-view depth -o x.exr"}) {
         EXPECT_EQ(parsed(arguments).unused.size(), 1U) << arguments;
     }
     for (const char* const arguments :
          {"--headless -o x.png --b look.cube --split 0.3", "--split 0.3 --heat-scale 8",
           "--headless -o x.png --compare diff --heat-scale 8 --a look.cube --look-at before",
-          "--effect vignette --without fxaa", "--cube-view b --b look.cube -o x.png"}) {
+          "--effect vignette --without fxaa", "--no-fxaa --without fxaa",
+          "--cube-view b --b look.cube --engine unity --look-input-b srgb --size 9x9 -o x.png",
+          "--cube-view b --b look.cube -o x.png"}) {
         EXPECT_TRUE(parsed(arguments).unused.empty()) << arguments;
     }
 }

@@ -36,9 +36,16 @@ void declare(CLI::App& app, const OptionRow& row, Options& options) {
                 app.add_flag(row.flag, member, row.help);
             } else {
                 CLI::Option* const option = app.add_option(row.flag, member, row.help);
-                option->capture_default_str();
+                bool stands_for_itself = true;
                 if (row.min < row.max) {
                     option->check(within(row.min, row.max));
+                    if constexpr (std::is_arithmetic_v<T>) {
+                        // The help of one that does not says what it stands for.
+                        stands_for_itself = static_cast<double>(member) >= row.min;
+                    }
+                }
+                if (stands_for_itself) {
+                    option->capture_default_str();
                 }
                 if (row.type != nullptr) {
                     option->type_name(row.type);

@@ -75,7 +75,9 @@ constexpr OptionRow rows[] = {
      .of = [](O& o) -> std::string& { return o.surroundings; },
      .type = "NAME"},
     {.flag = "--shadow-size",
-     .help = "Width and height of a shadow map, in texels",
+     .help =
+         "Width and height of a shadow map, in texels; by default the scene's: 1024, or 2048 of "
+         "the sample",
      .of = [](O& o) -> std::uint32_t& { return o.frame.shadow_size; },
      .min = 16,
      .max = 8192},

@@ -74,9 +74,9 @@ Surroundings shown_surroundings(Graph& graph, const FrameInputs& inputs,
 DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
                             Size size) {
     DeclaredScene out;
-    out.shadows.size = settings.shadow_size;
     out.shadows.are_kept = !settings.force_all;
     const Scene& scene = *inputs.scene;
+    out.shadows.size = settings.shadow_size > 0 ? settings.shadow_size : scene.shadow_size;
     const GpuScene& gpu_scene = *inputs.gpu_scene;
     const Geometry& geometry = gpu_scene.geometry;
     const Surroundings surroundings = shown_surroundings(graph, inputs, settings);
@@ -86,13 +86,13 @@ DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const Frame
     for (const PointLight& light : lights) {
         LightShadow shadow;
         if (!settings.without.has(Effect::shadows)) {
-            shadow = shadow_of(scene, geometry, light, settings.shadow_size);
+            shadow = shadow_of(scene, geometry, light, out.shadows.size);
             if (shadow.views.empty()) {
                 graph.withhold("shadow of " + light.name, shadow.reason);
             }
         }
         const int layer = out.shadows.add(light, scene, geometry, shadow);
-        blocks.push_back(light_block(light, shadow, layer, settings.shadow_size));
+        blocks.push_back(light_block(light, shadow, layer, out.shadows.size));
     }
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
     const ViewBlock view = view_block(settings.orbit, aspect);

@@ -29,7 +29,7 @@ struct FrameSettings : PictureSettings {
     Size output{1280, 720};
     Orbit orbit;
     double seconds = 0; ///< the moment that animated effects show
-    std::uint32_t shadow_size = 1024;
+    std::uint32_t shadow_size = 0; ///< texels of a shadow map's side; 0: the scene's
     Raster raster = Raster::hardware;
     VisibilityLimits visibility; ///< of Raster::compute
     /// Show this intermediate and nothing else.

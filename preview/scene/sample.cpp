@@ -94,6 +94,7 @@ Scene sample_scene() {
     build.soft_box({0.9F, 0.5F, 0.5F}, 22, {0.4F, 0.35F, 0.28F});
     build.scene.exposure = 0.15F;
     build.scene.occlusion = 1;
+    build.scene.shadow_size = 2048; // the sun grazes the wall, which draws texels out
     build.scene.orbit = {{0.12F, 0.4F, -0.2F}, 4.2F, 11, 12, 27, 0.1F};
     return std::move(build.scene);
 }

@@ -83,6 +83,8 @@ struct Scene {
     std::vector<NamedCamera> cameras; ///< of the file that it comes from
     float exposure = 0;               ///< stops, added to the command line's
     float occlusion = 0;              ///< strength of the ambient occlusion that it asks for, 0..1
+    std::uint32_t shadow_size =
+        1024; ///< texels of a shadow map's side, unless others are asked for
     std::optional<std::uint32_t> floor; ///< the object that was put under what has none
     std::vector<Picture> pictures;
     std::vector<Texture> textures; ///< of the pictures

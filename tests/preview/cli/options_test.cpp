@@ -53,7 +53,7 @@ TEST(Options, without_any_are_the_settings_defaults_with_the_usual_effects) {
     set_usual(expected.effects, true);
     EXPECT_TRUE(static_cast<const PictureSettings&>(usual) == expected);
     EXPECT_EQ(usual.output, (Size{1280, 720}));
-    EXPECT_EQ(usual.shadow_size, 1024U);
+    EXPECT_EQ(usual.shadow_size, 0U); // the scene's own
     EXPECT_FALSE(usual.shows_intermediate());
 }
 
@@ -510,7 +510,9 @@ TEST(Help, shows_defaults) {
     const std::string help = app.help();
     EXPECT_NE(help.find("=agx"), std::string::npos);
     EXPECT_NE(help.find("=0.5"), std::string::npos); // --split
-    EXPECT_NE(help.find("=1024"), std::string::npos);
+    EXPECT_NE(help.find("=24"), std::string::npos);  // --frame-rate
+    EXPECT_NE(help.find("--shadow-size UINT:in [16 - 8192]\n"), std::string::npos)
+        << "what a default stands for is said in words";
 }
 
 TEST(ReportTest, is_one_document_whatever_it_holds) {

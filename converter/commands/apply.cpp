@@ -84,8 +84,12 @@ std::string picture_text(const Options& o, const lutlib::LookPlace& place) {
         return {};
     }
     if (place.given) {
+        const bool is_known = place.look.input || place.look.output;
         return "the picture holds " + place.given->name() +
-               " by its file type, profile or tag (--picture-encoding names another)";
+               " by its file type, profile or tag (--picture-encoding names another)" +
+               (is_known ? ""
+                         : "; the look does not say what it takes, and gets that as it is: name "
+                           "it with --look-input and --look-output");
     }
     return place.look.input
                ? "the picture's encoding is not known and taken for the look's input, " +
@@ -98,11 +102,15 @@ std::string picture_text(const Options& o, const lutlib::LookPlace& place) {
 
 std::string result_text(const Options& o, const lutlib::LookPlace& place) {
     const std::optional<lutlib::Encoding> holds = place.shown().output;
-    if (!holds) {
-        return {};
-    }
     const std::string type = io::extension_of(o.output);
-    const bool misread = (type == "exr" || type == "hdr") && holds->curve->name != "linear";
+    const bool is_light = type == "exr" || type == "hdr";
+    if (!holds) {
+        return is_light && place.given ? "what the result holds is not known, and readers expect "
+                                         "linear light in ." +
+                                             type + " files: name it with --look-output"
+                                       : "";
+    }
+    const bool misread = is_light && holds->curve->name != "linear";
     return "the result holds " + holds->name() +
            (misread ? ", but readers expect linear light in ." + type +
                           " files: write that with --output-encoding linear"

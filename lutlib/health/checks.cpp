@@ -49,6 +49,17 @@ std::optional<Rgb> place(const Extreme& extreme) {
     return extreme.value > 0 ? std::optional<Rgb>(extreme.in) : std::nullopt;
 }
 
+Finding spikes(const Health& h) {
+    if (h.spikes == 0) {
+        return {Severity::good, 0, "no single node stands out of its neighbours", {}};
+    }
+    return {Severity::fault, static_cast<double>(h.spikes),
+            text("%zu values of single nodes stand out of their neighbours, by %.3g at most; "
+                 "--repair levels them",
+                 h.spikes, h.largest_spike.value),
+            h.largest_spike.in};
+}
+
 Finding non_finite(const Health& h) {
     if (h.non_finite == 0) {
         return {Severity::good, 0, "every value is a number", {}};
@@ -254,8 +265,9 @@ Finding cut_off(const Health& h) {
             {}};
 }
 
-constexpr std::array<HealthCheck, 16> table{{
+constexpr std::array<HealthCheck, 17> table{{
     {"non-finite", "values", "values that are no numbers", non_finite},
+    {"spikes", "values", "single nodes that stand out", spikes},
     {"range", "beyond 0..1", "the outputs' range", range},
     {"1d-table", "fall", "a 1D table that is not monotonic", table_falls},
     {"cut-off", "values", "a 1D table that leaves the cube's domain", cut_off},

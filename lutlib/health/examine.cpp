@@ -186,6 +186,7 @@ Health examine(const Lut& lut, const ExamineOptions& options) {
     const Lut3D after = lut.cube ? Lut3D{} : health::cube_after(*lut.shaper);
     const Lut3D& cube = lut.cube ? *lut.cube : after;
     static_cast<StoredValues&>(out) = health::examine_values(lut);
+    static_cast<SpikesExamined&>(out) = health::examine_spikes(lut);
     const health::CellsExamined cells = health::examine_cells(lut, cube, rounding);
     static_cast<CellHealth&>(out) = cells.cells;
     static_cast<TableHealth&>(out) = cells.table;

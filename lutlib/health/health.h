@@ -99,8 +99,15 @@ struct NeutralHealth {
     Extreme banding_to_eye;  ///< the same in dE2000, of HDR in dE-ITP; of scenes nothing
 };
 
+/// Values of single nodes that stand out of all lines through them by far more than those beside
+/// bend: what the repair of spikes would level.
+struct SpikesExamined {
+    std::size_t spikes = 0;
+    Extreme largest_spike; ///< how far it stands out
+};
+
 /// All that is found out about a look, each part by its own examiner.
-struct Health : StoredValues, CellHealth, TableHealth, ShaperHealth, NeutralHealth {
+struct Health : StoredValues, SpikesExamined, CellHealth, TableHealth, ShaperHealth, NeutralHealth {
     Extreme noise_gain; ///< of white noise, in the darkest sixteenth of the neutral axis
     Results results = Results::display;
     std::array<LatticeError, 2> lattices; ///< of 16 and 33 nodes

@@ -21,6 +21,7 @@ inline double share(std::size_t part, std::size_t whole) {
 bool finite(const Rgb& c);
 
 StoredValues examine_values(const Lut& lut);
+SpikesExamined examine_spikes(const Lut& lut);
 
 struct CellsExamined {
     CellHealth cells;

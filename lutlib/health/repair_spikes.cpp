@@ -1,5 +1,6 @@
 // Single nodes that stand out of their neighbours, inside the lattice and on its faces, edges and
 // corners.
+#include "lutlib/health/axis.h"
 #include "lutlib/health/parts.h"
 #include "lutlib/health/repair_parts.h"
 #include "lutlib/nodes.h"
@@ -104,20 +105,19 @@ std::optional<double> without_spike(const Lattice& lattice, const Node& n, doubl
     return lines[1];
 }
 
-} // namespace
+struct Spike {
+    std::size_t index, channel;
+    double value; ///< without it
+};
 
-std::string level_spikes(Lut& lut, const RepairOptions& /*options*/) {
+std::vector<Spike> find_spikes(const Lut& lut) {
     constexpr int least_size = 4; // two neighbours of a surface, and one that is not its own
-    if (!lut.cube || lut.cube->size < least_size) {
-        return "";
-    }
-    Lut3D& cube = *lut.cube;
-    const OutputRange all = finite_range(cube.nodes);
-    struct Spike {
-        std::size_t index, channel;
-        double value;
-    };
     std::vector<Spike> found;
+    if (!lut.cube || lut.cube->size < least_size) {
+        return found;
+    }
+    const Lut3D& cube = *lut.cube;
+    const OutputRange all = finite_range(cube.nodes);
     for (std::size_t c = 0; c < 3; ++c) {
         const Lattice lattice(cube, c);
         for_each_node(cube.size, [&](int r, int g, int b) {
@@ -126,6 +126,33 @@ std::string level_spikes(Lut& lut, const RepairOptions& /*options*/) {
             }
         });
     }
+    return found;
+}
+
+} // namespace
+
+SpikesExamined examine_spikes(const Lut& lut) {
+    SpikesExamined out;
+    for (const Spike& spike : find_spikes(lut)) {
+        ++out.spikes;
+        const double off = std::abs(lut.cube->nodes[spike.index][spike.channel] - spike.value);
+        if (off > out.largest_spike.value) {
+            const auto n = static_cast<std::size_t>(lut.cube->size);
+            const auto nodes = inputs_of_nodes(lut, *lut.cube);
+            out.largest_spike = {off,
+                                 to_float({nodes[0][spike.index % n], nodes[1][spike.index / n % n],
+                                           nodes[2][spike.index / (n * n)]})};
+        }
+    }
+    return out;
+}
+
+std::string level_spikes(Lut& lut, const RepairOptions& /*options*/) {
+    const std::vector<Spike> found = find_spikes(lut);
+    if (found.empty()) {
+        return "";
+    }
+    Lut3D& cube = *lut.cube;
     // A surface's line carried on may lead out of what the rest of the look gives.
     std::vector<Rgb> rest = cube.nodes;
     for (const Spike& spike : found) {
@@ -136,7 +163,7 @@ std::string level_spikes(Lut& lut, const RepairOptions& /*options*/) {
         cube.nodes[spike.index][spike.channel] =
             static_cast<float>(std::clamp(spike.value, range.low, range.high));
     }
-    return found.empty() ? "" : "single nodes that stood out are levelled with their neighbours";
+    return "single nodes that stood out are levelled with their neighbours";
 }
 
 } // namespace lutlib::health

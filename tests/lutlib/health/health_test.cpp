@@ -179,6 +179,18 @@ TEST(Health, leaves_values_that_are_no_numbers_out_of_every_other_figure) {
     EXPECT_EQ(h.tetrahedra, 6U * (512 - 8));
 }
 
+TEST(Health, finds_the_single_nodes_that_a_repair_levels) {
+    Lut lut;
+    lut.cube = identity_cube(9);
+    EXPECT_EQ(examine(lut).spikes, 0U);
+    lut.cube->nodes[lut.cube->index(4, 2, 6)].g = 5;
+    lut.cube->nodes[0].r = -3;
+    const Health health = examine(lut);
+    EXPECT_EQ(health.spikes, 2U);
+    EXPECT_NEAR(health.largest_spike.value, 4.75, 1e-6);
+    EXPECT_EQ(health.largest_spike.in, (Rgb{0.5F, 0.25F, 0.75F}));
+}
+
 TEST(Health, judges_the_neutral_axis) {
     Lut dip;
     dip.cube = identity_cube(17);

@@ -103,6 +103,21 @@ RgbD encoded_again(RgbD, RgbD out) {
     return {srgb_encode(out.r), srgb_encode(out.g), srgb_encode(out.b)};
 }
 
+// The same done to a picture of 8 bits, which rounds twice.
+RgbD in_8_bits(RgbD out) {
+    RgbD codes;
+    for (std::size_t c = 0; c < 3; ++c) {
+        codes[c] = std::round(saturate(out[c]) * 255) / 255;
+    }
+    return codes;
+}
+RgbD codes_decoded_again(RgbD in, RgbD out) {
+    return decoded_again(in, in_8_bits(out));
+}
+RgbD codes_encoded_again(RgbD in, RgbD out) {
+    return encoded_again(in, in_8_bits(out));
+}
+
 // How a picture with one mistake comes about: where a node is put, at which input the look is
 // sampled, what is done with the value, and how it becomes a code.
 struct Mistake {
@@ -178,6 +193,14 @@ constexpr auto mistakes = std::to_array<Mistake>({
     {
         .words = "sRGB was encoded twice: the codes are brighter by one sRGB curve",
         .value = encoded_again,
+    },
+    {
+        .words = "sRGB was decoded twice: the codes of 8 bits are darker by one sRGB curve",
+        .value = codes_decoded_again,
+    },
+    {
+        .words = "sRGB was encoded twice: the codes of 8 bits are brighter by one sRGB curve",
+        .value = codes_encoded_again,
     },
     {
         .words = "wrong size: these are the lowest nodes of a lattice of 32",

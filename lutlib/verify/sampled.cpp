@@ -28,9 +28,16 @@ std::optional<double> off_nodes(const std::vector<double>& nodes, double in) {
     return f * (1 - f);
 }
 
+// Of the way from the first to the last input: nodes nearer to the ends say nothing, for most
+// mistakes leave black, white and what is beside them nearly as it is.
+constexpr double ends = 0.1;
+// Of what lies between nodes; a mistake in a few slices leaves most as it is.
+constexpr double least_wrong = 0.5;
+
 struct Group {
     double squares = 0; ///< in codes of 8 bits, less what rounding leaves
     std::size_t texels = 0;
+    std::size_t wrong = 0;
 
     double mean() const { return squares / (3 * static_cast<double>(texels)); }
 };
@@ -59,23 +66,34 @@ std::optional<std::string> sampling_between_nodes(const CodeImage& picture, cons
         if (!r || !g || !b) {
             continue;
         }
-        double squares = 0;
+        double squares = 0, furthest = 0;
         for (std::size_t c = 0; c < 3; ++c) {
             const double error = picture.at(pixels[i], c) - saturate(values[i][c]) * maximum;
             squares += std::max(error * error - rounding_square, 0.0) * in_8_bits * in_8_bits;
-            largest = std::max(largest, std::abs(error));
+            furthest = std::max(furthest, std::abs(error));
         }
+        largest = std::max(largest, furthest);
+        const auto is_inside = [&](std::size_t node) {
+            const double way = static_cast<double>(node) / static_cast<double>(size - 1);
+            return way > ends && way < 1 - ends;
+        };
+        const bool inside = is_inside(i % n) || is_inside(i / n % n) || is_inside(i / n / n);
         const double place = *r + *g + *b;
-        Group* const group = place <= near_nodes      ? &near
+        Group* const group = place <= near_nodes      ? (inside ? &near : nullptr)
                              : place >= between_nodes ? &between
                                                       : nullptr;
+        if (place < 1e-9 && furthest * in_8_bits > 1) {
+            return std::nullopt; // wrong at a node itself
+        }
         if (group) {
             group->squares += squares;
             ++group->texels;
+            group->wrong += furthest > 0.51 ? 1 : 0;
         }
     }
     if (near.texels < least_texels || between.texels < least_texels ||
-        between.mean() < least_square || near.mean() > most_near_nodes * between.mean()) {
+        between.mean() < least_square || near.mean() > most_near_nodes * between.mean() ||
+        static_cast<double>(between.wrong) < least_wrong * static_cast<double>(between.texels)) {
         return std::nullopt;
     }
     return "the picture is right at the look's nodes and differs between them, by " +

@@ -109,6 +109,47 @@ TEST_F(Diagnosed, srgb_decoded_twice) {
               std::string::npos);
 }
 
+// As a program does it that opens the picture: on the codes, which rounds twice.
+TEST_F(Diagnosed, srgb_decoded_twice_on_the_codes) {
+    const auto decoded = [](double code) { return std::round(255 * srgb_decode(code / 255)); };
+    EXPECT_NE(words(made([&](int r, int g, int b) {
+                  const RgbD code = codes(at(r, g, b));
+                  return RgbD{decoded(code.r), decoded(code.g), decoded(code.b)};
+              })).find("sRGB was decoded twice"),
+              std::string::npos);
+}
+
+// A lattice of 16 shares with one of 32 its corners alone, where most mistakes change little.
+TEST_F(Diagnosed, nothing_by_the_nodes_of_a_look_that_are_not_among_the_pictures) {
+    Breaks breaks = no_breaks();
+    breaks.all = true;
+    for (std::vector<double>& nodes : breaks.at) {
+        nodes.clear();
+        for (int i = 0; i < 32; ++i) {
+            nodes.push_back(i / 31.0);
+        }
+    }
+    const auto said_of = [&](const CodeImage& picture) {
+        const Verification result = verify(picture, engine, n, look, breaks, srgb(), hardly_any);
+        return result.diagnosis ? result.diagnosis->words : std::string();
+    };
+    const auto decoded = [](double code) { return std::round(255 * srgb_decode(code / 255)); };
+    EXPECT_EQ(said_of(made([&](int r, int g, int b) {
+                  const RgbD code = codes(at(r, g, b));
+                  return RgbD{decoded(code.r), decoded(code.g), decoded(code.b)};
+              })).find("right at the look's nodes"),
+              std::string::npos);
+    EXPECT_EQ(said_of(made([&](int r, int g, int b) {
+                  return codes(at(r, g, b == 5 ? 9 : b == 9 ? 5 : b));
+              })).find("right at the look's nodes"),
+              std::string::npos);
+    EXPECT_EQ(said_of(made([&](int r, int g, int b) {
+                  const double dimmed = b > 1 && b < 13 ? 0.8 : 1;
+                  return codes(at(r, g, b) * dimmed);
+              })).find("right at the look's nodes"),
+              std::string::npos);
+}
+
 TEST_F(Diagnosed, truncated_instead_of_rounded) {
     EXPECT_NE(words(made([&](int r, int g, int b) {
                   const RgbD v = at(r, g, b);

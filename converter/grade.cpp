@@ -1,0 +1,182 @@
+#include "converter/grade.h"
+
+#include "lutlib/error.h"
+#include "lutlib/interpolation/apply.h"
+#include "lutlib/io/alpha.h"
+#include "lutlib/io/file.h"
+#include "lutlib/io/orientation.h"
+#include "lutlib/named.h"
+
+#include <array>
+#include <cmath>
+
+namespace converter {
+namespace {
+
+namespace io = lutlib::io;
+
+constexpr std::array<AlphaRule, 4> rules{{
+    {"auto", "as the file type says: EXR premultiplied, PNG straight", std::nullopt},
+    {"straight", "colours are not multiplied by it", false},
+    {"premultiplied", "colours are multiplied by it", true},
+    {"ignore", "the look sees the colours as they are stored", std::nullopt, true},
+}};
+
+// Where a look keeps its encoding, the result goes back to the picture's; one that changes it, as
+// camera LUTs do, is left to say what comes out.
+lutlib::LookPlace place_of(const Grading& grading, const io::FloatImage& image) {
+    const lutlib::LookEncodings look = grading.look.encodings();
+    lutlib::LookPlace place{look, encoding_of(image), {}, grading.converts, &grading.adaptation};
+    if (grading.picture_encoding) {
+        place.given = grading.picture_encoding;
+    }
+    if (grading.output_encoding) {
+        place.wanted = grading.output_encoding;
+    } else if (look.input && look.input == look.output) {
+        place.wanted = place.given;
+    }
+    return place;
+}
+
+// The depth that was asked for, which the file type must hold, else the nearest to the picture's.
+io::Depth choose_depth(const std::string& name, const std::string& output,
+                       std::span<const io::Depth> held, io::Depth usual) {
+    if (name.empty()) {
+        return io::nearest_depth(usual, held);
+    }
+    std::vector<const io::DepthInfo*> rows;
+    for (const io::Depth depth : held) {
+        rows.push_back(&io::info_of(depth));
+    }
+    if (const auto* const row = lutlib::find_named(rows, name)) {
+        return row->depth;
+    }
+    throw lutlib::UsageError('.' + io::extension_of(output) + " files cannot store --depth " +
+                             name + "; they store " + lutlib::names_of(rows));
+}
+
+std::size_t pixels_with_nan(const float* rgba, std::size_t pixels) {
+    std::size_t out = 0;
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const float* const c = rgba + 4 * i;
+        out += std::isnan(c[0]) || std::isnan(c[1]) || std::isnan(c[2]);
+    }
+    return out;
+}
+
+// What no table holds, colour by colour.
+void apply_exactly(const lutlib::Transform& look, float* rgba, std::size_t pixels) {
+    constexpr std::size_t at_once = 1 << 16;
+    std::vector<lutlib::RgbD> colors;
+    for (std::size_t first = 0; first < pixels; first += at_once) {
+        colors.resize(std::min(at_once, pixels - first));
+        float* const part = rgba + 4 * first;
+        for (std::size_t i = 0; i < colors.size(); ++i) {
+            colors[i] = lutlib::to_double({part[4 * i], part[4 * i + 1], part[4 * i + 2]});
+        }
+        lutlib::apply_in_parallel(look, colors);
+        for (std::size_t i = 0; i < colors.size(); ++i) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                part[4 * i + c] = static_cast<float>(colors[i][c]);
+            }
+        }
+    }
+}
+
+Graded apply(const io::Look& look, const lutlib::LookPlace& place, io::FloatImage& image,
+             io::Depth depth) {
+    const std::size_t pixels = image.rgba.size() / 4;
+    float* const rgba = image.rgba.data();
+    Graded report{.width = image.width,
+                  .height = image.height,
+                  .counts = {.pixels = pixels},
+                  .depth = &io::info_of(depth),
+                  .place = place};
+    const lutlib::Placement placement = place.applied();
+    if (placement.before) {
+        report.counts.not_a_number = pixels_with_nan(rgba, pixels);
+        apply_exactly(conversion(*placement.before, *placement.adaptation), rgba, pixels);
+    }
+    if (const std::optional<lutlib::Domain> domain = look.clamps_to()) {
+        report.counts.outside_domain = lutlib::pixels_outside(*domain, rgba, pixels, 4);
+    }
+    if (look.is_table()) {
+        lutlib::apply(lutlib::StoredLut(*look.table().lut), lutlib::lookup_of(look.interpolation()),
+                      rgba, rgba, pixels, 4);
+    } else {
+        apply_exactly(look.exact(), rgba, pixels);
+    }
+    if (placement.after) {
+        apply_exactly(conversion(*placement.after, *placement.adaptation), rgba, pixels);
+    }
+    report.counts.clamped = report.depth->integer ? lutlib::pixels_outside({}, rgba, pixels, 4) : 0;
+    return report;
+}
+
+// Straight colours through the look; then as the new file stores them.
+Graded graded(const Grading& grading, const lutlib::LookPlace& place, io::FloatImage& image,
+              const std::string& output, io::Depth depth) {
+    const AlphaRule& rule = grading.alpha;
+    image.premultiplied = rule.premultiplied.value_or(image.premultiplied);
+    const bool was_premultiplied = image.premultiplied;
+    const io::LightOnly light = rule.ignored ? io::LightOnly{} : make_straight(image);
+    Graded report = apply(grading.look, place, image, depth);
+    if (rule.ignored) {
+        image.premultiplied = was_premultiplied;
+    } else if (image.alpha && io::stores_premultiplied(output, image.source.get())) {
+        premultiply(image, light);
+    }
+    return report;
+}
+
+// Whether tags that say what the codes are hold for the result too.
+bool keeps_encoding(const lutlib::LookPlace& place) {
+    const std::optional<lutlib::Encoding> holds = place.shown().output;
+    return !place.given || !holds || *holds == *place.given;
+}
+
+} // namespace
+
+PixelCounts& PixelCounts::operator+=(const PixelCounts& more) {
+    pixels += more.pixels;
+    outside_domain += more.outside_domain;
+    clamped += more.clamped;
+    not_a_number += more.not_a_number;
+    return *this;
+}
+
+std::span<const AlphaRule> alpha_rules() {
+    return rules;
+}
+
+std::vector<io::Depth> require_depth(const std::string& depth, const std::string& output) {
+    std::vector<io::Depth> held = io::depths_of(output);
+    choose_depth(depth, output, held, held.front());
+    return held;
+}
+
+Graded grade_file(const Grading& grading, const std::string& picture, const std::string& output,
+                  std::span<const io::Depth> held) {
+    io::FloatImage image = io::read_image(picture, grading.layer);
+    const std::shared_ptr<const io::PictureSource> source = image.source;
+    const lutlib::LookPlace place = place_of(grading, image);
+    const io::Depth depth = choose_depth(grading.depth, output, held, image.depth);
+    Graded report = graded(grading, place, image, output, depth);
+    report.has_alpha = image.alpha;
+    report.remarks = source->remarks;
+    if (source->orientation > 1 && !io::holds_orientation(output)) {
+        image = upright(image, source->orientation);
+        report.remarks.push_back("written upright, as the new file cannot say which way up it is");
+        report.width = image.width;
+        report.height = image.height;
+    }
+    report.lost = io::write_image(output, image,
+                                  {.depth = depth,
+                                   .alpha = image.alpha,
+                                   .text = {{"Source", io::input_name(picture)}},
+                                   .keep = source.get(),
+                                   .keep_color = keeps_encoding(place)});
+    return report;
+}
+
+} // namespace converter

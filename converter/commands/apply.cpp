@@ -1,9 +1,11 @@
-// lutconv apply: a picture through a LUT, on the codes or floats as the file stores them. What else
-// the file holds goes into the new one.
+// lutconv apply: pictures through a LUT, on the codes or floats as the file stores them. What else
+// a file holds goes into the new one.
 #include "converter/command.h"
 #include "converter/grade.h"
+#include "converter/grade_many.h"
 #include "converter/grade_text.h"
 #include "converter/look_files.h"
+#include "converter/many.h"
 #include "converter/options.h"
 #include "converter/placing.h"
 #include "converter/recipe_options.h"
@@ -16,9 +18,10 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <array>
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace converter {
 namespace {
@@ -26,10 +29,12 @@ namespace {
 namespace io = lutlib::io;
 
 struct Options {
-    std::string lut, picture, output, depth, picture_encoding, output_encoding, layer;
+    std::vector<std::string> pictures;
+    std::string lut, output, depth, picture_encoding, output_encoding, layer;
     std::string alpha{alpha_rules().front().name};
     InterpolationOption interpolation;
     PlacingOptions placing;
+    ManyOptions many;
     bool json = false;
 };
 
@@ -37,28 +42,83 @@ std::optional<lutlib::Encoding> named_encoding(const std::string& name, const ch
     return name.empty() ? std::nullopt : std::optional(encoding_of(name, option));
 }
 
-void print_report(const Options& o, const Grading& grading, const Graded& graded) {
+// Of one picture that was named by itself.
+void print_report(const Options& o, const io::Route& route, const Grading& grading,
+                  const Graded& graded) {
     if (o.json) {
         nlohmann::ordered_json json{{"lut", io::input_name(o.lut)}};
-        json.update(to_json(graded, o.picture, o.output));
-        print(json, o.output);
+        json.update(to_json(graded, route.from.path, route.to));
+        print(json, route.to);
         return;
     }
-    std::string text = fmt::format("{} -> {}\n  {}\n", input_text(o.picture), output_text(o.output),
-                                   size_text(graded));
-    std::vector<std::string> lines = lines_of(graded, grading, o.output);
+    std::string text = fmt::format("{} -> {}\n  {}\n", input_text(route.from.path),
+                                   output_text(route.to), size_text(graded));
+    std::vector<std::string> lines = lines_of(graded, grading, route.to);
     const std::vector<std::string> counted = lines_of(graded.counts);
     lines.insert(lines.end(), counted.begin(), counted.end());
     for (const std::string& line : lines) {
         text += "  " + line + '\n';
     }
-    print(text, o.output);
+    print(text, route.to);
+}
+
+bool is_picture(const std::string& extension) {
+    const auto known = io::picture_extensions();
+    return std::find(known.begin(), known.end(), extension) != known.end();
+}
+
+// From which pictures to which, whether this run makes them or not.
+std::vector<io::Route> routes_of(const io::Inputs& inputs, const io::OutputTemplate& output) {
+    std::vector<io::Route> out;
+    for (const io::InputFile& file : inputs.files) {
+        out.push_back({file, output.path_for(file)});
+    }
+    require_distinct(out);
+    return out;
+}
+
+// Takes out those that need not be made anew; the answer is how many.
+std::size_t take_out_done(std::vector<io::Route>& routes, const io::Look& look) {
+    std::vector<std::string> inputs{{}};
+    for (const io::LookFile& file : look.files()) {
+        inputs.push_back(file.name);
+    }
+    return std::erase_if(routes, [&](const io::Route& route) {
+        inputs.front() = route.from.path;
+        return io::is_up_to_date(route.to, inputs);
+    });
+}
+
+void tell_unused(const Verb& verb, const io::Look& look,
+                 const std::vector<std::optional<Graded>>& pictures) {
+    bool has_alpha = pictures.empty();
+    Part adaptation{"--adaptation", pictures.empty(), ""};
+    for (const auto& graded : pictures) {
+        has_alpha = has_alpha || !graded || graded->has_alpha;
+        if (graded && !adaptation.has_part) {
+            adaptation = adaptation_part(graded->place.applied());
+        }
+    }
+    tell_unused(verb, {interpolation_part(has_lattice(look)),
+                       adaptation,
+                       {"--alpha", has_alpha, "no picture has alpha"}});
 }
 
 int run(const Options& o, const Verb& verb) {
-    require_one_standard_input(std::array{o.lut, o.picture});
+    std::vector<std::string> inputs_named = o.pictures;
+    inputs_named.push_back(o.lut);
+    require_one_standard_input(inputs_named);
     const AlphaRule& alpha = lutlib::require_named(alpha_rules(), "alpha rule", o.alpha);
-    const std::vector<io::Depth> held = require_depth(o.depth, o.output);
+    const io::Inputs inputs = io::find_inputs(o.pictures, o.many.frames(), is_picture);
+    const io::OutputTemplate output(o.output);
+    std::vector<io::Route> routes = o.many.of_shard(routes_of(inputs, output));
+    tell_remarks(inputs.remarks);
+    if (output.varies()) {
+        make_folders(routes);
+    }
+    const bool is_one = inputs.files.size() == 1 && !inputs.are_listed && !o.many.resumes();
+    const std::vector<io::Depth> held =
+        is_one && !routes.empty() ? require_depth(o.depth, routes[0].to) : std::vector<io::Depth>{};
     const io::Look look =
         open_look(o.lut, {.interpolation = o.interpolation.get(), .encodings = o.placing.look()});
     const Grading grading{look,
@@ -69,12 +129,18 @@ int run(const Options& o, const Verb& verb) {
                           o.placing.adaptation(),
                           o.depth,
                           o.layer};
-    const Graded graded = grade_file(grading, o.picture, o.output, held);
-    tell_unused(verb, {interpolation_part(has_lattice(look)),
-                       adaptation_part(graded.place.applied()),
-                       {"--alpha", graded.has_alpha, "the picture has no alpha"}});
-    print_report(o, grading, graded);
-    return ok;
+    if (is_one && !routes.empty()) {
+        const Graded graded = grade_file(grading, routes[0].from.path, routes[0].to, held);
+        tell_unused(verb, look, {graded});
+        print_report(o, routes[0], grading, graded);
+        return ok;
+    }
+    const std::size_t there = o.many.resumes() ? take_out_done(routes, look) : 0;
+    GradedMany graded = grade_many(grading, routes, o.many, output.text());
+    graded.there = there;
+    tell_unused(verb, look, graded.pictures);
+    print_report(graded, grading, routes, o.lut, output.text(), o.json);
+    return graded.failures.empty() ? ok : bad_input;
 }
 
 } // namespace
@@ -83,10 +149,14 @@ Run declare_apply(Verb& verb) {
     const auto o = std::make_shared<Options>();
     verb.add_option("LUT", o->lut, "a LUT of any format or a recipe, or - for standard input")
         .required();
-    verb.add_option("PICTURE", o->picture, "PNG, EXR or another picture, or - for standard input")
+    verb.add_option("PICTURES", o->pictures,
+                    "PNG, EXR or other pictures, or - for standard input; folders of them; frames, "
+                    "as shot.####.exr or shot.%04d.exr")
         .required();
-    verb.add_option("-o,--output", o->output,
-                    "the picture to write, or - for a PNG to standard output")
+    verb.add_option(
+            "-o,--output", o->output,
+            "the picture to write, or - for a PNG to standard output; of several pictures a "
+            "folder, or names with {name}, {ext}, {frame} or #### in them")
         .required();
     verb.add_option("--depth", o->depth,
                     "uint8, uint16, half or float, as far as the file type holds it (default: the "
@@ -108,6 +178,7 @@ Run declare_apply(Verb& verb) {
                     "what the written picture's codes are to be (default: the picture's own where "
                     "the look keeps its encoding, else what the look gives)");
     o->placing.declare(verb);
+    o->many.declare(verb);
     verb.add_flag("--json", o->json, "print the results as JSON");
     return [o, &verb] { return run(*o, verb); };
 }

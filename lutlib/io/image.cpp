@@ -8,6 +8,7 @@
 #include "lutlib/io/oiio.h"
 #include "lutlib/io/png.h"
 #include "lutlib/io/temporary_file.h"
+#include "lutlib/limits.h"
 #include "lutlib/named.h"
 
 #include <algorithm>
@@ -116,6 +117,19 @@ void refuse_iff(std::string_view head, const std::string& file) {
     }
 }
 
+// Of the IHDR chunk, which comes first.
+std::size_t pixels_of_png(std::string_view head) {
+    constexpr std::size_t width_at = 16, height_at = 20;
+    const auto number = [&](std::size_t at) {
+        std::size_t out = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            out = out << 8 | static_cast<unsigned char>(head[at + i]);
+        }
+        return std::min<std::size_t>(out, limits::max_image_side);
+    };
+    return head.size() < height_at + 4 ? 0 : number(width_at) * number(height_at);
+}
+
 bool is_png_name(const std::string& path) {
     return path == standard_stream || extension_of(path) == "png";
 }
@@ -180,6 +194,28 @@ FloatImage decode_image(std::string_view bytes, const std::string& extension,
     refuse_iff(bytes, file);
     const TemporaryFile copy(bytes, file, extension);
     return oiio().read(copy.path(), file, layer);
+}
+
+std::span<const std::string_view> picture_extensions() {
+    static constexpr auto table = std::to_array<std::string_view>(
+        {"png", "exr", "sxr", "tif", "tiff", "jpg", "jpeg", "dpx", "cin", "tga",  "webp", "hdr",
+         "bmp", "ppm", "pgm", "pnm", "pfm",  "jp2", "sgi",  "rgb", "psd", "heic", "avif"});
+    return table;
+}
+
+std::size_t bytes_in_work(const std::string& path) {
+    // Floats of four channels, the codes read and those to write, and the file's bytes.
+    constexpr std::size_t bytes_a_pixel = 48, png_header = 24;
+    try {
+        const auto head = head_of_regular_file(path, png_header);
+        if (head && is_png(*head)) {
+            return pixels_of_png(*head) * bytes_a_pixel;
+        }
+        const Oiio::Size size = head ? oiio().size(path) : Oiio::Size{};
+        return size.pixels * bytes_a_pixel + 2 * size.bytes;
+    } catch (const Error&) {
+        return 0;
+    }
 }
 
 FloatImage read_image(const std::string& path, const std::string& layer) {

@@ -15,6 +15,12 @@ class Oiio {
     /// `file` names the picture at `path` in errors.
     virtual FloatImage read(const std::string& path, const std::string& file,
                             const std::string& layer = {}) const = 0;
+    /// Pixels of all parts, and their bytes in the file's own types, by its header; zeros where it
+    /// cannot be read.
+    struct Size {
+        std::size_t pixels = 0, bytes = 0;
+    };
+    virtual Size size(const std::string& path) const = 0;
     /// Whether a picture of the extension of `path` can be written, whatever its depth.
     virtual bool writes(const std::string& path) const = 0;
     /// An extension of each type of picture that can be written, without its dot.

@@ -263,6 +263,20 @@ class Library final : public Oiio {
         return image;
     }
 
+    Size size(const std::string& path) const override {
+        Size out;
+        const auto input = OIIO::ImageInput::open(path);
+        for (int i = 0; input && i < most_parts && input->seek_subimage(i, 0); ++i) {
+            out.pixels += input->spec().image_pixels();
+            out.bytes += input->spec().image_bytes(true);
+        }
+        if (input) {
+            input->geterror();
+        }
+        OIIO::geterror();
+        return out;
+    }
+
     bool writes(const std::string& path) const override {
         const bool known = OIIO::ImageOutput::create(path) != nullptr;
         OIIO::geterror(); // else it is printed when the program ends

@@ -11,6 +11,9 @@
 #include "lutlib/limits.h"
 #include "lutlib/named.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,11 +28,27 @@ constexpr std::array<DepthInfo, 4> table{{
     {Depth::float32, "float", false},
 }};
 
+constexpr std::size_t pixels_at_once = std::size_t{1} << 14;
+
 struct PngSource final : PictureSource {
     std::vector<PngChunk> chunks;
 };
 
-FloatImage to_float_image(const PngImage& codes) {
+// Codes as values, of one row after the other on every core.
+template <class Code>
+void spread(std::span<const Code> codes, std::size_t channels, std::span<const float> values,
+            std::vector<float>& rgba) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rgba.size() / 4, pixels_at_once),
+                      [&](const tbb::blocked_range<std::size_t>& part) {
+                          for (std::size_t i = part.begin(); i < part.end(); ++i) {
+                              for (std::size_t c = 0; c < channels; ++c) {
+                                  rgba[i * 4 + c] = values[codes[i * channels + c]];
+                              }
+                          }
+                      });
+}
+
+FloatImage to_float_image(const PngPicture& codes) {
     FloatImage out;
     out.width = codes.width;
     out.height = codes.height;
@@ -37,21 +56,25 @@ FloatImage to_float_image(const PngImage& codes) {
     out.channels = (codes.grey ? 1 : 3) + (out.alpha ? 1 : 0);
     out.srgb_tag = codes.srgb_tag;
     out.profile_tag = codes.profile_tag;
-    out.depth = codes.depth.bits == 16 ? Depth::uint16 : Depth::uint8;
+    out.depth = codes.bits == 16 ? Depth::uint16 : Depth::uint8;
     const auto pixels =
         static_cast<std::size_t>(codes.width) * static_cast<std::size_t>(codes.height);
     const auto channels = static_cast<std::size_t>(codes.channels);
-    const CodeDepth depth = codes.depth;
+    const CodeDepth depth{codes.bits};
+    std::vector<float> values(static_cast<std::size_t>(depth.maximum()) + 1);
+    for (int code = 0; code <= depth.maximum(); ++code) {
+        values[static_cast<std::size_t>(code)] = static_cast<float>(depth.value(code));
+    }
     out.rgba.assign(pixels * 4, 1.0F);
-    for (std::size_t i = 0; i < pixels; ++i) {
-        for (std::size_t c = 0; c < channels; ++c) {
-            out.rgba[i * 4 + c] = static_cast<float>(depth.value(codes.samples[i * channels + c]));
-        }
+    if (codes.bits == 16) {
+        spread(codes.samples.as<std::uint16_t>(), channels, values, out.rgba);
+    } else {
+        spread(codes.samples.as<std::uint8_t>(), channels, values, out.rgba);
     }
     return out;
 }
 
-std::shared_ptr<const PictureSource> source_of(PngImage&& codes, std::string_view bytes) {
+std::shared_ptr<const PictureSource> source_of(PngPicture&& codes, std::string_view bytes) {
     const auto out = std::make_shared<PngSource>();
     out->type = "png";
     out->icc_profile = std::move(codes.icc_profile);
@@ -60,25 +83,49 @@ std::shared_ptr<const PictureSource> source_of(PngImage&& codes, std::string_vie
     return out;
 }
 
-PngImage to_codes(const FloatImage& image, const ImageWriteOptions& options) {
-    PngImage out;
+// CodeDepth::code() of a float without its call for each: halves go up.
+template <class Code>
+Code nearest_code(float value, float maximum) {
+    const float scaled = saturate(value) * maximum;
+    const int below = static_cast<int>(scaled);
+    return static_cast<Code>(below + (scaled - static_cast<float>(below) >= 0.5F ? 1 : 0));
+}
+
+template <class Code>
+void gather(std::span<const float> rgba, std::size_t channels, CodeDepth depth,
+            std::span<Code> codes) {
+    const auto maximum = static_cast<float>(depth.maximum());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rgba.size() / 4, pixels_at_once),
+                      [&](const tbb::blocked_range<std::size_t>& part) {
+                          for (std::size_t i = part.begin(); i < part.end(); ++i) {
+                              for (std::size_t c = 0; c < channels; ++c) {
+                                  codes[i * channels + c] =
+                                      nearest_code<Code>(rgba[i * 4 + c], maximum);
+                              }
+                          }
+                      });
+}
+
+PngPicture to_codes(const FloatImage& image, const ImageWriteOptions& options) {
+    PngPicture out;
     out.width = image.width;
     out.height = image.height;
     out.channels = options.alpha ? 4 : 3;
-    out.depth = {options.depth == Depth::uint8 ? 8 : 16};
+    out.bits = options.depth == Depth::uint8 ? 8 : 16;
     out.text = options.text;
     const auto channels = static_cast<std::size_t>(out.channels);
-    out.samples.resize(image.rgba.size() / 4 * channels);
-    for (std::size_t i = 0; i < image.rgba.size() / 4; ++i) {
-        for (std::size_t c = 0; c < channels; ++c) {
-            out.samples[i * channels + c] = out.depth.code(image.rgba[i * 4 + c]);
-        }
+    out.samples =
+        SampleBuffer(image.rgba.size() / 4 * channels * static_cast<std::size_t>(out.bits / 8));
+    if (out.bits == 8) {
+        gather(image.rgba, channels, {8}, out.samples.as<std::uint8_t>());
+    } else {
+        gather(image.rgba, channels, {16}, out.samples.as<std::uint16_t>());
     }
     return out;
 }
 
 // The chunks of a PNG go into a PNG as they are; of other files what a PNG has a place for.
-std::vector<std::string> keep_in_png(PngImage& png, const ImageWriteOptions& options) {
+std::vector<std::string> keep_in_png(PngPicture& png, const ImageWriteOptions& options) {
     std::vector<std::string> lost;
     const PictureSource& keep = *options.keep;
     if (const auto* const source = dynamic_cast<const PngSource*>(&keep)) {
@@ -186,7 +233,7 @@ FloatImage decode_image(std::string_view bytes, const std::string& extension,
         if (!layer.empty()) {
             throw UsageError("a PNG has no layers; leave out --layer", {file, 0, {}});
         }
-        PngImage codes = read_png(bytes, file);
+        PngPicture codes = read_png_picture(bytes, file);
         FloatImage out = to_float_image(codes);
         out.source = source_of(std::move(codes), bytes);
         return out;
@@ -282,7 +329,7 @@ bool holds_orientation(const std::string& path) {
 std::vector<std::string> write_image(const std::string& path, const FloatImage& image,
                                      const ImageWriteOptions& options) {
     if (is_png_name(path)) {
-        PngImage png = to_codes(image, options);
+        PngPicture png = to_codes(image, options);
         std::vector<std::string> lost;
         if (options.keep) {
             lost = keep_in_png(png, options);

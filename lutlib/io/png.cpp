@@ -1,11 +1,11 @@
 #include "lutlib/io/png.h"
 
 #include "lutlib/error.h"
+#include "lutlib/io/png_rows.h"
 #include "lutlib/limits.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <spng.h>
@@ -19,6 +19,10 @@ constexpr std::size_t best_deflate_ratio = 1032;
 // One chunk of text or profile, and all of them together.
 constexpr std::size_t max_chunk_bytes = std::size_t{16} << 20;
 constexpr std::size_t max_chunks_bytes = std::size_t{64} << 20;
+
+// Pictures of which strips for engines are none: half a second of zlib, on one core, for a screen.
+constexpr std::size_t least_packed_fast = std::size_t{1} << 20;
+constexpr std::string_view end_chunk("\0\0\0\0IEND\xae\x42\x60\x82", 12);
 
 struct Closer {
     void operator()(spng_ctx* context) const { spng_ctx_free(context); }
@@ -70,22 +74,17 @@ std::size_t stored_bytes(const spng_ihdr& header) {
     return (header.width * channels * header.bit_depth + 7) / 8 * header.height;
 }
 
+// Drops the alpha that libspng adds, in place.
 template <class Code>
-void copy_codes(const std::vector<unsigned char>& decoded, PngImage& image) {
-    const auto pixels =
-        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-    const auto channels = static_cast<std::size_t>(image.channels);
-    image.samples.resize(pixels * channels);
-    for (std::size_t i = 0; i < pixels; ++i) {
-        for (std::size_t c = 0; c < channels; ++c) {
-            Code code;
-            std::memcpy(&code, decoded.data() + (i * 4 + c) * sizeof code, sizeof code);
-            image.samples[i * channels + c] = code;
+void drop_alpha(std::span<Code> codes) {
+    for (std::size_t i = 0; i < codes.size() / 4; ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            codes[3 * i + c] = codes[4 * i + c];
         }
     }
 }
 
-void read_text(spng_ctx* context, PngImage& image, const std::string& file) {
+void read_text(spng_ctx* context, PngTags& image, const std::string& file) {
     std::uint32_t count = 0;
     const int status = spng_get_text(context, nullptr, &count);
     if (status == SPNG_ECHUNKAVAIL) {
@@ -116,8 +115,13 @@ void compress_within(spng_ctx* context, std::size_t bytes) {
         spng_set_option(context, SPNG_IMG_MEM_LEVEL, std::max(1, usual_memory - (most - window))));
 }
 
+int append_to(spng_ctx*, void* to, void* bytes, std::size_t length) {
+    static_cast<std::string*>(to)->append(static_cast<const char*>(bytes), length);
+    return SPNG_OK;
+}
+
 // Text beyond ASCII is taken as UTF-8, which only iTXt can say.
-void set_text(spng_ctx* context, const PngImage& image) {
+void set_text(spng_ctx* context, const PngTags& image) {
     std::vector<spng_text> chunks;
     std::string empty;
     for (const auto& [key, value] : image.text) {
@@ -173,7 +177,7 @@ std::vector<PngChunk> kept_chunks(std::string_view png) {
     return out;
 }
 
-PngImage read_png(std::string_view bytes, const std::string& file) {
+PngPicture read_png_picture(std::string_view bytes, const std::string& file) {
     if (!is_png(bytes)) {
         throw Error("this is not a PNG file", {file, 0, {}});
     }
@@ -187,10 +191,10 @@ PngImage read_png(std::string_view bytes, const std::string& file) {
         throw Error("the PNG file is cut short; fetch or export it again", {file, 0, {}});
     }
 
-    PngImage image;
+    PngPicture image;
     image.width = static_cast<int>(header.width);
     image.height = static_cast<int>(header.height);
-    image.depth.bits = header.bit_depth == 16 ? 16 : 8;
+    image.bits = header.bit_depth == 16 ? 16 : 8;
     image.interlaced = header.interlace_method != SPNG_INTERLACE_NONE;
     image.palette = header.color_type == SPNG_COLOR_TYPE_INDEXED;
     image.grey = header.color_type == SPNG_COLOR_TYPE_GRAYSCALE ||
@@ -201,11 +205,17 @@ PngImage read_png(std::string_view bytes, const std::string& file) {
                        spng_get_trns(context.get(), &transparency) == SPNG_OK;
     image.channels = alpha ? 4 : 3;
 
-    const int format = image.depth.bits == 16 ? SPNG_FMT_RGBA16 : SPNG_FMT_RGBA8;
+    const bool is_stored_so =
+        !alpha && header.bit_depth == 16 && header.color_type == SPNG_COLOR_TYPE_TRUECOLOR;
+    const int format = is_stored_so       ? SPNG_FMT_PNG
+                       : image.bits == 16 ? SPNG_FMT_RGBA16
+                       : alpha            ? SPNG_FMT_RGBA8
+                                          : SPNG_FMT_RGB8;
     std::size_t length = 0;
     check_read(spng_decoded_image_size(context.get(), format, &length), file);
-    std::vector<unsigned char> decoded(length);
-    check_read(spng_decode_image(context.get(), decoded.data(), length, format, SPNG_DECODE_TRNS),
+    image.samples = SampleBuffer(length);
+    check_read(spng_decode_image(context.get(), image.samples.data(), length, format,
+                                 alpha ? SPNG_DECODE_TRNS : 0),
                file);
     // Text may follow the pixels; this also finds a file that ends before its IEND chunk.
     check_read(spng_decode_chunks(context.get()), file);
@@ -213,10 +223,8 @@ PngImage read_png(std::string_view bytes, const std::string& file) {
     if (bytes.rfind("IEND") + 8 > bytes.size()) {
         check_read(SPNG_IO_EOF, file);
     }
-    if (image.depth.bits == 16) {
-        copy_codes<std::uint16_t>(decoded, image);
-    } else {
-        copy_codes<std::uint8_t>(decoded, image);
+    if (format == SPNG_FMT_RGBA16 && !alpha) {
+        drop_alpha(image.samples.as<std::uint16_t>());
     }
 
     std::uint8_t intent = 0;
@@ -234,27 +242,24 @@ PngImage read_png(std::string_view bytes, const std::string& file) {
     return image;
 }
 
-std::string write_png(const PngImage& image) {
+std::string write_png(const PngPicture& image) {
     check_size(static_cast<std::uint64_t>(std::max(image.width, 0)),
                static_cast<std::uint64_t>(std::max(image.height, 0)), {});
-    const std::size_t count = static_cast<std::size_t>(image.width) *
-                              static_cast<std::size_t>(image.height) *
-                              static_cast<std::size_t>(image.channels);
-    if ((image.channels != 3 && image.channels != 4) ||
-        (image.depth.bits != 8 && image.depth.bits != 16) || image.samples.size() != count) {
+    const auto bytes_a_pixel = static_cast<std::size_t>(image.channels * image.bits / 8);
+    const std::size_t bytes_a_row = static_cast<std::size_t>(image.width) * bytes_a_pixel;
+    const std::size_t length = bytes_a_row * static_cast<std::size_t>(image.height);
+    if ((image.channels != 3 && image.channels != 4) || (image.bits != 8 && image.bits != 16) ||
+        image.samples.size() < length) {
         throw Error("a PNG picture has 3 or 4 channels of 8 or 16 bits, and one sample for each");
     }
-    if (std::any_of(image.samples.begin(), image.samples.end(),
-                    [&](std::uint16_t code) { return code > image.depth.maximum(); })) {
-        throw Error("a code is larger than " + std::to_string(image.depth.maximum()));
-    }
 
+    std::string out;
     const Context context = open_context(SPNG_CTX_ENCODER);
-    check_write(spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1));
+    check_write(spng_set_png_stream(context.get(), append_to, &out));
     spng_ihdr header{};
     header.width = static_cast<std::uint32_t>(image.width);
     header.height = static_cast<std::uint32_t>(image.height);
-    header.bit_depth = static_cast<std::uint8_t>(image.depth.bits);
+    header.bit_depth = static_cast<std::uint8_t>(image.bits);
     header.color_type =
         image.channels == 4 ? SPNG_COLOR_TYPE_TRUECOLOR_ALPHA : SPNG_COLOR_TYPE_TRUECOLOR;
     check_write(spng_set_ihdr(context.get(), &header));
@@ -262,8 +267,8 @@ std::string write_png(const PngImage& image) {
         constexpr std::uint8_t perceptual = 0;
         check_write(spng_set_srgb(context.get(), perceptual));
     }
+    spng_iccp profile{};
     if (!image.icc_profile.empty()) {
-        spng_iccp profile{};
         constexpr std::string_view name = "ICC profile";
         std::copy(name.begin(), name.end(), profile.profile_name);
         profile.profile = const_cast<char*>(image.icc_profile.data());
@@ -271,23 +276,17 @@ std::string write_png(const PngImage& image) {
         check_write(spng_set_iccp(context.get(), &profile));
     }
     set_text(context.get(), image);
-
-    const std::vector<std::uint8_t> narrow =
-        image.depth.bits == 8
-            ? std::vector<std::uint8_t>(image.samples.begin(), image.samples.end())
-            : std::vector<std::uint8_t>{};
-    const void* pixels = image.depth.bits == 8 ? static_cast<const void*>(narrow.data())
-                                               : static_cast<const void*>(image.samples.data());
-    const std::size_t length = count * (image.depth.bits == 8 ? 1 : 2);
-    compress_within(context.get(), length + static_cast<std::size_t>(image.height));
-    check_write(
-        spng_encode_image(context.get(), pixels, length, SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE));
-    std::size_t size = 0;
-    int status = SPNG_OK;
-    const std::unique_ptr<char, decltype(&std::free)> buffer(
-        static_cast<char*>(spng_get_png_buffer(context.get(), &size, &status)), &std::free);
-    check_write(status);
-    std::string out(buffer.get(), size);
+    if (length < least_packed_fast) {
+        compress_within(context.get(), length + static_cast<std::size_t>(image.height));
+        check_write(spng_encode_image(context.get(), image.samples.data(), length, SPNG_FMT_PNG,
+                                      SPNG_ENCODE_FINALIZE));
+    } else {
+        check_write(spng_encode_chunks(context.get()));
+        out +=
+            packed_rows({image.samples.data(), bytes_a_row, static_cast<std::size_t>(image.height),
+                         bytes_a_pixel, image.bits == 16});
+        out += end_chunk;
+    }
     // They may stand anywhere between the header and the pixels.
     constexpr std::size_t header_end = signature.size() + 25;
     std::string chunks;
@@ -295,6 +294,52 @@ std::string write_png(const PngImage& image) {
         chunks += chunk.bytes;
     }
     return out.insert(header_end, chunks);
+}
+
+PngImage read_png(std::string_view bytes, const std::string& file) {
+    PngPicture picture = read_png_picture(bytes, file);
+    PngImage out;
+    static_cast<PngTags&>(out) = std::move(static_cast<PngTags&>(picture));
+    out.width = picture.width;
+    out.height = picture.height;
+    out.channels = picture.channels;
+    out.depth.bits = picture.bits;
+    if (picture.bits == 8) {
+        const auto codes = picture.samples.as<std::uint8_t>();
+        out.samples.assign(codes.begin(), codes.end());
+    } else {
+        const auto codes = picture.samples.as<std::uint16_t>();
+        const std::size_t count = static_cast<std::size_t>(picture.width) *
+                                  static_cast<std::size_t>(picture.height) *
+                                  static_cast<std::size_t>(picture.channels);
+        out.samples.assign(codes.begin(), codes.begin() + static_cast<std::ptrdiff_t>(count));
+    }
+    return out;
+}
+
+std::string write_png(const PngImage& image) {
+    PngPicture picture;
+    static_cast<PngTags&>(picture) = image;
+    picture.width = image.width;
+    picture.height = image.height;
+    picture.channels = image.channels;
+    picture.bits = image.depth.bits;
+    const bool is_narrow = image.depth.bits == 8;
+    picture.samples = SampleBuffer(image.samples.size() * (is_narrow ? 1 : 2));
+    if (is_narrow) {
+        const bool fits = std::all_of(image.samples.begin(), image.samples.end(),
+                                      [](std::uint16_t code) { return code < 256; });
+        if (!fits) {
+            throw Error("a code is larger than " + std::to_string(image.depth.maximum()));
+        }
+        std::transform(image.samples.begin(), image.samples.end(),
+                       picture.samples.as<std::uint8_t>().begin(),
+                       [](std::uint16_t code) { return static_cast<std::uint8_t>(code); });
+    } else {
+        std::copy(image.samples.begin(), image.samples.end(),
+                  picture.samples.as<std::uint16_t>().begin());
+    }
+    return write_png(picture);
 }
 
 } // namespace lutlib::io

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "lutlib/code_image.h"
+#include "lutlib/io/sample_buffer.h"
 
 #include <string>
 #include <string_view>
@@ -27,8 +28,8 @@ struct PngChunk {
 /// gAMA, cHRM, iCCP, cICP, mDCV, cLLI), text, Exif, resolution, time.
 std::vector<PngChunk> kept_chunks(std::string_view png);
 
-/// A PNG file: its codes, of 8 or 16 bits, and what it says of them.
-struct PngImage : CodeImage {
+/// What a PNG file says of its pixels.
+struct PngTags {
     bool srgb_tag = false;      ///< an sRGB chunk
     bool gamma_tag = false;     ///< a gAMA chunk
     bool profile_tag = false;   ///< an iCCP chunk
@@ -42,6 +43,17 @@ struct PngImage : CodeImage {
     std::vector<PngChunk> chunks{}; ///< to write as they are; none is read
 };
 
+/// A PNG file: its codes, of 8 or 16 bits, and what it says of them.
+struct PngImage : CodeImage, PngTags {};
+
+/// The same for pictures that are large: samples of a byte, or of two in the machine's order.
+struct PngPicture : PngTags {
+    int width = 0, height = 0;
+    int channels = 3; ///< 3 RGB or 4 RGBA
+    int bits = 8;     ///< or 16
+    SampleBuffer samples{};
+};
+
 /// Whether bytes begin as a PNG file does.
 bool is_png(std::string_view bytes);
 
@@ -49,11 +61,14 @@ bool is_png(std::string_view bytes);
 /// grey is scaled to 8; transparency becomes alpha. Throws Error for anything that is not a whole,
 /// undamaged PNG within limits.h; sizes are checked before pixels are allocated. `file` names the
 /// input in errors.
+PngPicture read_png_picture(std::string_view bytes, const std::string& file);
 PngImage read_png(std::string_view bytes, const std::string& file);
 
-/// The bytes of an RGB or RGBA file of image.depth; srgb_tag, icc_profile, text and chunks are
-/// written, the other tags are not. Keys are 1..79 Latin-1 characters; keys with an empty text are
-/// left out. Throws Error for codes that do not fit.
+/// The bytes of an RGB or RGBA file; srgb_tag, icc_profile, text and chunks are written, the other
+/// tags are not. Keys are 1..79 Latin-1 characters; keys with an empty text are left out. Small
+/// files are packed closely, large ones fast and on every core (png_rows.h). Throws Error for codes
+/// that do not fit.
+std::string write_png(const PngPicture& picture);
 std::string write_png(const PngImage& image);
 
 } // namespace lutlib::io

@@ -1,10 +1,12 @@
 #include "converter/many.h"
 
+#include "converter/command.h"
 #include "converter/report.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -75,10 +77,10 @@ std::string reason_now() {
     }
 }
 
-class Run {
+class WorkOff {
   public:
-    Run(std::span<const Route> routes, const Work& work, const ManyOptions& options,
-        const std::string& output)
+    WorkOff(std::span<const Route> routes, const Work& work, const ManyOptions& options,
+            const std::string& output)
         : routes_(routes), work_(work), options_(options), output_(output),
           budget_(options.memory()), reasons_(routes.size()),
           progress_(routes.size(), work.what, options.is_verbose()) {}
@@ -155,6 +157,10 @@ void ManyOptions::declare(Verb& verb) {
     verb.add_flag("--resume", resume_,
                   "leave out files whose output is there and newer than all that it is made of")
         .group(heading);
+    verb.add_flag("--missing", missing_,
+                  "make nothing; list outputs that are not there, or older than what they are made "
+                  "of, and exit with 1 if any is")
+        .group(heading);
     verb.add_option("--shard", shard_,
                     "K/N: every N-th file from the K-th on, to share them between N machines")
         .group(heading);
@@ -193,7 +199,33 @@ std::size_t ManyOptions::memory() const {
 
 std::vector<Failure> run_each(std::span<const Route> routes, const Work& work,
                               const ManyOptions& options, const std::string& output) {
-    return Run(routes, work, options, output).all();
+    return WorkOff(routes, work, options, output).all();
+}
+
+std::size_t take_out_done(std::vector<Route>& routes, std::vector<std::string> others) {
+    others.emplace_back();
+    return std::erase_if(routes, [&](const Route& route) {
+        others.back() = route.from.path;
+        return lutlib::io::is_up_to_date(route.to, others);
+    });
+}
+
+int tell_missing(std::span<const Route> missing, std::size_t there, std::string_view what,
+                 bool json) {
+    if (json) {
+        nlohmann::ordered_json list = nlohmann::ordered_json::array();
+        for (const Route& route : missing) {
+            list.push_back(route.to);
+        }
+        print(nlohmann::ordered_json{{"missing", list}, {"were_there", there}}, "");
+    } else {
+        std::string text = fmt::format("{} of {} {} there\n", there, there + missing.size(), what);
+        for (const Route& route : missing) {
+            text += "  missing: " + output_text(route.to) + '\n';
+        }
+        print(text, "");
+    }
+    return missing.empty() ? ok : verification_failed;
 }
 
 void tell_remarks(std::span<const std::string> remarks) {

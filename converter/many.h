@@ -14,13 +14,15 @@
 
 namespace converter {
 
-/// --frames, --resume, --shard, --jobs, --memory and --verbose.
+/// --frames, --resume, --missing, --shard, --jobs, --memory and --verbose.
 class ManyOptions {
   public:
     void declare(Verb& verb);
 
     const std::string& frames() const { return frames_; }
     bool resumes() const { return resume_; }
+    /// Nothing is made; what is not there is said.
+    bool only_says_missing() const { return missing_; }
     bool is_verbose() const { return verbose_; }
     /// Those that --shard leaves. Throws UsageError.
     std::vector<lutlib::io::Route> of_shard(std::vector<lutlib::io::Route> routes) const;
@@ -32,8 +34,16 @@ class ManyOptions {
   private:
     std::string frames_, shard_;
     int jobs_ = 0, memory_ = 0;
-    bool resume_ = false, verbose_ = false;
+    bool resume_ = false, missing_ = false, verbose_ = false;
 };
+
+/// Takes out the routes whose output is newer than its input and all of `others`; the answer is how
+/// many.
+std::size_t take_out_done(std::vector<lutlib::io::Route>& routes, std::vector<std::string> others);
+
+/// Prints the outputs that are missing, as --missing does; the answer is an ExitCode.
+int tell_missing(std::span<const lutlib::io::Route> missing, std::size_t there,
+                 std::string_view what, bool json);
 
 struct Failure {
     std::string file, reason;

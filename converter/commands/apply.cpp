@@ -77,16 +77,12 @@ std::vector<io::Route> routes_of(const io::Inputs& inputs, const io::OutputTempl
     return out;
 }
 
-// Takes out those that need not be made anew; the answer is how many.
-std::size_t take_out_done(std::vector<io::Route>& routes, const io::Look& look) {
-    std::vector<std::string> inputs{{}};
+std::vector<std::string> files_of(const io::Look& look) {
+    std::vector<std::string> out;
     for (const io::LookFile& file : look.files()) {
-        inputs.push_back(file.name);
+        out.push_back(file.name);
     }
-    return std::erase_if(routes, [&](const io::Route& route) {
-        inputs.front() = route.from.path;
-        return io::is_up_to_date(route.to, inputs);
-    });
+    return out;
 }
 
 void tell_unused(const Verb& verb, const io::Look& look,
@@ -113,6 +109,10 @@ int run(const Options& o, const Verb& verb) {
     const io::OutputTemplate output(o.output);
     std::vector<io::Route> routes = o.many.of_shard(routes_of(inputs, output));
     tell_remarks(inputs.remarks);
+    if (o.many.only_says_missing()) {
+        const std::size_t there = take_out_done(routes, files_of(open_look(o.lut)));
+        return tell_missing(routes, there, "pictures", o.json);
+    }
     if (output.varies()) {
         make_folders(routes);
     }
@@ -135,7 +135,7 @@ int run(const Options& o, const Verb& verb) {
         print_report(o, routes[0], grading, graded);
         return ok;
     }
-    const std::size_t there = o.many.resumes() ? take_out_done(routes, look) : 0;
+    const std::size_t there = o.many.resumes() ? take_out_done(routes, files_of(look)) : 0;
     GradedMany graded = grade_many(grading, routes, o.many, output.text());
     graded.there = there;
     tell_unused(verb, look, graded.pictures);

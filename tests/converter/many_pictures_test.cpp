@@ -157,6 +157,26 @@ TEST_F(ManyPictures, that_are_there_and_newer_than_all_they_come_from_are_left_b
               std::string::npos);
 }
 
+TEST_F(ManyPictures, that_are_missing_are_listed_and_not_made) {
+    write_frames(folder_, 1001, 1003);
+    const Result none = apply({pattern_, "-o", out_, "--missing"});
+    EXPECT_EQ(none.exit_code, 1);
+    EXPECT_NE(none.out.find("0 of 3 pictures there\n"), std::string::npos) << none.out;
+    EXPECT_FALSE(fs::exists(folder_.path("out")));
+    ASSERT_EQ(apply({pattern_, "-o", out_}).exit_code, 0);
+    // Else it may be of the same moment.
+    for (const char* const name : {"look.cube", "s.1001.png", "s.1002.png", "s.1003.png"}) {
+        fs::last_write_time(folder_.path(name),
+                            fs::file_time_type::clock::now() - std::chrono::seconds(10));
+    }
+    EXPECT_EQ(apply({pattern_, "-o", out_, "--missing"}).exit_code, 0);
+    fs::remove(folder_.path("out/s.1002.png"));
+    const Result one = apply({pattern_, "-o", out_, "--missing", "--json"});
+    EXPECT_EQ(one.exit_code, 1);
+    EXPECT_EQ(json::parse(one.out)["missing"], json::array({folder_.path("out/s.1002.png")}));
+    EXPECT_EQ(json::parse(one.out)["were_there"], 2);
+}
+
 TEST_F(ManyPictures, of_all_shards_are_all_once) {
     write_frames(folder_, 1001, 1005);
     std::size_t count = 0;

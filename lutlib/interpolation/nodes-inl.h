@@ -43,18 +43,18 @@ Pixel loaded(const T* p) {
         }
     });
 }
-Pixel unpacked_10_bits(std::uint32_t word) {
+inline Pixel unpacked_10_bits(std::uint32_t word) {
     return pixel_of([word](std::size_t c) {
         return static_cast<float>(static_cast<int>(word >> (10 * c) & 1023));
     });
 }
-Pixel operator+(Pixel a, Pixel b) {
+inline Pixel operator+(Pixel a, Pixel b) {
     return pixel_of([&](std::size_t c) { return a.channel[c] + b.channel[c]; });
 }
-Pixel operator*(Pixel a, float s) {
+inline Pixel operator*(Pixel a, float s) {
     return pixel_of([&](std::size_t c) { return a.channel[c] * s; });
 }
-void store(Pixel a, float* p) {
+inline void store(Pixel a, float* p) {
     std::copy(a.channel.begin(), a.channel.end(), p);
 }
 #else

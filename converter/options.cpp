@@ -4,6 +4,8 @@
 
 #include "lutlib/named.h"
 
+#include <algorithm>
+
 namespace converter {
 void EngineOption::declare(Verb& verb, const std::string& default_name) {
     name_ = default_name;
@@ -13,6 +15,17 @@ void EngineOption::declare(Verb& verb, const std::string& default_name) {
 
 const lutlib::Engine& EngineOption::get() const {
     return lutlib::require_named(lutlib::engines(), "engine", name_, lutlib::Letters::any_case);
+}
+
+std::vector<const lutlib::Engine*> EngineOption::all() const {
+    std::vector<const lutlib::Engine*> out;
+    for (std::size_t at = 0; at <= name_.size();) {
+        const std::size_t comma = std::min(name_.find(',', at), name_.size());
+        out.push_back(&lutlib::require_named(
+            lutlib::engines(), "engine", name_.substr(at, comma - at), lutlib::Letters::any_case));
+        at = comma + 1;
+    }
+    return out;
 }
 
 void InterpolationOption::declare(Verb& verb, const std::string& help) {

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace converter {
 
@@ -17,6 +18,8 @@ class EngineOption {
     void declare(Verb& verb, const std::string& default_name);
     bool given() const { return !name_.empty(); }
     const lutlib::Engine& get() const;
+    /// Of several with commas between. Throws UsageError.
+    std::vector<const lutlib::Engine*> all() const;
 
   private:
     std::string name_;

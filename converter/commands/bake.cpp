@@ -4,6 +4,7 @@
 #include "converter/command.h"
 #include "converter/config_options.h"
 #include "converter/look_files.h"
+#include "converter/many_looks.h"
 #include "converter/options.h"
 #include "converter/placing.h"
 #include "converter/report.h"
@@ -32,8 +33,11 @@ using lutlib::Domain;
 using lutlib::FilledBake;
 
 struct Options {
-    std::string input, output;
-    EngineOption engine;
+    std::vector<std::string> inputs;
+    std::string output_template;
+    std::string input, output; ///< of one bake
+    const lutlib::Engine* engine = nullptr;
+    EngineOption engines;
     int size = 0, bits = 0;
     InterpolationOption interpolation;
     PlacingOptions placing;
@@ -101,7 +105,7 @@ lutlib::LookPlace place_of(const Options& o, const lutlib::Engine& engine,
 }
 
 BakeResult make_result(const Options& o, const Verb& verb) {
-    const lutlib::Engine& engine = o.engine.get();
+    const lutlib::Engine& engine = *o.engine;
     const lutlib::io::Look look = opened(o);
     BakeResult out;
     out.input = o.input;
@@ -175,13 +179,8 @@ void say_that_nothing_was_written(const Options& o, const BudgetBake& found) {
           std::string(lutlib::io::standard_stream));
 }
 
-int run(const Options& o, const Verb& verb) {
+int bake_one(const Options& o, const Verb& verb) {
     require_png_name(o.output, "bake");
-    o.config.check();
-    o.config.require_alone(o.placing.given());
-    if (o.no_measure && (o.fit || promise_of(o))) {
-        throw lutlib::UsageError("a fit and a promise are measured; leave --no-measure out");
-    }
     const BakeResult result = make_result(o, verb);
     if (result.is_kept()) {
         write_picture(o, result);
@@ -194,16 +193,36 @@ int run(const Options& o, const Verb& verb) {
     return ok;
 }
 
+int run(const Options& o, const Verb& verb) {
+    o.config.check();
+    o.config.require_alone(o.placing.given());
+    if (o.no_measure && (o.fit || promise_of(o))) {
+        throw lutlib::UsageError("a fit and a promise are measured; leave --no-measure out");
+    }
+    const std::vector<const lutlib::Engine*> engines = o.engines.all();
+    return run_over(routes_of_looks(o.inputs, o.output_template, engines),
+                    [&](const LookRoute& route) {
+                        Options one = o;
+                        one.input = route.route.from.path;
+                        one.output = route.route.to;
+                        one.engine = route.engine;
+                        return bake_one(one, verb);
+                    });
+}
+
 } // namespace
 
 Run declare_bake(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    verb.add_option("LUT", o->input,
-                    "a LUT or recipe file, or - for standard input; with --ocio-config also the "
-                    "word identity")
+    verb.add_option("LUTS", o->inputs,
+                    "LUT or recipe files, or - for standard input; folders of them; with "
+                    "--ocio-config also the word identity")
         .required();
-    verb.add_option("-o,--output", o->output, "the PNG, or - for standard output").required();
-    o->engine.declare(verb, "piccolo");
+    verb.add_option("-o,--output", o->output_template,
+                    "the PNG, or - for standard output; of several bakes a name with {name} and "
+                    "{engine} in it")
+        .required();
+    o->engines.declare(verb, "piccolo");
     verb.add_option("--size", o->size, "lattice size: nodes per axis (default: the engine's)")
         .takes(Takes::cube_size);
     verb.add_option("--bits", o->bits, "bits per sample: 8 or 16 (default: the engine's)")

@@ -2,6 +2,7 @@
 #include "converter/command.h"
 #include "converter/explain.h"
 #include "converter/look_files.h"
+#include "converter/many_looks.h"
 #include "converter/report.h"
 #include "converter/unused.h"
 #include "converter/usage.h"
@@ -26,7 +27,9 @@ namespace io = lutlib::io;
 using lutlib::Severity;
 
 struct Options {
-    std::string input, output;
+    std::vector<std::string> inputs;
+    std::string output_template;
+    std::string input, output; ///< of one look
     bool strict = false, repair = false, explain = false, json = false;
     double tolerance = lutlib::SimplifyOptions{}.tolerance;
     lutlib::RepairOptions repairs;
@@ -148,16 +151,8 @@ nlohmann::ordered_json repair_json(const lutlib::Repaired& repaired) {
     return out;
 }
 
-int run(const Options& o, const Verb& verb) {
-    if (o.repairs.clamp && !o.repair) {
-        throw lutlib::UsageError("--clamp works with --repair only; add --repair, or drop --clamp");
-    }
-    if (o.repair == o.output.empty()) {
-        throw lutlib::UsageError(o.repair ? "--repair needs -o LUT, the file to write"
-                                          : "-o names the repaired LUT; add --repair, or drop -o");
-    }
+int check_one(const Options& o) {
     const Checked checked = read_to_check(o.input);
-    tell_unused(verb, {{"--tolerance", o.explain, "it is --explain that takes it"}});
     const lutlib::Lut& lut = checked.lut;
     lutlib::Health health = examine(lut, checked.options);
     std::string text = fmt::format("{}: {}, input {}\n{}", input_text(o.input), io::shape_of(lut),
@@ -192,6 +187,23 @@ int run(const Options& o, const Verb& verb) {
     return o.strict && !healthy ? verification_failed : ok;
 }
 
+int run(const Options& o, const Verb& verb) {
+    if (o.repairs.clamp && !o.repair) {
+        throw lutlib::UsageError("--clamp works with --repair only; add --repair, or drop --clamp");
+    }
+    if (o.repair == o.output_template.empty()) {
+        throw lutlib::UsageError(o.repair ? "--repair needs -o LUT, the file to write"
+                                          : "-o names the repaired LUT; add --repair, or drop -o");
+    }
+    tell_unused(verb, {{"--tolerance", o.explain, "it is --explain that takes it"}});
+    return run_over(routes_of_looks(o.inputs, o.output_template), [&](const LookRoute& route) {
+        Options one = o;
+        one.input = route.route.from.path;
+        one.output = route.route.to;
+        return check_one(one);
+    });
+}
+
 std::string check_list() {
     std::string out = "Checks:\n";
     for (const lutlib::HealthCheck& check : lutlib::health_checks()) {
@@ -208,11 +220,15 @@ std::string check_list() {
 
 Run declare_check(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    verb.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input").required();
+    verb.add_option("LUTS", o->inputs,
+                    "LUT or recipe files, or - for standard input; folders of them")
+        .required();
     verb.add_flag("--strict", o->strict, "exit with status 1 if a fault remains");
     verb.add_flag("--repair", o->repair, "repair what can be repaired and write the result to -o");
     verb.add_flag("--clamp", o->repairs.clamp, "with --repair: clamp outputs to 0..1");
-    verb.add_option("-o,--output", o->output, "the repaired LUT, or - for standard output");
+    verb.add_option("-o,--output", o->output_template,
+                    "the repaired LUT, or - for standard output; of several a name with {name} in "
+                    "it");
     verb.add_flag("--explain", o->explain,
                   "list the parts that the look does not need; convert --explain drops them");
     verb.add_option("--tolerance", o->tolerance,

@@ -2,6 +2,7 @@
 #include "converter/command.h"
 #include "converter/explain.h"
 #include "converter/look_files.h"
+#include "converter/many_looks.h"
 #include "converter/placing.h"
 #include "converter/report.h"
 #include "converter/subject.h"
@@ -31,7 +32,9 @@ namespace {
 namespace io = lutlib::io;
 
 struct Options {
-    std::string input, output, from, format;
+    std::vector<std::string> inputs;
+    std::string output_template, from, format;
+    std::string input, output; ///< of one look
     lutlib::WriteOptions save;
     PlacingOptions placing;
     int row = 0;
@@ -243,7 +246,7 @@ void print_report(const Options& o, const Converted& made) {
     print(json, o.output);
 }
 
-int run(const Options& o, const Verb& verb) {
+int convert_one(const Options& o, const Verb& verb) {
     if (o.strip_tags) {
         return strip_tags(o);
     }
@@ -263,13 +266,25 @@ int run(const Options& o, const Verb& verb) {
     return ok;
 }
 
+int run(const Options& o, const Verb& verb) {
+    return run_over(routes_of_looks(o.inputs, o.output_template), [&](const LookRoute& route) {
+        Options one = o;
+        one.input = route.route.from.path;
+        one.output = route.route.to;
+        return convert_one(one, verb);
+    });
+}
+
 } // namespace
 
 Run declare_convert(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    verb.add_option("LUT", o->input, "a LUT of any format or a recipe, or - for standard input")
+    verb.add_option("LUTS", o->inputs,
+                    "LUTs of any format or recipes, or - for standard input; folders of them")
         .required();
-    verb.add_option("-o,--output", o->output, "the file to write, or - for standard output")
+    verb.add_option("-o,--output", o->output_template,
+                    "the file to write, or - for standard output; of several looks a name with "
+                    "{name} in it")
         .required();
     verb.add_option("--from", o->from, "the input's format (default: recognised)");
     verb.add_option("--row", o->row,

@@ -3,6 +3,7 @@
 #include "converter/command.h"
 #include "converter/config_options.h"
 #include "converter/look_files.h"
+#include "converter/many_looks.h"
 #include "converter/options.h"
 #include "converter/placing.h"
 #include "converter/report.h"
@@ -32,7 +33,9 @@ namespace io = lutlib::io;
 constexpr int most_samples = 10'000'000;
 
 struct Options {
-    std::string picture, against;
+    std::vector<std::string> pictures;
+    std::string against;
+    std::string picture; ///< of one verdict
     EngineOption engine;
     InterpolationOption interpolation;
     PlacingOptions placing;
@@ -160,26 +163,38 @@ Verdict judge(const Options& o, const Subject& s, const Verb& verb) {
     return out;
 }
 
-int run(const Options& o, const Verb& verb) {
-    if (o.samples < 1 || o.samples > most_samples) {
-        throw lutlib::UsageError(fmt::format("--samples must be 1 to {}", most_samples));
-    }
-    o.config.check();
-    o.config.require_alone(o.placing.given());
-    if (o.picture == io::standard_stream && o.against == io::standard_stream) {
-        throw lutlib::UsageError("the picture and the look cannot both come from standard input");
-    }
+int verify_one(const Options& o, const Verb& verb) {
     const Subject s = open_subject(o.picture, o.engine.given() ? &o.engine.get() : nullptr);
     const Verdict v = judge(o, s, verb);
     o.json ? print(to_json(s, v), "") : print(to_text(s, v), "");
     return v.passed ? ok : verification_failed;
 }
 
+int run(const Options& o, const Verb& verb) {
+    if (o.samples < 1 || o.samples > most_samples) {
+        throw lutlib::UsageError(fmt::format("--samples must be 1 to {}", most_samples));
+    }
+    o.config.check();
+    o.config.require_alone(o.placing.given());
+    const std::vector<LookRoute> routes = routes_of_looks(o.pictures, "");
+    if (o.against == io::standard_stream &&
+        (routes.size() > 1 || routes.front().route.from.path == io::standard_stream)) {
+        throw lutlib::UsageError("the look can come from standard input for one picture alone, "
+                                 "which then cannot come from there");
+    }
+    return run_over(routes, [&](const LookRoute& route) {
+        Options one = o;
+        one.picture = route.route.from.path;
+        return verify_one(one, verb);
+    });
+}
 } // namespace
 
 Run declare_verify(Verb& verb) {
     const auto o = std::make_shared<Options>();
-    verb.add_option("PICTURE", o->picture, "the LUT picture, or - for standard input").required();
+    verb.add_option("PICTURES", o->pictures,
+                    "the LUT pictures, or - for standard input; folders of them")
+        .required();
     verb.add_option("--against", o->against,
                     "the look or recipe that it should have been baked from")
         .required();

@@ -45,10 +45,11 @@ std::string whole_path(const std::string& path) {
 
 } // namespace
 
-OutputTemplate::OutputTemplate(std::string text, std::vector<std::string_view> fields)
+OutputTemplate::OutputTemplate(std::string text, std::vector<std::string_view> fields,
+                               const std::string& in_folder)
     : text_(std::move(text)) {
-    if (is_folder(text_)) {
-        text_ += text_.back() == '/' ? "{name}.{ext}" : "/{name}.{ext}";
+    if (!in_folder.empty() && is_folder(text_)) {
+        text_ += (text_.back() == '/' ? "" : "/") + in_folder;
     }
     fields.insert(fields.end(), own_fields.begin(), own_fields.end());
     varies_ = FramePattern::of(text_).has_value() ||

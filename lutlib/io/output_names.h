@@ -20,8 +20,9 @@ using NameField = std::pair<std::string_view, std::string>;
 class OutputTemplate {
   public:
     /// `fields` are the names of those that path_for() gets besides. A folder ("out/", or one that
-    /// is there) stands for out/{name}.{ext}.
-    explicit OutputTemplate(std::string text, std::vector<std::string_view> fields = {});
+    /// is there) stands for its file `in_folder`, where that is given.
+    explicit OutputTemplate(std::string text, std::vector<std::string_view> fields = {},
+                            const std::string& in_folder = "{name}.{ext}");
 
     /// Whether inputs can have outputs of different names. It has a field, or a FramePattern.
     bool varies() const { return varies_; }

@@ -4,12 +4,9 @@
 #define HWY_TARGET_INCLUDE "lutlib/interpolation/apply.cpp"
 #include <hwy/foreach_target.h>
 
-#include "lutlib/interpolation/blocks-inl.h"
 #include "lutlib/interpolation/lookups-inl.h"
 
-#include <hwy/cache_control.h>
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <functional>
@@ -96,96 +93,9 @@ void all_pixels(const StoredLut& lut, const float* in, float* out, std::size_t c
     }
 }
 
-#if HWY_TARGET != HWY_SCALAR
-// How far ahead of the pixel in work its successors are asked for; found by measurement.
-constexpr std::size_t floats_ahead = 1024;
-
-// Pixels of four floats and a lattice of floats. `streams`: what is written goes past the caches;
-// `out` is then aligned to a vector.
-template <class Blocks, bool streams>
-void all_blocks(const StoredLut& lut, const float* in, float* out, std::size_t count) {
-    const D d;
-    const std::size_t lanes = hn::Lanes(d);
-    const Spread spread[groups] = {Spread(0), Spread(1), Spread(2), Spread(3)};
-    HWY_ALIGN std::array<float, most_lanes> fourths;
-    for (std::size_t i = 0; i < most_lanes; ++i) {
-        fourths[i] = i % 4 == 3 ? 1.0F : 0.0F;
-    }
-    const auto is_alpha = hn::Gt(hn::Load(d, fourths.data()), hn::Zero(d));
-    const std::uint8_t* const nodes = lut.nodes();
-    Blocks read;
-    for (std::size_t i = 0; i < 4 * count; i += 4 * lanes) {
-        for (std::size_t line = 0; line < 4 * lanes; line += 16) {
-            hwy::Prefetch(in + i + floats_ahead + line);
-        }
-        V alpha;
-        read.find(lut, shaped(lut, load<4>(in + i, alpha)));
-        for (std::size_t group = 0; group < groups; ++group) {
-            const std::size_t at = i + group * lanes;
-            const V sum = read.at(nodes, group, spread[group]);
-            const V both = hn::IfThenElse(is_alpha, hn::LoadU(d, in + at), sum);
-            if constexpr (streams) {
-                hn::Stream(both, d, out + at);
-            } else {
-                hn::StoreU(both, d, out + at);
-            }
-        }
-    }
-    if constexpr (streams) {
-        hwy::FlushStream();
-    }
-}
-
-// Whole vectors by blocks, what is left as all other pixels.
-template <class Blocks, class Read>
-void by_blocks(const StoredLut& lut, const float* in, float* out, std::size_t count, bool streams) {
-    const std::size_t lanes = hn::Lanes(D());
-    std::size_t done = 0;
-    if (streams) {
-        const std::size_t over = reinterpret_cast<std::uintptr_t>(out) % (lanes * sizeof(float));
-        streams = over % (4 * sizeof(float)) == 0;
-        if (streams && over != 0) {
-            done = std::min(count, lanes / 4 - over / (4 * sizeof(float)));
-            all_pixels<Read, Floats, 4>(lut, in, out, done);
-        }
-    }
-    const std::size_t whole = (count - done) / lanes * lanes;
-    (streams ? all_blocks<Blocks, true> : all_blocks<Blocks, false>)(lut, in + 4 * done,
-                                                                     out + 4 * done, whole);
-    done += whole;
-    all_pixels<Read, Floats, 4>(lut, in + 4 * done, out + 4 * done, count - done);
-}
-#endif
-
-// Whether blocks do it; nothing is done otherwise.
-template <class Fetch, std::size_t channels>
-bool did_blocks([[maybe_unused]] const StoredLut& lut, [[maybe_unused]] const Lookup& lookup,
-                [[maybe_unused]] const float* in, [[maybe_unused]] float* out,
-                [[maybe_unused]] std::size_t count, [[maybe_unused]] bool streams) {
-#if HWY_TARGET != HWY_SCALAR
-    if constexpr (std::is_same_v<Fetch, Floats> && channels == 4) {
-        if (lut.size() == 0 || lookup.fraction_bits > 0) {
-            return false;
-        }
-        if (lookup.weights == Interpolation::tetrahedral) {
-            by_blocks<TetrahedralBlocks, Tetrahedral<Floats>>(lut, in, out, count, streams);
-            return true;
-        }
-        if (lookup.weights == Interpolation::trilinear) {
-            by_blocks<TrilinearBlocks, Trilinear<Floats, 0>>(lut, in, out, count, streams);
-            return true;
-        }
-    }
-#endif
-    return false;
-}
-
 template <class Fetch, std::size_t channels>
 void with_lookup(const StoredLut& lut, const Lookup& lookup, const float* in, float* out,
-                 std::size_t count, bool streams) {
-    if (did_blocks<Fetch, channels>(lut, lookup, in, out, count, streams)) {
-        return;
-    }
+                 std::size_t count) {
     switch (lookup.weights) {
     case Interpolation::nearest:
         return all_pixels<Nearest<Fetch>, Fetch, channels>(lut, in, out, count);
@@ -200,25 +110,25 @@ void with_lookup(const StoredLut& lut, const Lookup& lookup, const float* in, fl
 
 template <std::size_t channels>
 void with_storage(const StoredLut& lut, const Lookup& lookup, const float* in, float* out,
-                  std::size_t count, bool streams) {
+                  std::size_t count) {
     switch (lut.storage().format) {
     case NodeFormat::codes8:
-        return with_lookup<Codes8, channels>(lut, lookup, in, out, count, streams);
+        return with_lookup<Codes8, channels>(lut, lookup, in, out, count);
     case NodeFormat::codes10:
-        return with_lookup<Codes10, channels>(lut, lookup, in, out, count, streams);
+        return with_lookup<Codes10, channels>(lut, lookup, in, out, count);
     case NodeFormat::codes16:
-        return with_lookup<Codes16, channels>(lut, lookup, in, out, count, streams);
+        return with_lookup<Codes16, channels>(lut, lookup, in, out, count);
     case NodeFormat::halves:
-        return with_lookup<Halves, channels>(lut, lookup, in, out, count, streams);
+        return with_lookup<Halves, channels>(lut, lookup, in, out, count);
     case NodeFormat::floats:
-        return with_lookup<Floats, channels>(lut, lookup, in, out, count, streams);
+        return with_lookup<Floats, channels>(lut, lookup, in, out, count);
     }
 }
 
 void Apply(const StoredLut& lut, const Lookup& lookup, const float* in, float* out,
-           std::size_t count, std::size_t channels, bool streams) {
-    channels == 4 ? with_storage<4>(lut, lookup, in, out, count, streams)
-                  : with_storage<3>(lut, lookup, in, out, count, streams);
+           std::size_t count, std::size_t channels) {
+    channels == 4 ? with_storage<4>(lut, lookup, in, out, count)
+                  : with_storage<3>(lut, lookup, in, out, count);
 }
 
 template <std::size_t channels>
@@ -260,13 +170,6 @@ namespace {
 // Pixels that one core takes at a time: enough to be worth the taking, few enough to share out.
 constexpr std::size_t grain = 8192;
 
-// A picture of more bytes than caches keep is written past them, unless it is graded in place: its
-// lines are in the caches then.
-bool streams(const float* in, const float* out, std::size_t pixels, std::size_t channels) {
-    constexpr std::size_t least_bytes = std::size_t{1} << 22;
-    return in != out && pixels * channels * sizeof(float) >= least_bytes;
-}
-
 } // namespace
 
 HWY_EXPORT(Apply);
@@ -275,17 +178,7 @@ HWY_EXPORT(CountOutside);
 void apply_on_this_thread(const StoredLut& lut, const Lookup& lookup, const float* in, float* out,
                           std::size_t pixels, std::size_t channels) {
     HWY_DYNAMIC_DISPATCH(Apply)
-    (lut, lookup, in, out, pixels, channels, streams(in, out, pixels, channels));
-}
-
-void apply(const StoredLut& lut, const Lookup& lookup, const float* in, float* out,
-           std::size_t pixels, std::size_t channels) {
-    const bool past_caches = streams(in, out, pixels, channels);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pixels, grain), [&](const auto& range) {
-        const std::size_t first = channels * range.begin();
-        HWY_DYNAMIC_DISPATCH(Apply)
-        (lut, lookup, in + first, out + first, range.size(), channels, past_caches);
-    });
+    (lut, lookup, in, out, pixels, channels);
 }
 
 std::size_t pixels_outside(const Domain& domain, const float* in, std::size_t pixels,

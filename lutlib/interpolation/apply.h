@@ -1,5 +1,5 @@
-// The fast path: many pixels through a look, with the widest vectors that the processor has
-// (Highway picks the code at run time) and on every core (oneTBB).
+// Many pixels through a look as a program keeps it, in any storage, with the widest vectors that
+// the processor has (Highway picks the code at run time) and on every core (oneTBB).
 //
 // The arithmetic is evaluate()'s, operation for operation, so that the results are its results:
 // without fused multiply-adds, which would round differently from one processor to the next. A
@@ -18,10 +18,6 @@ namespace lutlib {
 /// else must not overlap it. On the calling thread; allocates nothing.
 void apply_on_this_thread(const StoredLut& lut, const Lookup& lookup, const float* in, float* out,
                           std::size_t pixels, std::size_t channels);
-
-/// The same on every core.
-void apply(const StoredLut& lut, const Lookup& lookup, const float* in, float* out,
-           std::size_t pixels, std::size_t channels);
 
 /// How many pixels have a colour outside the domain, NaN counted. On every core.
 std::size_t pixels_outside(const Domain& domain, const float* in, std::size_t pixels,

@@ -9,6 +9,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cstring>
 #include <optional>
 #include <stdexcept>
 
@@ -18,13 +19,30 @@ namespace {
 // Pixels of four samples of any element that are copied to be graded, a kernel's strip of them.
 constexpr std::size_t copied = 256;
 
-bool is_packed_rgba(const ConstPictureView& view) {
-    const auto bytes = static_cast<std::ptrdiff_t>(info_of(view.element).bytes);
-    bool out = view.pixel_stride == 4 * bytes;
-    for (std::size_t c = 1; c < 4; ++c) {
-        out = out && view.channel[c] == view.channel[0] + static_cast<std::ptrdiff_t>(c) * bytes;
+bool is_packed(const ConstPictureView& view, std::size_t channels) {
+    const std::size_t bytes = info_of(view.element).bytes;
+    bool out = view.pixel_stride == static_cast<std::ptrdiff_t>(channels * bytes);
+    for (std::size_t c = 1; c < channels; ++c) {
+        out = out && view.channel[c] == view.channel[0] + c * bytes;
     }
-    return out;
+    return out && (channels == 4 || !view.has_alpha());
+}
+
+// Packed RGB to packed RGBA and back, a pixel's four samples at once: the fourth is the next
+// pixel's first, or is written over by it.
+template <std::size_t from_step, std::size_t to_step, std::size_t bytes>
+void repack_pixels(const std::byte* from, std::byte* to, std::size_t count) {
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+        std::memcpy(to + i * to_step * bytes, from + i * from_step * bytes, 4 * bytes);
+    }
+    std::memcpy(to + (count - 1) * to_step * bytes, from + (count - 1) * from_step * bytes,
+                3 * bytes);
+}
+template <std::size_t from_step, std::size_t to_step>
+void repack(const std::byte* from, std::byte* to, std::size_t count, std::size_t bytes) {
+    bytes == 1   ? repack_pixels<from_step, to_step, 1>(from, to, count)
+    : bytes == 2 ? repack_pixels<from_step, to_step, 2>(from, to, count)
+                 : repack_pixels<from_step, to_step, 4>(from, to, count);
 }
 
 bool is_same_memory(const ConstPictureView& a, const ConstPictureView& b) {
@@ -55,8 +73,9 @@ class Work {
         constexpr std::size_t least_bytes = std::size_t{1} << 22;
         const std::size_t bytes = 4 * info_of(out.element).bytes * out.width * out.height;
         past_caches_ = !is_same_memory(in, out) && bytes >= least_bytes;
-        direct_ = in.element == element_ && out.element == element_ && is_packed_rgba(in) &&
-                  is_packed_rgba(out);
+        const bool is_alike = in.element == element_ && out.element == element_;
+        direct_ = is_alike && is_packed(in, 4) && is_packed(out, 4);
+        repacks_ = is_alike && is_packed(in, 3) && is_packed(out, 3);
         if (tables.size == 0 && tables.shaper && info_of(in.element).bytes < sizeof(float)) {
             codes_.emplace(*tables.shaper, in.element, out.element);
         }
@@ -97,6 +116,9 @@ class Work {
     // Alpha goes its own way; the copy's holds nothing.
     void fetch(std::size_t x, std::size_t y, std::size_t count, std::byte* copy) const {
         const std::size_t bytes = info_of(element_).bytes;
+        if (repacks_) {
+            return repack<3, 4>(in_.at(0, x, y), copy, count, bytes);
+        }
         for (std::size_t c = 0; c < 3; ++c) {
             copy_samples(in_.element, in_.at(c, x, y), in_.pixel_stride, element_, copy + c * bytes,
                          static_cast<std::ptrdiff_t>(4 * bytes), count);
@@ -104,6 +126,9 @@ class Work {
     }
     void put(std::size_t x, std::size_t y, std::size_t count, const std::byte* copy) const {
         const std::size_t bytes = info_of(element_).bytes;
+        if (repacks_) {
+            return repack<4, 3>(copy, out_.at(0, x, y), count, bytes);
+        }
         for (std::size_t c = 0; c < 3; ++c) {
             copy_samples(element_, copy + c * bytes, static_cast<std::ptrdiff_t>(4 * bytes),
                          out_.element, out_.at(c, x, y), out_.pixel_stride, count);
@@ -126,7 +151,7 @@ class Work {
     PictureView out_;
     Element element_;
     std::optional<CodeTable> codes_;
-    bool direct_ = false, past_caches_ = false;
+    bool direct_ = false, repacks_ = false, past_caches_ = false;
 };
 
 } // namespace

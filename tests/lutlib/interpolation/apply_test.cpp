@@ -99,7 +99,7 @@ void expect_as_evaluated(const Lut& lut, const InterpolationInfo& how,
     for (const std::size_t channels : {3U, 4U}) {
         const std::vector<float> in = packed(inputs, channels);
         std::vector<float> out(in.size(), -7);
-        apply(stored, lookup, in.data(), out.data(), inputs.size(), channels);
+        apply_on_this_thread(stored, lookup, in.data(), out.data(), inputs.size(), channels);
         for (std::size_t i = 0; i < inputs.size(); ++i) {
             const Rgb one = evaluate(lut, inputs[i], how.kind);
             for (std::size_t c = 0; c < 3; ++c) {
@@ -114,7 +114,8 @@ void expect_as_evaluated(const Lut& lut, const InterpolationInfo& how,
             }
         }
         std::vector<float> in_place = in;
-        apply(stored, lookup, in_place.data(), in_place.data(), inputs.size(), channels);
+        apply_on_this_thread(stored, lookup, in_place.data(), in_place.data(), inputs.size(),
+                             channels);
         EXPECT_TRUE(std::equal(in_place.begin(), in_place.end(), out.begin(), same));
     }
 }
@@ -130,38 +131,6 @@ INSTANTIATE_TEST_SUITE_P(Shapes, OnEveryProcessor,
                                          Shape{17, 2, {}}, Shape{2, 1024, odd_domain},
                                          Shape{33, 1024, {}}, Shape{0, 3, {}},
                                          Shape{0, 4096, odd_domain}, Shape{0, 0, {}}));
-
-// What is larger than the caches is written past them, from wherever its first whole vector lies.
-TEST(Apply, a_picture_larger_than_the_caches_comes_out_as_in_place) {
-    const Lut lut = random_look({17, 0, {}});
-    const StoredLut stored(lut);
-    constexpr std::size_t pixels = (std::size_t{1} << 18) + 77;
-    std::vector<float> in(4 * pixels + 64);
-    std::mt19937 random(3);
-    std::uniform_real_distribution<float> value(-0.1F, 1.1F);
-    std::generate(in.begin(), in.end(), [&] { return value(random); });
-    for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
-        hwy::SetSupportedTargetsForTest(left & -left);
-        SCOPED_TRACE(hwy::TargetName(left & -left));
-        for (const Interpolation how : {Interpolation::trilinear, Interpolation::tetrahedral}) {
-            std::vector<float> in_place = in;
-            apply_on_this_thread(stored, lookup_of(how), in_place.data(), in_place.data(), pixels,
-                                 4);
-            for (const std::size_t first : {0U, 4U, 8U, 12U, 1U}) {
-                std::vector<float> out(in.size(), -7);
-                apply_on_this_thread(stored, lookup_of(how), in.data(), out.data() + first, pixels,
-                                     4);
-                EXPECT_TRUE(
-                    std::equal(out.begin() + static_cast<std::ptrdiff_t>(first),
-                               out.begin() + static_cast<std::ptrdiff_t>(first + 4 * pixels),
-                               in_place.begin()))
-                    << "from float " << first;
-                EXPECT_EQ(out[first + 4 * pixels], -7);
-            }
-        }
-    }
-    hwy::SetSupportedTargetsForTest(0);
-}
 
 TEST_P(OnEveryProcessor, many_pixels_are_what_evaluate_makes_of_each) {
     const Lut lut = random_look(GetParam());
@@ -185,8 +154,8 @@ TEST(Apply, takes_any_number_of_pixels_and_writes_no_more) {
             const std::vector<float> in =
                 packed({inputs.end() - static_cast<std::ptrdiff_t>(count), inputs.end()}, channels);
             std::vector<float> out(in.size() + 64, -7);
-            apply(stored, lookup_of(Interpolation::tetrahedral), in.data(), out.data(), count,
-                  channels);
+            apply_on_this_thread(stored, lookup_of(Interpolation::tetrahedral), in.data(),
+                                 out.data(), count, channels);
             for (std::size_t i = 0; i < count; ++i) {
                 const Rgb one =
                     evaluate(lut, {in[channels * i], in[channels * i + 1], in[channels * i + 2]});

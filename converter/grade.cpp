@@ -7,8 +7,12 @@
 #include "lutlib/io/orientation.h"
 #include "lutlib/named.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 
 namespace converter {
 namespace {
@@ -83,16 +87,21 @@ void apply_exactly(const lutlib::Transform& look, float* rgba, std::size_t pixel
     }
 }
 
-Graded apply(const io::Look& look, const lutlib::LookPlace& place, io::FloatImage& image,
-             io::Depth depth) {
-    const std::size_t pixels = image.rgba.size() / 4;
+Graded report_of(const lutlib::LookPlace& place, const io::FloatImage& image, io::Depth depth) {
+    return {.width = image.width,
+            .height = image.height,
+            .has_alpha = image.alpha,
+            .counts = {.pixels = static_cast<std::size_t>(image.width) *
+                                 static_cast<std::size_t>(image.height)},
+            .depth = &io::info_of(depth),
+            .place = place};
+}
+
+void apply(const Grading& grading, io::FloatImage& image, Graded& report) {
+    const std::size_t pixels = report.counts.pixels;
     float* const rgba = image.rgba.data();
-    Graded report{.width = image.width,
-                  .height = image.height,
-                  .counts = {.pixels = pixels},
-                  .depth = &io::info_of(depth),
-                  .place = place};
-    const lutlib::Placement placement = place.applied();
+    const io::Look& look = grading.look;
+    const lutlib::Placement placement = report.place.applied();
     if (placement.before) {
         report.counts.not_a_number = pixels_with_nan(rgba, pixels);
         apply_exactly(conversion(*placement.before, *placement.adaptation), rgba, pixels);
@@ -101,38 +110,80 @@ Graded apply(const io::Look& look, const lutlib::LookPlace& place, io::FloatImag
         report.counts.outside_domain = lutlib::pixels_outside(*domain, rgba, pixels, 4);
     }
     if (look.is_table()) {
-        lutlib::apply(lutlib::StoredLut(*look.table().lut), lutlib::lookup_of(look.interpolation()),
-                      rgba, rgba, pixels, 4);
+        const bool inside = report.counts.outside_domain == 0;
+        grade_floats(grading.pixels, inside, image);
+        report.left_out = inside ? grading.pixels.left_out() : std::vector<std::string>{};
     } else {
         apply_exactly(look.exact(), rgba, pixels);
     }
     if (placement.after) {
         apply_exactly(conversion(*placement.after, *placement.adaptation), rgba, pixels);
     }
-    report.counts.clamped = report.depth->integer ? lutlib::pixels_outside({}, rgba, pixels, 4) : 0;
-    return report;
-}
-
-// Straight colours through the look; then as the new file stores them.
-Graded graded(const Grading& grading, const lutlib::LookPlace& place, io::FloatImage& image,
-              const std::string& output, io::Depth depth) {
-    const AlphaRule& rule = grading.alpha;
-    image.premultiplied = rule.premultiplied.value_or(image.premultiplied);
-    const bool was_premultiplied = image.premultiplied;
-    const io::LightOnly light = rule.ignored ? io::LightOnly{} : make_straight(image);
-    Graded report = apply(grading.look, place, image, depth);
-    if (rule.ignored) {
-        image.premultiplied = was_premultiplied;
-    } else if (image.alpha && io::stores_premultiplied(output, image.source.get())) {
-        premultiply(image, light);
-    }
-    return report;
 }
 
 // Whether tags that say what the codes are hold for the result too.
 bool keeps_encoding(const lutlib::LookPlace& place) {
     const std::optional<lutlib::Encoding> holds = place.shown().output;
     return !place.given || !holds || *holds == *place.given;
+}
+
+void require_one_encoding(const lutlib::LookPlace& place) {
+    if (!keeps_encoding(place)) {
+        throw lutlib::UsageError(
+            "--strength mixes the picture's codes with the graded ones, and these "
+            "are " +
+            place.shown().output->name() + ", the picture's " + place.given->name() +
+            ": add --output-encoding " + place.given->name());
+    }
+}
+
+// Of two colours, as much of the second as `strength` says. What is not finite has no mixture.
+void mix(std::span<const float> before, double strength, std::vector<float>& rgba) {
+    const auto graded = static_cast<float>(strength), own = static_cast<float>(1 - strength);
+    for (std::size_t i = 0; i < rgba.size(); ++i) {
+        if (i % 4 != 3 && std::isfinite(before[i])) {
+            rgba[i] = before[i] * own + rgba[i] * graded;
+        }
+    }
+}
+
+// Straight colours through the look; then as the new file stores them.
+void grade_as_floats(const Grading& grading, io::FloatImage& image, const std::string& output,
+                     Graded& report) {
+    const AlphaRule& rule = grading.alpha;
+    image.premultiplied = rule.premultiplied.value_or(image.premultiplied);
+    const bool was_premultiplied = image.premultiplied;
+    const io::LightOnly light = rule.ignored ? io::LightOnly{} : make_straight(image);
+    const std::vector<float> before = grading.strength == 1 ? std::vector<float>{} : image.rgba;
+    apply(grading, image, report);
+    if (!before.empty()) {
+        mix(before, grading.strength, image.rgba);
+    }
+    report.counts.clamped = report.depth->integer ? lutlib::pixels_outside({}, image.rgba.data(),
+                                                                           report.counts.pixels, 4)
+                                                  : 0;
+    if (rule.ignored) {
+        image.premultiplied = was_premultiplied;
+    } else if (image.alpha && io::stores_premultiplied(output, image.source.get())) {
+        premultiply(image, light);
+    }
+}
+
+// Whether integers can go through the look and into the new file as they are.
+bool stays_codes(const Grading& grading, const lutlib::LookPlace& place,
+                 const io::FloatImage& image, const std::string& output, io::Depth depth) {
+    const bool is_premultiplied = image.alpha && !grading.alpha.ignored &&
+                                  grading.alpha.premultiplied.value_or(image.premultiplied);
+    const bool turns = image.source->orientation > 1 && !io::holds_orientation(output);
+    return io::holds_codes(output) && depth == image.depth && !is_premultiplied && !turns &&
+           grading.strength == 1 && !place.applied().converts() && grading.pixels.keeps_codes();
+}
+
+std::string as_codes(const io::PictureCodes& codes, std::size_t pixels) {
+    constexpr double megabyte = 1 << 20;
+    return fmt::format("floats: the {}-bit codes go through the look as they are, in place, and "
+                       "{:.1f} MB of floats are never made",
+                       codes.bits, static_cast<double>(pixels * 4 * sizeof(float)) / megabyte);
 }
 
 } // namespace
@@ -157,25 +208,40 @@ std::vector<io::Depth> require_depth(const std::string& depth, const std::string
 
 Graded grade_file(const Grading& grading, const std::string& picture, const std::string& output,
                   std::span<const io::Depth> held) {
-    io::FloatImage image = io::read_image(picture, grading.layer);
+    io::PictureCodes codes;
+    io::FloatImage image = io::read_image(picture, grading.layer, &codes);
     const std::shared_ptr<const io::PictureSource> source = image.source;
     const lutlib::LookPlace place = place_of(grading, image);
+    if (grading.strength != 1) {
+        require_one_encoding(place);
+    }
     const io::Depth depth = choose_depth(grading.depth, output, held, image.depth);
-    Graded report = graded(grading, place, image, output, depth);
-    report.has_alpha = image.alpha;
+    Graded report = report_of(place, image, depth);
     report.remarks = source->remarks;
+    const io::ImageWriteOptions options{.depth = depth,
+                                        .alpha = image.alpha,
+                                        .text = {{"Source", io::input_name(picture)}},
+                                        .keep = source.get(),
+                                        .keep_color = keeps_encoding(place)};
+    if (codes.bits > 0 && stays_codes(grading, place, image, output, depth)) {
+        grade_codes(grading.pixels, image, codes);
+        report.left_out = grading.pixels.left_out();
+        report.left_out.push_back(as_codes(codes, report.counts.pixels));
+        report.lost = io::write_codes(output, image, std::move(codes), options);
+        return report;
+    }
+    if (codes.bits > 0) {
+        image.rgba = io::floats_of(codes, report.counts.pixels);
+        codes = {};
+    }
+    grade_as_floats(grading, image, output, report);
     if (source->orientation > 1 && !io::holds_orientation(output)) {
         image = upright(image, source->orientation);
         report.remarks.push_back("written upright, as the new file cannot say which way up it is");
         report.width = image.width;
         report.height = image.height;
     }
-    report.lost = io::write_image(output, image,
-                                  {.depth = depth,
-                                   .alpha = image.alpha,
-                                   .text = {{"Source", io::input_name(picture)}},
-                                   .keep = source.get(),
-                                   .keep_color = keeps_encoding(place)});
+    report.lost = io::write_image(output, image, options);
     return report;
 }
 

@@ -1,6 +1,7 @@
 // One picture through a look, from its file into a new one.
 #pragma once
 
+#include "converter/grade_pixels.h"
 #include "lutlib/io/image.h"
 #include "lutlib/io/look.h"
 #include "lutlib/recipe/placement.h"
@@ -29,8 +30,11 @@ struct Grading {
     std::optional<lutlib::Encoding> picture_encoding, output_encoding; ///< as they were named
     bool converts = true;                                              ///< between encodings
     const lutlib::Adaptation& adaptation;
-    std::string depth{}; ///< of the result; empty: the nearest to the picture's own
-    std::string layer{}; ///< of the picture
+    std::string depth{};   ///< of the result; empty: the nearest to the picture's own
+    std::string layer{};   ///< of the picture
+    double strength = 1;   ///< of the look: 0 the picture's own codes, 1 the graded ones
+    bool explains = false; ///< what was left out is said
+    LookOfPixels pixels{look};
 };
 
 /// Of a picture, or of many.
@@ -50,8 +54,9 @@ struct Graded {
     PixelCounts counts;
     const lutlib::io::DepthInfo* depth = nullptr;
     lutlib::LookPlace place;
-    std::vector<std::string> remarks{}; ///< of channels that were chosen
-    std::vector<std::string> lost{};    ///< of the picture's file, a phrase each
+    std::vector<std::string> remarks{};  ///< of channels that were chosen
+    std::vector<std::string> lost{};     ///< of the picture's file, a phrase each
+    std::vector<std::string> left_out{}; ///< as it was not needed, a sentence each
 };
 
 /// Throws UsageError for a depth that files of the type of `output` cannot store, and for a type

@@ -94,6 +94,13 @@ std::vector<std::string> lines_of(const Graded& graded, const Grading& grading,
         out.push_back("encodings: " + line);
     }
     out.insert(out.end(), graded.remarks.begin(), graded.remarks.end());
+    for (const std::string& what :
+         grading.explains ? graded.left_out : std::vector<std::string>{}) {
+        out.push_back("left out: " + what);
+    }
+    if (grading.explains && graded.left_out.empty()) {
+        out.emplace_back("everything is needed");
+    }
     for (const std::string& lost : graded.lost) {
         out.push_back("not kept, as the new file does not hold it: " + lost);
     }
@@ -111,6 +118,7 @@ nlohmann::ordered_json to_json(const Graded& graded, const std::string& picture,
             {"pixels_not_a_number", graded.counts.not_a_number},
             {"pixels_clamped", graded.counts.clamped},
             {"encodings", to_json(graded.place)},
+            {"left_out", graded.left_out},
             {"remarks", graded.remarks},
             {"not_kept", graded.lost}};
 }

@@ -40,6 +40,8 @@ CLI::Validator validator_of(Takes values) {
         return CLI::NonNegativeNumber;
     case Takes::above_zero:
         return number_that([](double x) { return x > 0; }, "a number above 0");
+    case Takes::share:
+        return number_that([](double x) { return x >= 0 && x <= 1; }, "a number of 0 to 1");
     case Takes::zero_or_more:
         break;
     }

@@ -18,7 +18,7 @@ class Option;
 namespace converter {
 
 /// What an option's value may be.
-enum class Takes { cube_size, shaper_size, picture_bits, count, above_zero, zero_or_more };
+enum class Takes { cube_size, shaper_size, picture_bits, count, above_zero, zero_or_more, share };
 
 /// An option that has been declared; the functions return it, to be chained.
 class VerbOption {

@@ -35,7 +35,8 @@ struct Options {
     InterpolationOption interpolation;
     PlacingOptions placing;
     ManyOptions many;
-    bool json = false;
+    double strength = 1;
+    bool explain = false, json = false;
 };
 
 std::optional<lutlib::Encoding> named_encoding(const std::string& name, const char* option) {
@@ -128,7 +129,9 @@ int run(const Options& o, const Verb& verb) {
                           o.placing.convert(),
                           o.placing.adaptation(),
                           o.depth,
-                          o.layer};
+                          o.layer,
+                          o.strength,
+                          o.explain};
     if (is_one && !routes.empty()) {
         const Graded graded = grade_file(grading, routes[0].from.path, routes[0].to, held);
         tell_unused(verb, look, {graded});
@@ -162,6 +165,11 @@ Run declare_apply(Verb& verb) {
                     "uint8, uint16, half or float, as far as the file type holds it (default: the "
                     "nearest to the picture's own)");
     o->interpolation.declare(verb, "of the LUT's cube");
+    verb.add_option("--strength", o->strength,
+                    "how much of the look: 0 leaves the picture as it is, 1 grades it in full; "
+                    "between them the picture's own codes and the graded ones are mixed")
+        .takes(Takes::share)
+        .capture_default_str();
     verb.add_option(
         "--layer", o->layer,
         "the picture to grade in a file of several: a layer, or a part's name (default: "
@@ -179,6 +187,8 @@ Run declare_apply(Verb& verb) {
                     "the look keeps its encoding, else what the look gives)");
     o->placing.declare(verb);
     o->many.declare(verb);
+    verb.add_flag("--explain", o->explain,
+                  "say what a picture did not need of the look, and was left out");
     verb.add_flag("--json", o->json, "print the results as JSON");
     return [o, &verb] { return run(*o, verb); };
 }

@@ -48,7 +48,8 @@ void spread(std::span<const Code> codes, std::size_t channels, std::span<const f
                       });
 }
 
-FloatImage to_float_image(const PngPicture& codes) {
+// All but its pixels.
+FloatImage described(const PngPicture& codes) {
     FloatImage out;
     out.width = codes.width;
     out.height = codes.height;
@@ -57,20 +58,6 @@ FloatImage to_float_image(const PngPicture& codes) {
     out.srgb_tag = codes.srgb_tag;
     out.profile_tag = codes.profile_tag;
     out.depth = codes.bits == 16 ? Depth::uint16 : Depth::uint8;
-    const auto pixels =
-        static_cast<std::size_t>(codes.width) * static_cast<std::size_t>(codes.height);
-    const auto channels = static_cast<std::size_t>(codes.channels);
-    const CodeDepth depth{codes.bits};
-    std::vector<float> values(static_cast<std::size_t>(depth.maximum()) + 1);
-    for (int code = 0; code <= depth.maximum(); ++code) {
-        values[static_cast<std::size_t>(code)] = static_cast<float>(depth.value(code));
-    }
-    out.rgba.assign(pixels * 4, 1.0F);
-    if (codes.bits == 16) {
-        spread(codes.samples.as<std::uint16_t>(), channels, values, out.rgba);
-    } else {
-        spread(codes.samples.as<std::uint8_t>(), channels, values, out.rgba);
-    }
     return out;
 }
 
@@ -154,6 +141,16 @@ std::vector<std::string> keep_in_png(PngPicture& png, const ImageWriteOptions& o
     return lost;
 }
 
+std::vector<std::string> write_picture(const std::string& path, PngPicture png,
+                                       const ImageWriteOptions& options) {
+    std::vector<std::string> lost;
+    if (options.keep) {
+        lost = keep_in_png(png, options);
+    }
+    write_file(path, write_png(png));
+    return lost;
+}
+
 // OpenImageIO's reader of Maya's IFF writes beyond its memory on damaged files, under any name.
 void refuse_iff(std::string_view head, const std::string& file) {
     const std::string_view group = head.substr(0, 4);
@@ -228,14 +225,21 @@ const Oiio& oiio() {
 }
 
 FloatImage decode_image(std::string_view bytes, const std::string& extension,
-                        const std::string& file, const std::string& layer) {
+                        const std::string& file, const std::string& layer, PictureCodes* codes) {
     if (is_png(bytes)) {
         if (!layer.empty()) {
             throw UsageError("a PNG has no layers; leave out --layer", {file, 0, {}});
         }
-        PngPicture codes = read_png_picture(bytes, file);
-        FloatImage out = to_float_image(codes);
-        out.source = source_of(std::move(codes), bytes);
+        PngPicture picture = read_png_picture(bytes, file);
+        FloatImage out = described(picture);
+        PictureCodes own{picture.bits, picture.channels, std::move(picture.samples)};
+        out.source = source_of(std::move(picture), bytes);
+        if (codes) {
+            *codes = std::move(own);
+        } else {
+            out.rgba = floats_of(own, static_cast<std::size_t>(out.width) *
+                                          static_cast<std::size_t>(out.height));
+        }
         return out;
     }
     refuse_iff(bytes, file);
@@ -265,11 +269,27 @@ std::size_t bytes_in_work(const std::string& path) {
     }
 }
 
-FloatImage read_image(const std::string& path, const std::string& layer) {
+std::vector<float> floats_of(const PictureCodes& codes, std::size_t pixels) {
+    const CodeDepth depth{codes.bits};
+    std::vector<float> values(static_cast<std::size_t>(depth.maximum()) + 1);
+    for (int code = 0; code <= depth.maximum(); ++code) {
+        values[static_cast<std::size_t>(code)] = static_cast<float>(depth.value(code));
+    }
+    const auto channels = static_cast<std::size_t>(codes.channels);
+    std::vector<float> rgba(pixels * 4, 1.0F);
+    if (codes.bits == 16) {
+        spread(codes.samples.as<std::uint16_t>(), channels, values, rgba);
+    } else {
+        spread(codes.samples.as<std::uint8_t>(), channels, values, rgba);
+    }
+    return rgba;
+}
+
+FloatImage read_image(const std::string& path, const std::string& layer, PictureCodes* codes) {
     constexpr std::size_t enough_to_tell = 8;
     const auto head = head_of_regular_file(path, enough_to_tell);
     if (!head || is_png(*head)) {
-        return decode_image(read_file(path), extension_of(path), input_name(path), layer);
+        return decode_image(read_file(path), extension_of(path), input_name(path), layer, codes);
     }
     refuse_iff(*head, path);
     return oiio().read(path, path, layer);
@@ -329,18 +349,28 @@ bool holds_orientation(const std::string& path) {
 std::vector<std::string> write_image(const std::string& path, const FloatImage& image,
                                      const ImageWriteOptions& options) {
     if (is_png_name(path)) {
-        PngPicture png = to_codes(image, options);
-        std::vector<std::string> lost;
-        if (options.keep) {
-            lost = keep_in_png(png, options);
-        }
-        write_file(path, write_png(png));
-        return lost;
+        return write_picture(path, to_codes(image, options), options);
     }
     PendingFile pending(path);
     std::vector<std::string> lost = oiio().write(pending.path(), path, image, options);
     pending.commit();
     return lost;
+}
+
+bool holds_codes(const std::string& path) {
+    return is_png_name(path);
+}
+
+std::vector<std::string> write_codes(const std::string& path, const FloatImage& image,
+                                     PictureCodes codes, const ImageWriteOptions& options) {
+    PngPicture png;
+    png.width = image.width;
+    png.height = image.height;
+    png.channels = codes.channels;
+    png.bits = codes.bits;
+    png.samples = std::move(codes.samples);
+    png.text = options.text;
+    return write_picture(path, std::move(png), options);
 }
 
 } // namespace lutlib::io

@@ -5,6 +5,7 @@
 
 #include "lutlib/color/encoding.h"
 #include "lutlib/io/picture_source.h"
+#include "lutlib/io/sample_buffer.h"
 
 #include <array>
 #include <cstddef>
@@ -56,11 +57,23 @@ std::span<const std::string_view> picture_extensions();
 /// of one whose header cannot be read 0. Reading it says why.
 std::size_t bytes_in_work(const std::string& path);
 
+/// A picture's codes as a PNG has them, without gaps; bytes, or pairs in the machine's order.
+struct PictureCodes {
+    int bits = 0;           ///< 8 or 16; 0: there are none
+    int channels = 3;       ///< 3 RGB or 4 RGBA
+    SampleBuffer samples{}; ///< at least what the picture's size needs
+};
+
 /// `-` reads standard input. `layer` names one of several pictures in the file
-/// (picture_channels.h). Throws Error for what is no readable picture within limits.h.
-FloatImage read_image(const std::string& path, const std::string& layer = {});
+/// (picture_channels.h). Throws Error for what is no readable picture within limits.h. The codes of
+/// a PNG go into `codes` where that is given, and rgba stays empty.
+FloatImage read_image(const std::string& path, const std::string& layer = {},
+                      PictureCodes* codes = nullptr);
+/// What rgba would hold of the codes of so many pixels.
+std::vector<float> floats_of(const PictureCodes& codes, std::size_t pixels);
 FloatImage decode_image(std::string_view bytes, const std::string& extension,
-                        const std::string& file, const std::string& layer = {});
+                        const std::string& file, const std::string& layer = {},
+                        PictureCodes* codes = nullptr);
 
 struct ImageWriteOptions {
     Depth depth = Depth::half; ///< one of depths_of()
@@ -91,5 +104,11 @@ bool holds_orientation(const std::string& path);
 /// `options.keep` the file does not hold, a phrase each. Throws Error.
 std::vector<std::string> write_image(const std::string& path, const FloatImage& image,
                                      const ImageWriteOptions& options);
+
+/// Whether write_codes() writes files of this name.
+bool holds_codes(const std::string& path);
+/// The same of codes, of the size of `image`, into a PNG of their depth and channels.
+std::vector<std::string> write_codes(const std::string& path, const FloatImage& image,
+                                     PictureCodes codes, const ImageWriteOptions& options);
 
 } // namespace lutlib::io

@@ -1,0 +1,46 @@
+// The colours of a picture through a look, as far as tables hold it: what of the look a picture
+// needs, laid out once for all pictures of a run.
+#pragma once
+
+#include "lutlib/interpolation/grade.h"
+#include "lutlib/io/image.h"
+#include "lutlib/io/look.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace converter {
+
+/// A look whose table is laid out when it is first needed. Cheap to copy; may be used from several
+/// threads at once.
+class LookOfPixels {
+  public:
+    explicit LookOfPixels(const lutlib::io::Look& look);
+
+    /// Whether codes of 0..1 go through a table into such codes, so that integers need no floats.
+    bool keeps_codes() const;
+
+    /// Needs a look that is a table. `inside`: no colour lies outside the look's domain.
+    const lutlib::Grading& table(bool inside) const;
+
+    /// What a picture inside the domain does not need, a sentence each.
+    std::vector<std::string> left_out() const;
+
+  private:
+    struct Tables;
+    const Tables& tables() const;
+
+    struct Lazy;
+    std::shared_ptr<Lazy> lazy_;
+};
+
+/// Packed RGB or RGBA codes of `image`'s size, in place.
+void grade_codes(const LookOfPixels& look, const lutlib::io::FloatImage& image,
+                 lutlib::io::PictureCodes& codes);
+
+/// RGBA floats, in place.
+void grade_floats(const LookOfPixels& look, bool inside, lutlib::io::FloatImage& image);
+
+} // namespace converter

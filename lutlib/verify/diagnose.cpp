@@ -2,6 +2,8 @@
 
 #include "lutlib/color/transfer.h"
 #include "lutlib/verify/lossy.h"
+#include "lutlib/verify/moved.h"
+#include "lutlib/verify/palette.h"
 #include "lutlib/verify/sampled.h"
 
 #include <algorithm>
@@ -43,6 +45,15 @@ Pixel swap_green_blue(const Layout& layout, int n, int width, int r, int g, int 
 }
 Pixel swap_red_blue(const Layout& layout, int n, int width, int r, int g, int b) {
     return layout.pixel(n, width, b, g, r);
+}
+Pixel swap_red_green(const Layout& layout, int n, int width, int r, int g, int b) {
+    return layout.pixel(n, width, g, r, b);
+}
+Pixel turn_axes(const Layout& layout, int n, int width, int r, int g, int b) {
+    return layout.pixel(n, width, g, b, r);
+}
+Pixel turn_axes_back(const Layout& layout, int n, int width, int r, int g, int b) {
+    return layout.pixel(n, width, b, r, g);
 }
 Pixel flip_red(const Layout& layout, int n, int width, int r, int g, int b) {
     return layout.pixel(n, width, n - 1 - r, g, b);
@@ -93,8 +104,20 @@ RgbD value_of(RgbD, RgbD out) {
 RgbD input_itself(RgbD in, RgbD) {
     return in;
 }
-RgbD channels_swapped(RgbD, RgbD out) {
+RgbD as_bgr(RgbD, RgbD out) {
     return {out.b, out.g, out.r};
+}
+RgbD as_grb(RgbD, RgbD out) {
+    return {out.g, out.r, out.b};
+}
+RgbD as_rbg(RgbD, RgbD out) {
+    return {out.r, out.b, out.g};
+}
+RgbD as_gbr(RgbD, RgbD out) {
+    return {out.g, out.b, out.r};
+}
+RgbD as_brg(RgbD, RgbD out) {
+    return {out.b, out.r, out.g};
 }
 RgbD decoded_again(RgbD, RgbD out) {
     return {srgb_decode(out.r), srgb_decode(out.g), srgb_decode(out.b)};
@@ -139,6 +162,20 @@ constexpr auto mistakes = std::to_array<Mistake>({
         .pixel = swap_red_blue,
     },
     {
+        .words = "red and green are swapped: red runs down a slice and green across it",
+        .pixel = swap_red_green,
+    },
+    {
+        .words = "the axes are exchanged in turn: green runs across a slice, blue down it, and the "
+                 "slices run along red",
+        .pixel = turn_axes,
+    },
+    {
+        .words = "the axes are exchanged in turn: blue runs across a slice, red down it, and the "
+                 "slices run along green",
+        .pixel = turn_axes_back,
+    },
+    {
         .words = "it is flipped: green runs the other way",
         .pixel = flip_green,
     },
@@ -160,7 +197,23 @@ constexpr auto mistakes = std::to_array<Mistake>({
     },
     {
         .words = "red and blue channels are swapped (BGR codes)",
-        .value = channels_swapped,
+        .value = as_bgr,
+    },
+    {
+        .words = "red and green channels are swapped (GRB codes)",
+        .value = as_grb,
+    },
+    {
+        .words = "green and blue channels are swapped (RBG codes)",
+        .value = as_rbg,
+    },
+    {
+        .words = "the channels are exchanged in turn (GBR codes)",
+        .value = as_gbr,
+    },
+    {
+        .words = "the channels are exchanged in turn (BRG codes)",
+        .value = as_brg,
     },
     {
         .words = "half texel: all nodes were sampled at texel centres, (i + 0.5) / N; this engine "
@@ -389,6 +442,12 @@ Findings diagnose(const CodeImage& picture, const Engine& engine, int size, cons
     }
     if (out.nearest.explained >= convincing && told >= telling) {
         out.diagnosis = out.nearest;
+    } else if (const auto shift = shifted(picture, engine, size, look)) {
+        out.diagnosis = *shift;
+    } else if (const auto slices = slices_exchanged(picture, engine, size, look)) {
+        out.diagnosis = *slices;
+    } else if (const auto colours = few_colours(picture, engine, size, look)) {
+        out.diagnosis = Diagnosis{*colours, 0};
     } else if (const auto sampled = sampling_between_nodes(picture, engine, size, look, breaks)) {
         out.diagnosis = Diagnosis{*sampled, 0};
     } else if (const auto noise = lossy_noise(picture, engine, size, look)) {

@@ -34,8 +34,9 @@ struct Findings {
 /// Tries every row of a table of mistakes (what would the codes be, had somebody made it?), the
 /// pictures of every other engine with these dimensions, and every alternative. Where nearly all
 /// texels are right, single ones are damaged. Else the mistake that explains most is the diagnosis
-/// if it explains nearly all of them, and nearly all that are wrong without it; else
-/// differences that vanish at the look's own nodes, where its `breaks` are, are its sampling's, and
+/// if it explains nearly all of them, and nearly all that are wrong without it; else a move of the
+/// picture or of its slices that makes nearly all right, and a palette; else differences that
+/// vanish at the look's own nodes, where its `breaks` are, are its sampling's, and
 /// the noise of a lossy format is recognised by what it does to blocks of texels.
 Findings diagnose(const CodeImage& picture, const Engine& engine, int size, const Transform& look,
                   const Breaks& breaks, const Alternatives& alternatives);

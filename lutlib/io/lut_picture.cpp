@@ -4,6 +4,7 @@
 #include "lutlib/io/alpha.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/image.h"
+#include "lutlib/io/picture_types.h"
 
 #include <fmt/core.h>
 
@@ -24,11 +25,12 @@ void append_known(PngImage& image, const char* key, const std::string& name) {
 }
 
 // Colours under an alpha below 1 are made straight.
-std::vector<std::string> remarks_of(FloatImage& image) {
+std::vector<std::string> remarks_of(FloatImage& image, std::string_view bytes,
+                                    const std::string& file) {
     std::vector<std::string> out;
-    if (image.source && image.source->type == "jpeg") {
-        out.emplace_back("JPEG compresses with losses, so its codes are only near those that were "
-                         "saved; save the look as PNG");
+    const PictureType* const type = picture_type_of(bytes, file);
+    if (type && !type->harm.empty() && (!type->harms || type->harms(bytes))) {
+        out.emplace_back(type->harm);
     }
     std::size_t translucent = 0, lost = 0;
     for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
@@ -128,7 +130,7 @@ LutPicture read_lut_picture(std::string_view bytes, const std::string& file) {
     }
     FloatImage image = decode_image(bytes, extension_of(file), file);
     LutPicture out;
-    out.remarks = remarks_of(image);
+    out.remarks = remarks_of(image, bytes, file);
     out.bits = image.depth == Depth::uint8 ? 8 : image.depth == Depth::uint16 ? 16 : 0;
     out.alpha = image.alpha;
     out.picture = {image.width, image.height, std::vector<Rgb>(image.rgba.size() / 4)};

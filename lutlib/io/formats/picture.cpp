@@ -4,6 +4,7 @@
 #include "lutlib/interpolation/interpolation.h"
 #include "lutlib/io/formats/all.h"
 #include "lutlib/io/lut_picture.h"
+#include "lutlib/io/picture_types.h"
 #include "lutlib/io/png.h"
 #include "lutlib/limits.h"
 
@@ -18,15 +19,6 @@ using io::PngImage;
 
 constexpr int recognised_score = 60;
 constexpr int made_size = 65;
-
-// How TIFF (of either byte order), JPEG, OpenEXR and DPX (of either) files begin. "BM" of BMP is
-// too short to tell it from text, and TGA begins with nothing of its own.
-constexpr std::array<std::string_view, 6> magics{std::string_view("II*\0", 4),
-                                                 std::string_view("MM\0*", 4),
-                                                 "\xff\xd8\xff",
-                                                 std::string_view("v/1\x01", 4),
-                                                 "SDPX",
-                                                 "XPDS"};
 
 [[noreturn]] void refuse_size(const Picture& picture, const Layout& layout,
                               const std::string& file) {
@@ -155,10 +147,7 @@ Reading read_recognised(const FileFormat& /*format*/, std::string_view bytes,
 }
 
 int is_other_picture(std::string_view bytes) {
-    const bool begins = std::any_of(magics.begin(), magics.end(), [&](std::string_view magic) {
-        return bytes.starts_with(magic);
-    });
-    return begins ? recognised_score : 0;
+    return io::begins_as_picture(bytes) ? recognised_score : 0;
 }
 
 } // namespace
@@ -225,7 +214,9 @@ constinit const FileFormat png{
 
 constinit const FileFormat picture{
     .name = "picture",
-    .label = "TGA, TIFF, BMP, JPEG, EXR, DPX or WebP picture, its layout recognised",
+    .label = "TGA, TIFF, BMP, JPEG, EXR, DPX, WebP, GIF, PPM, Radiance HDR or PSD picture, its "
+             "layout recognised",
+    // Of the others the content tells.
     .extensions = {"tga", "tif", "tiff", "bmp", "jpg", "jpeg", "exr", "dpx", "webp"},
     .holds = {},
     .recognise = is_other_picture,

@@ -117,11 +117,29 @@ lutlib::Recipe recipe_of(const io::Look& look) {
     return look.as_recipe();
 }
 
-void write_look(const lutlib::Lut& lut, const std::string& path) {
-    const io::Encoded written = io::write_lut(path, lut);
-    for (const std::string& reader : written.readers) {
+WrittenLook written_as(const lutlib::FileFormat& format, io::Encoded file) {
+    const auto lut = std::make_shared<const lutlib::Lut>(std::move(file.lut));
+    if (file.losses.empty() || !format.read) {
+        return {lut, std::move(file.losses), lutlib::Transform::of(lut), breaks_of(*lut)};
+    }
+    const io::Look look =
+        io::Look::of_bytes(std::move(file.bytes), "the file." + format.extensions.first(),
+                           {.format = std::string(format.name),
+                            .interpolation = lut->cube ? lut->interpolation : std::nullopt});
+    return {lut, std::move(file.losses), look.exact(), look.breaks()};
+}
+
+WrittenLook write_look(const lutlib::Lut& lut, const std::string& path) {
+    const lutlib::FileFormat& format = io::format_for_writing(path, lut);
+    io::Encoded file = io::encode_lut(lut, format);
+    io::write_file(path, file.bytes);
+    for (const std::string& reader : file.readers) {
         complain(io::output_name(path), reader);
     }
+    return written_as(format, std::move(file));
+}
+
+void tell_losses(const WrittenLook& written, const std::string& path) {
     complain_of(written.losses, io::output_name(path));
 }
 

@@ -1,11 +1,14 @@
-// Looks in and out of files. What that loses goes to standard error.
+// Looks in and out of files. What is lost in reading goes to standard error.
 #pragma once
 
 #include "converter/verb.h"
+#include "lutlib/io/formats.h"
 #include "lutlib/io/look.h"
+#include "lutlib/metrics/breaks.h"
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace converter {
 
@@ -36,7 +39,22 @@ std::shared_ptr<const lutlib::Lut> read_table(const std::string& path);
 /// The recipe, or an empty one on top of the look as a table.
 lutlib::Recipe recipe_of(const lutlib::io::Look& look);
 
-/// Writes a LUT in the format of the path's extension, a .cube to standard output.
-void write_look(const lutlib::Lut& lut, const std::string& path);
+/// What a LUT became in a file.
+struct WrittenLook {
+    std::shared_ptr<const lutlib::Lut> lut; ///< the tables of the file
+    std::vector<lutlib::Loss> losses;       ///< what it could not keep
+    lutlib::Transform read; ///< the file, by its reader; of `lut` where nothing was lost
+    lutlib::Breaks breaks;  ///< of `read`
+};
+
+/// What a file of this format and these losses holds.
+WrittenLook written_as(const lutlib::FileFormat& format, lutlib::io::Encoded file);
+
+/// Writes a LUT in the format of the path's extension, a .cube to standard output. Says on standard
+/// error who does not read the file.
+WrittenLook write_look(const lutlib::Lut& lut, const std::string& path);
+
+/// Says on standard error what was lost, for verbs whose report does not.
+void tell_losses(const WrittenLook& written, const std::string& path);
 
 } // namespace converter

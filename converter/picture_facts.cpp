@@ -37,6 +37,31 @@ std::string listed(const Names& names) {
 
 } // namespace
 
+Takers takers_of(const io::PngImage& image, const lutlib::Layout& layout, int size) {
+    Takers out;
+    for (const lutlib::Engine& engine : lutlib::engines()) {
+        if (engine.layout != layout.name) {
+            continue;
+        }
+        const std::vector<std::string> points = contract_points(image, engine, size);
+        out.json[std::string(engine.name)] = points;
+        (points.empty() ? out.names : out.others).push_back(engine.name);
+        for (const std::string& point : points) {
+            out.reasons.push_back(fmt::format("not for {}: {}", engine.name, point));
+        }
+    }
+    return out;
+}
+
+std::string takers_text(const Takers& takers) {
+    std::string out = "engines that take it as it is: " + listed(takers.names);
+    if (!takers.others.empty()) {
+        out += fmt::format("; 'lutconv bake LOOK -o strip.png --engine NAME' makes what {} {}",
+                           listed(takers.others), takers.others.size() == 1 ? "takes" : "take");
+    }
+    return out;
+}
+
 std::optional<PictureFacts> picture_facts(const std::string& bytes, const io::Look& look) {
     if (!look.kind().layout) {
         return std::nullopt;
@@ -52,22 +77,7 @@ std::optional<PictureFacts> picture_facts(const std::string& bytes, const io::Lo
     } else {
         image.depth.bits = picture.bits == 8 ? 8 : 16;
     }
-    std::vector<std::string_view> takers;
-    nlohmann::ordered_json engines = nlohmann::ordered_json::object();
-    std::string others;
-    for (const lutlib::Engine& engine : lutlib::engines()) {
-        if (engine.layout != layout.name || rows > 1) {
-            continue;
-        }
-        const std::vector<std::string> points = contract_points(image, engine, size);
-        engines[std::string(engine.name)] = points;
-        if (points.empty()) {
-            takers.push_back(engine.name);
-        }
-        for (const std::string& point : points) {
-            others += fmt::format("  not for {}: {}\n", engine.name, one_line(point));
-        }
-    }
+    const Takers takers = rows > 1 ? Takers{} : takers_of(image, layout, size);
     const std::vector<std::string_view> chunks = colour_chunks(image);
     PictureFacts out;
     out.text = fmt::format("  picture: {}x{} pixels, {}{}\n  layout: {}, {} nodes per axis{}\n",
@@ -81,7 +91,10 @@ std::optional<PictureFacts> picture_facts(const std::string& bytes, const io::Lo
     for (const std::string& remark : remarks) {
         out.text += "  but: " + one_line(remark) + "\n";
     }
-    out.text += "  engines that take it as it is: " + listed(takers) + "\n" + others;
+    out.text += "  engines that take it as it is: " + listed(takers.names) + "\n";
+    for (const std::string& reason : takers.reasons) {
+        out.text += "  " + one_line(reason) + "\n";
+    }
     out.json = {{"width", picture.picture.width},
                 {"height", picture.picture.height},
                 {"bits", picture.bits},
@@ -95,7 +108,7 @@ std::optional<PictureFacts> picture_facts(const std::string& bytes, const io::Lo
                 {"rows", rows},
                 {"engine_in_text", picture.engine ? picture.engine->name : ""},
                 {"remarks", remarks},
-                {"engines", engines}};
+                {"engines", takers.json}};
     return out;
 }
 

@@ -61,17 +61,42 @@ std::string to_text(const lutlib::Difference& d, const std::string& indent) {
                        d.psnr, to_text(d.worst), to_text(d.worst_to_eye));
 }
 
+nlohmann::ordered_json to_json(const std::vector<lutlib::Loss>& losses) {
+    nlohmann::ordered_json out = nlohmann::ordered_json::array();
+    for (const lutlib::Loss& loss : losses) {
+        out.push_back({{"what", loss.what}, {"figure", loss.figure}, {"unit", loss.unit}});
+    }
+    return out;
+}
+
+std::string to_text(const std::vector<lutlib::Loss>& losses) {
+    std::string out;
+    for (const lutlib::Loss& loss : losses) {
+        out += "  lost: " + loss_text(loss) + '\n';
+    }
+    return out;
+}
+
+std::string figures_of_file(const std::vector<lutlib::Loss>& losses,
+                            const lutlib::Difference& error) {
+    return fmt::format(
+        "  error of the {} against that; p99 and mean over {} colours spread evenly\n{}",
+        losses.empty() ? "LUT" : "file, as it is read,", error.absolute.count,
+        to_text(error, "    "));
+}
+
 void write_and_report(const Result& result, bool json, nlohmann::ordered_json extra) {
-    write_look(result.lut, result.output);
-    const lutlib::Lut& lut = result.lut;
+    const WrittenLook written = write_look(result.lut, result.output);
     const lutlib::Difference error = measure(
-        result.exact, lutlib::Transform::of(lut),
-        error_samples(lut.domain(), united(result.breaks, breaks_of(lut))), result.encoding);
+        result.exact, written.read,
+        error_samples(result.lut.domain(), united(result.breaks, written.breaks)), result.encoding);
+    const lutlib::Lut& lut = *written.lut;
     if (json) {
         nlohmann::ordered_json out{{"output", result.output},
                                    {"size", lut.cube ? lut.cube->size : 0},
                                    {"shaper_size", lut.shaper ? lut.shaper->size() : 0}};
         out.update(extra);
+        out["losses"] = to_json(written.losses);
         out["error"] = to_json(error);
         print(out, result.shown);
         return;
@@ -81,9 +106,7 @@ void write_and_report(const Result& result, bool json, nlohmann::ordered_json ex
     for (const std::string& note : result.notes) {
         text += "  " + note + "\n";
     }
-    text += fmt::format(
-        "  error of the LUT against that; p99 and mean over {} colours spread evenly\n{}",
-        error.absolute.count, to_text(error, "    "));
+    text += to_text(written.losses) + figures_of_file(written.losses, error);
     print(text, result.shown);
 }
 

@@ -162,7 +162,7 @@ int check_one(const Options& o) {
     lutlib::Repaired repaired{lut, {}, {}};
     if (o.repair) {
         repaired = repair(lut, o.repairs);
-        write_look(repaired.lut, o.output);
+        tell_losses(write_look(repaired.lut, o.output), o.output);
         health = examine(repaired.lut, {.encodings = checked.options.encodings});
         text += fmt::format("{}\n{}{}", output_text(o.output), repair_text(repaired),
                             findings_text(health));

@@ -3,8 +3,10 @@
 #include "converter/explain.h"
 #include "converter/look_files.h"
 #include "converter/many_looks.h"
+#include "converter/picture_facts.h"
 #include "converter/placing.h"
 #include "converter/report.h"
+#include "converter/result.h"
 #include "converter/subject.h"
 #include "converter/unused.h"
 #include "converter/usage.h"
@@ -107,30 +109,25 @@ std::optional<Explanation> leave_out(lutlib::Lut& lut, const Options& o) {
 
 nlohmann::ordered_json as_json(const Options& o, const lutlib::FileFormat& format,
                                const io::Encoded& file) {
-    nlohmann::ordered_json losses = nlohmann::ordered_json::array();
-    for (const lutlib::Loss& loss : file.losses) {
-        losses.push_back({{"what", loss.what}, {"figure", loss.figure}, {"unit", loss.unit}});
-    }
     return {{"input", io::input_name(o.input)},
             {"output", io::output_name(o.output)},
             {"format", format.name},
             {"holds", io::shape_of(file.lut)},
             {"domain", io::domain_text(file.lut.domain())},
-            {"losses", losses}};
+            {"losses", to_json(file.losses)}};
 }
 
 std::string as_text(const Options& o, const lutlib::FileFormat& format, const io::Encoded& file,
                     const std::vector<std::string>& notes) {
     std::string out =
         fmt::format("{} -> {}\n  {}\n  {}, input {}\n", input_text(o.input), output_text(o.output),
-                    format.label, io::shape_of(file.lut), io::domain_text(file.lut.domain()));
+                    format.layout ? fmt::format("PNG picture of layout {}", format.layout->name)
+                                  : std::string(format.label),
+                    io::shape_of(file.lut), io::domain_text(file.lut.domain()));
     for (const std::string& note : notes) {
         out += "  " + one_line(note) + '\n';
     }
-    for (const lutlib::Loss& loss : file.losses) {
-        out += "  lost: " + loss_text(loss) + '\n';
-    }
-    return out + (file.losses.empty() ? "  nothing was lost\n" : "");
+    return out + (file.losses.empty() ? "  nothing was lost\n" : to_text(file.losses));
 }
 
 // The picture without the chunks that say how its codes are meant; everything else as it is.
@@ -187,6 +184,7 @@ std::vector<lutlib::Loss> losses_before(const io::Look& look, const io::LookTabl
 }
 
 std::vector<std::string> notes_of(const io::Look& look, const io::Encoded& file,
+                                  const lutlib::FileFormat& format,
                                   const lutlib::LookPlace& place) {
     std::vector<std::string> out;
     for (const io::LookFile& read : look.files()) {
@@ -196,6 +194,10 @@ std::vector<std::string> notes_of(const io::Look& look, const io::Encoded& file,
         }
     }
     out.insert(out.end(), file.readers.begin(), file.readers.end());
+    if (format.layout) {
+        out.push_back(takers_text(takers_of(io::read_png(file.bytes, "the picture"), *format.layout,
+                                            file.lut.cube->size)));
+    }
     if (const std::string said = sentence_of(place, "an engine that reads this layout");
         !said.empty()) {
         out.push_back("encodings: " + said);
@@ -213,7 +215,7 @@ Converted converted(const Options& o, const io::Look& look) {
     out.file = io::encode_lut(lut, *out.format, o.save);
     const std::vector<lutlib::Loss> before = losses_before(look, table, out.place.applied());
     out.file.losses.insert(out.file.losses.begin(), before.begin(), before.end());
-    out.notes = notes_of(look, out.file, out.place);
+    out.notes = notes_of(look, out.file, *out.format, out.place);
     return out;
 }
 
@@ -230,14 +232,30 @@ void refuse(const std::vector<lutlib::Loss>& losses, const std::string& output) 
                         {io::output_name(output), 0, {}});
 }
 
-void print_report(const Options& o, const Converted& made) {
+// Of what is lost, how far the file's colours are from the look's.
+lutlib::Difference error_of(const io::Look& look, const Converted& made) {
+    const lutlib::Placement placement = made.place.applied();
+    const WrittenLook written = written_as(*made.format, made.file);
+    const lutlib::Domain domain = placement.converts() ? written.lut->domain() : look.domain();
+    return measure(
+        placement.around(look.exact()), written.read,
+        error_samples(domain, united(io::placed(look.breaks(), placement), written.breaks)),
+        made.place.shown().output.value_or(lutlib::srgb()));
+}
+
+void print_report(const Options& o, const Converted& made,
+                  const std::optional<lutlib::Difference>& error) {
     if (!o.json) {
         print(as_text(o, *made.format, made.file, made.notes) +
+                  (error ? figures_of_file(made.file.losses, *error) : "") +
                   (made.explanation ? to_text(*made.explanation) : ""),
               o.output);
         return;
     }
     nlohmann::ordered_json json = as_json(o, *made.format, made.file);
+    if (error) {
+        json["error"] = to_json(*error);
+    }
     json["notes"] = made.notes;
     json["encodings"] = to_json(made.place);
     if (made.explanation) {
@@ -262,7 +280,8 @@ int convert_one(const Options& o, const Verb& verb) {
         refuse(made.file.losses, o.output);
     }
     io::write_file(o.output, made.file.bytes);
-    print_report(o, made);
+    print_report(o, made,
+                 made.file.losses.empty() ? std::nullopt : std::optional(error_of(look, made)));
     return ok;
 }
 

@@ -12,6 +12,7 @@
 #include "lutlib/metrics/compare.h"
 #include "lutlib/named.h"
 #include "lutlib/resample/invert_closely.h"
+#include "lutlib/resample/invert_shaper.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -41,8 +42,9 @@ struct RoundTrip {
 };
 
 RoundTrip measured(const lutlib::Lut& look, const lutlib::Inversion& inversion,
-                   const lutlib::Viewing& viewing) {
-    const lutlib::Transform both = round_trip(look, inversion.lut);
+                   const WrittenLook& written, const lutlib::Viewing& viewing) {
+    const lutlib::Transform both = lutlib::in_sequence(
+        {lutlib::Transform::of(look, lutlib::Interpolation::tetrahedral), written.read});
     // Where the inverse bends, as inputs of the look, is not known.
     const lutlib::Breaks breaks = united(breaks_of(look), lutlib::no_breaks());
     RoundTrip out{
@@ -81,10 +83,15 @@ std::string region_text(const char* what, const char* extent, const lutlib::Inve
 
 std::string cube_text(const lutlib::Inversion& inversion) {
     const lutlib::InputShares& inputs = inversion.inputs;
-    return fmt::format("  {} nodes per axis, input {}\n"
+    return fmt::format("  {} nodes per axis, input {}{}\n"
                        "  of the look's inputs {:.4g} % can be undone, {:.4g} % are flat (their "
                        "neighbours give the same), {:.4g} % folded (others do)\n",
                        inversion.lut.cube->size, lutlib::io::domain_text(inversion.lut.domain()),
+                       inversion.lut.shaper
+                           ? fmt::format(", behind a 1D table of {} entries, for readers of both "
+                                         "(--shaper none: no table)",
+                                         inversion.lut.shaper->size())
+                           : "",
                        100 * inputs.undoable, 100 * inputs.flat, 100 * inputs.folded) +
            region_text("outside the look's gamut: no input gives these colours, so the nearest "
                        "reachable one is used",
@@ -149,20 +156,24 @@ std::string choice_text(const lutlib::ClosestInversion& found) {
         return "";
     }
     std::string out = "  dE2000 p99 of the round trip is";
-    for (const auto& [size, p99] : found.attempts) {
-        out += fmt::format("{} {:.3g} with {} nodes per axis",
-                           size == found.attempts.front().size ? "" : ",", p99, size);
+    const char* between = "";
+    for (const auto& [size, p99, shaper] : found.attempts) {
+        out += fmt::format(
+            "{} {:.3g} with {} nodes per axis{}", between, p99, size,
+            shaper == lutlib::outputs_shaper ? " behind a 1D table by the look's outputs" : "");
+        between = ",";
     }
     return out + (found.kept ? fmt::format("; {:g} is aimed at\n", lutlib::RoundTripAim().p99)
                              : fmt::format("; {:g} is aimed at and not reached, so the nearest is "
-                                           "taken; --size chooses another\n",
+                                           "taken; --size and --shaper choose another\n",
                                            lutlib::RoundTripAim().p99));
 }
 
 nlohmann::ordered_json choice_json(const lutlib::ClosestInversion& found) {
     nlohmann::ordered_json attempts = nlohmann::ordered_json::array();
-    for (const auto& [size, p99] : found.attempts) {
-        attempts.push_back({{"size", size}, {"p99", p99}});
+    for (const auto& [size, p99, shaper] : found.attempts) {
+        attempts.push_back(
+            {{"size", size}, {"p99", p99}, {"shaper", shaper.empty() ? "none" : shaper}});
     }
     return {
         {"aimed_at_p99", lutlib::RoundTripAim().p99}, {"kept", found.kept}, {"attempts", attempts}};
@@ -175,6 +186,7 @@ nlohmann::ordered_json as_json(const Options& o, const lutlib::Inversion& invers
         out["channels"] = curve_json(*inversion.curve);
     } else {
         out["size"] = inversion.lut.cube->size;
+        out["shaper_size"] = inversion.lut.shaper ? inversion.lut.shaper->size() : 0;
         out["nodes"] = inversion.nodes;
         out["out_of_gamut"] = region_json(inversion.out_of_gamut, inversion.nodes);
         out["extrapolated"] = inversion.extrapolated;
@@ -191,16 +203,26 @@ lutlib::Outside outside_of(const std::string& name) {
     return lutlib::require_named(lutlib::outside_choices(), "choice of --outside", name).kind;
 }
 
+// Whether a file of this name keeps a 1D table before a cube.
+bool keeps_shaper(const std::string& output) {
+    lutlib::Lut both;
+    both.cube = lutlib::identity_cube(lutlib::limits::min_cube_size);
+    both.shaper = lutlib::Lut1D{{}, {{0, 0, 0}, {1, 1, 1}}};
+    return lutlib::io::format_for_writing(output, both).holds.curve_and_cube;
+}
+
 void take_shaper(const Options& o, const lutlib::Lut& look, lutlib::InvertOptions& options) {
-    options.shaper = o.shaper;
+    options.shaper = o.shaper.empty() && !keeps_shaper(o.output) ? "none" : o.shaper;
     const bool shapes = !o.shaper.empty() && o.shaper != "none";
     if (shapes && !look.cube) {
         throw lutlib::UsageError(
             "--shaper stands before a cube, and the inverse of a 1D table is a "
             "1D table; drop --shaper");
     }
-    if (shapes && !lutlib::transfer_curve_named(o.shaper)) {
-        lutlib::refuse_name("shaper", o.shaper, lutlib::name_list(lutlib::transfer_curves()));
+    if (shapes && o.shaper != lutlib::outputs_shaper && !lutlib::transfer_curve_named(o.shaper)) {
+        std::vector<std::string_view> names = lutlib::name_list(lutlib::transfer_curves());
+        names.insert(names.begin(), {"none", lutlib::outputs_shaper});
+        lutlib::refuse_name("shaper", o.shaper, names);
     }
     if (o.shaper_size) {
         if (!shapes) {
@@ -231,19 +253,20 @@ int run(const Options& o, const Verb& verb) {
     }
     take_shaper(o, *look, options);
     tell_unused(verb, {{"--outside", look->cube.has_value(), "the inverse of a curve is a curve"},
-                       {"--encoding", !o.shaper.empty() && o.shaper != "none",
-                        "it is what a --shaper is fed"}});
+                       {"--encoding", lutlib::transfer_curve_named(o.shaper) != nullptr,
+                        "it is what the curve of a --shaper is fed"}});
     const lutlib::Viewing viewing{
         lutlib::encoding_named(look->encodings.input).value_or(lutlib::srgb())};
     const lutlib::ClosestInversion found = invert_closely(*look, options, viewing);
     const lutlib::Inversion& inversion = found.inversion;
-    write_look(inversion.lut, o.output);
-    const RoundTrip trip = measured(*look, inversion, viewing);
+    const WrittenLook written = write_look(inversion.lut, o.output);
+    const RoundTrip trip = measured(*look, inversion, written, viewing);
     if (o.json) {
         nlohmann::ordered_json json = as_json(o, inversion);
         if (!found.attempts.empty()) {
             json["size_choice"] = choice_json(found);
         }
+        json["losses"] = to_json(written.losses);
         json["viewing"] = to_json(trip.viewing);
         json["round_trip"] = to_json(trip.whole);
         if (trip.undoable) {
@@ -255,9 +278,10 @@ int run(const Options& o, const Verb& verb) {
     std::string text =
         fmt::format("{} <- inverse of {}\n", output_text(o.output), input_text(o.input));
     text += inversion.curve ? curve_text(inversion.lut, *inversion.curve) : cube_text(inversion);
-    text += choice_text(found);
-    text += fmt::format("  the look, then its inverse, against changing nothing; p99 and mean over "
+    text += choice_text(found) + to_text(written.losses);
+    text += fmt::format("  the look, then {}, against changing nothing; p99 and mean over "
                         "{} colours spread evenly; as colours of {}\n{}",
+                        written.losses.empty() ? "its inverse" : "the file as it is read",
                         trip.whole.absolute.count, lutlib::io::text_of(trip.viewing),
                         to_text(trip.whole, "    "));
     if (viewing.output.decode(1) > 1) {
@@ -283,11 +307,12 @@ Run declare_invert(Verb& verb) {
     verb.add_option(
             "--size", o->size,
             fmt::format(
-                "lattice size of the inverse: nodes per axis (default: the look's, or twice "
-                "the cells up to {} nodes where dE2000 p99 of the round trip is else above "
-                "{:g}); of a curve, which stays a curve, entries (default: as many as it "
-                "needs)",
-                lutlib::RoundTripAim().largest, lutlib::RoundTripAim().p99))
+                "lattice size of the inverse: nodes per axis (default: the look's, or up to {} "
+                "nodes, or {} where that promises to do, while dE2000 p99 of the round trip is "
+                "else above {:g}); of a curve, which stays a curve, entries (default: as many as "
+                "it needs)",
+                lutlib::RoundTripAim().largest, lutlib::RoundTripAim().furthest,
+                lutlib::RoundTripAim().p99))
         .takes(Takes::shaper_size);
     verb.add_option("--domain", o->domain,
                     "colours to invert: minimum and maximum, each a number or \"r,g,b\" (default: "
@@ -301,8 +326,10 @@ Run declare_invert(Verb& verb) {
                     "where no input of the look gives a colour: " + choices)
         .capture_default_str();
     verb.add_option("--shaper", o->shaper,
-                    "1D table before the inverse's cube: none, or a curve of `lutconv encodings`, "
-                    "such as log for an inverse that is fed light");
+                    "1D table before the inverse's cube: none; look, which puts the nodes where "
+                    "the look's outputs crowd; or a curve of `lutconv encodings`, such as log for "
+                    "an inverse that is fed light (default: none, or look where that comes nearer "
+                    "and the file holds it)");
     verb.add_option("--shaper-size", o->shaper_size, "entries of that table (default 4096)")
         .takes(Takes::shaper_size);
     verb.add_option("--encoding", o->gives,

@@ -5,8 +5,10 @@
 #include "lutlib/nodes.h"
 #include "lutlib/resample/invert_curve.h"
 #include "lutlib/resample/invert_outside.h"
+#include "lutlib/resample/invert_shaper.h"
 #include "lutlib/resample/invert_solver.h"
 #include "lutlib/resample/sample_lut.h"
+#include "lutlib/transform.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -77,6 +79,13 @@ std::vector<Rgb> inputs_of(const Domain& domain, int cells) {
     return out;
 }
 
+// Of more of them than are judged.
+std::vector<RgbD> outputs_of(const Lut& lut) {
+    constexpr int cells = 48;
+    return images_of(Transform::of(lut, Interpolation::tetrahedral),
+                     inputs_of(lut.domain(), cells));
+}
+
 struct Judged {
     InputShares shares;
     std::vector<Rgb> undoable;
@@ -128,8 +137,10 @@ RgbD place_in(const Lut& inverse, RgbD colour) {
 // undone and that read an open node of the inverse. Of others the inverse gives another input.
 std::vector<InverseSample> samples_of(const Lut& look, const InverseSolver& solver,
                                       const Lut& inverse, const std::vector<bool>& open,
-                                      bool folds) {
-    constexpr int most = 129;
+                                      double folded) {
+    // Whether an input is folded takes a search each, which is long where many are.
+    const bool folds = folded > 0;
+    const int most = folded > 0.1 ? 97 : 129;
     const int size = std::min(2 * std::max(look.cube->size, inverse.cube->size) - 1, most);
     const std::vector<Rgb> places = identity_cube(size, look.cube->domain).nodes;
     const auto reads_open_node = [&](RgbD among_nodes) {
@@ -255,17 +266,22 @@ const std::vector<Rgb>& Inverter::undoable() const {
 }
 
 Inversion Inverter::of(int size) const {
+    return of(size, parts_->options.shaper);
+}
+
+Inversion Inverter::of(int size, std::string_view shaper) const {
     check_cube_size(size);
     const Lut& look = parts_->look;
     const InvertOptions& options = parts_->options;
     const Domain& domain = parts_->domain;
     const InverseSolver& solver = parts_->solver;
     Inversion out;
-    if (options.shaper.empty() || options.shaper == "none") {
+    if (shaper.empty() || shaper == "none") {
         out.lut.cube = identity_cube(size, domain);
     } else {
-        out.lut.shaper =
-            encoding_shaper(options.shaper, options.input, domain, options.shaper_size);
+        out.lut.shaper = shaper == outputs_shaper
+                             ? output_shaper(outputs_of(look), domain, options.shaper_size)
+                             : encoding_shaper(shaper, options.input, domain, options.shaper_size);
         // The colours that the table maps to the nodes.
         out.lut.cube = sample_cube_behind({}, *out.lut.shaper, size);
     }
@@ -300,8 +316,7 @@ Inversion Inverter::of(int size) const {
     }
     if (options.outside == Outside::extrapolate) {
         out.extrapolated = fit_open_nodes(
-            inverse, open,
-            samples_of(look, solver, out.lut, open, parts_->judged.shares.folded > 0));
+            inverse, open, samples_of(look, solver, out.lut, open, parts_->judged.shares.folded));
     }
     out.inputs = parts_->judged.shares;
     out.undoable = parts_->judged.undoable;

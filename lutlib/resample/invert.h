@@ -83,8 +83,9 @@ struct InvertOptions {
     /// Of the inverse; default: 0..1, widened to the look's outputs, or a 1D table's outputs.
     std::optional<Domain> domain{};
     Outside outside = Outside::extrapolate;
-    /// none, or an encoding: its curve over the light of the inverse's domain before the cube, so
-    /// that nodes lie where they matter; see encoding_shaper(). Of a look with a cube alone.
+    /// none; look: see output_shaper(); or an encoding: its curve over the light of the inverse's
+    /// domain before the cube, see encoding_shaper(). Puts the nodes where they matter. Of a look
+    /// with a cube alone. Empty: none, or what invert_closely() chooses.
     std::string shaper{};
     int shaper_size = 4096;
     Encoding input = srgb(); ///< what the inverse's input codes are, for the shaper
@@ -110,6 +111,8 @@ class Inverter {
     ~Inverter();
 
     Inversion of(int size) const;
+    /// With this in place of options.shaper.
+    Inversion of(int size, std::string_view shaper) const;
 
     /// Cells of the look to search for one colour, on average: above 1 where cells overlap.
     double work() const;

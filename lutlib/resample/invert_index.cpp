@@ -109,7 +109,7 @@ OutputIndex::OutputIndex(const Lut3D& cube) : cube_(cube) {
     }
     cells_.resize(cell_start_.back());
     nodes_.resize(node_start_.back());
-    find_flat_tetrahedra();
+    look_at_cells();
     std::vector<std::uint32_t> next_cell = cell_start_, next_node = node_start_;
     each_entry([&](std::size_t k, std::uint32_t id) { cells_[next_cell[k]++] = id; },
                [&](std::size_t k, std::uint32_t id) { nodes_[next_node[k]++] = id; });
@@ -124,8 +124,9 @@ double OutputIndex::cells_of_bucket() const {
     return cells_.empty() ? 0 : squares / static_cast<double>(cells_.size());
 }
 
-void OutputIndex::find_flat_tetrahedra() {
+void OutputIndex::look_at_cells() {
     flat_.assign(cube_.nodes.size(), 0);
+    outputs_.resize(cube_.nodes.size());
     tbb::parallel_for(0, cube_.size - 1, [&](int b) {
         for (int g = 0; g + 1 < cube_.size; ++g) {
             for (int r = 0; r + 1 < cube_.size; ++r) {
@@ -136,6 +137,16 @@ void OutputIndex::find_flat_tetrahedra() {
                     bits |= lutlib::is_flat(m, rounding_) ? 1U << i : 0U;
                 }
                 flat_[cube_.index(r, g, b)] = static_cast<std::uint8_t>(bits);
+                Box& box = outputs_[cube_.index(r, g, b)];
+                box = {cube_.at(r, g, b), cube_.at(r, g, b)};
+                for (int corner = 1; corner < 8; ++corner) {
+                    const Rgb& output =
+                        cube_.at(r + (corner & 1), g + (corner >> 1 & 1), b + (corner >> 2));
+                    for (std::size_t c = 0; c < 3; ++c) {
+                        box.low[c] = std::min(box.low[c], output[c]);
+                        box.high[c] = std::max(box.high[c], output[c]);
+                    }
+                }
             }
         }
     });

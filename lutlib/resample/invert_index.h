@@ -51,7 +51,7 @@ class OutputIndex {
     template <class F>
     void each_cell(F visit) const;
     std::uint64_t cell_entries() const;
-    void find_flat_tetrahedra();
+    void look_at_cells();
     RgbD place(const std::array<double, 3>& lattice) const;
     std::array<double, 3> lattice_of(RgbD input) const;
     RgbD share_of(RgbD input) const;
@@ -66,8 +66,13 @@ class OutputIndex {
     // starts count entries, which limits.h caps below 2^32.
     std::vector<std::uint32_t> cell_start_, cells_;
     std::vector<std::uint32_t> node_start_, nodes_;
-    // Of each cell, by its lower node's index: a bit for each of its tetrahedra that is flat.
+    // Of each cell, by its lower node's index: a bit for each of its tetrahedra that is flat, and
+    // the box of its outputs.
     std::vector<std::uint8_t> flat_;
+    struct Box {
+        Rgb low, high;
+    };
+    std::vector<Box> outputs_;
 };
 
 } // namespace lutlib

@@ -161,6 +161,13 @@ Preimages OutputIndex::preimages(RgbD wanted, RgbD near) const {
     const auto n = static_cast<std::uint32_t>(cube_.size);
     for (std::uint32_t i = cell_start_[k]; i < cell_start_[k + 1]; ++i) {
         const std::uint32_t id = cells_[i];
+        const auto beyond = [&, &box = outputs_[id]](std::size_t c) {
+            return wanted[c] < static_cast<double>(box.low[c]) - tolerance ||
+                   wanted[c] > static_cast<double>(box.high[c]) + tolerance;
+        };
+        if (beyond(0) || beyond(1) || beyond(2)) {
+            continue;
+        }
         const unsigned bits = flat_[id];
         const Cell cell{static_cast<int>(id % n), static_cast<int>(id / n % n),
                         static_cast<int>(id / (n * n))};

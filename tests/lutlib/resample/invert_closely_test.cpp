@@ -2,6 +2,7 @@
 
 #include "lutlib/color/difference.h"
 #include "lutlib/metrics/samples.h"
+#include "lutlib/resample/invert_shaper.h"
 #include "tests/lutlib/looks.h"
 
 #include <gtest/gtest.h>
@@ -65,17 +66,47 @@ TEST(InvertClosely, takes_the_size_that_is_asked_for) {
 }
 
 TEST(InvertClosely, says_that_no_size_keeps_the_aim_and_takes_the_nearest) {
-    const RoundTripAim aim{.largest = 12};
+    const RoundTripAim aim{.p99 = 0.01, .largest = 12, .furthest = 12};
     const Lut look = cube_look(sampled(with_shoulder, 5));
     const ClosestInversion out = invert_closely(look, {}, srgb(), aim);
     EXPECT_FALSE(out.kept);
-    ASSERT_EQ(out.attempts.size(), 3U);
+    ASSERT_EQ(out.attempts.size(), 4U);
     EXPECT_EQ(out.attempts.back().size, aim.largest);
     const auto nearest =
         std::min_element(out.attempts.begin(), out.attempts.end(),
                          [](const auto& a, const auto& b) { return a.p99 < b.p99; });
     EXPECT_EQ(nearest->size, out.inversion.lut.cube->size);
     EXPECT_GT(nearest->p99, aim.p99);
+}
+
+// Outputs crowd towards white, as with a soft clip.
+TEST(InvertClosely, puts_its_nodes_where_the_looks_outputs_crowd_if_it_may) {
+    const Lut look = cube_look(sampled(
+        [](RgbD c) {
+            const double y = test_luma(c);
+            return with_shoulder({0.8 * c.r + 0.2 * y, 0.8 * c.g + 0.2 * y, 0.8 * c.b + 0.2 * y});
+        },
+        9));
+    constexpr RoundTripAim aim{.p99 = 0.01, .largest = 9, .furthest = 9};
+    const ClosestInversion out = invert_closely(look, {}, srgb(), aim);
+    ASSERT_EQ(out.attempts.size(), 2U);
+    ASSERT_TRUE(out.inversion.lut.shaper && out.inversion.lut.cube);
+    const Lut plain = invert(look, {.size = 9}).lut;
+    EXPECT_LT(p99_of_round_trip(look, out.inversion.lut), 0.8 * p99_of_round_trip(look, plain));
+    const ClosestInversion without = invert_closely(look, {.shaper = "none"}, srgb(), aim);
+    EXPECT_FALSE(without.inversion.lut.shaper);
+}
+
+TEST(InvertClosely, goes_beyond_its_usual_sizes_only_where_that_promises_to_do) {
+    const Lut look = cube_look(sampled(with_shoulder, 5));
+    const ClosestInversion least =
+        invert_closely(look, {.shaper = "none"}, srgb(), {.p99 = 0, .largest = 9, .furthest = 17});
+    EXPECT_EQ(least.attempts.back().size, 9);
+    const double at_9 = least.attempts.back().p99;
+    const ClosestInversion more = invert_closely(look, {.shaper = "none"}, srgb(),
+                                                 {.p99 = 0.9 * at_9, .largest = 9, .furthest = 17});
+    EXPECT_EQ(more.attempts.back().size, 17);
+    EXPECT_TRUE(more.kept);
 }
 
 TEST(InvertClosely, of_a_constant_has_nothing_to_choose_by) {

@@ -3,6 +3,7 @@
 
 #include "lutlib/error.h"
 #include "lutlib/interpolation/interpolation.h"
+#include "lutlib/resample/invert_shaper.h"
 #include "tests/lutlib/resample/inverse_looks.h"
 
 #include <gtest/gtest.h>
@@ -38,6 +39,26 @@ TEST(Invert, puts_its_nodes_where_a_shaper_says) {
     };
     EXPECT_LT(error("srgb"), error("none") / 4);
     EXPECT_THROW(invert(look, {.shaper = "steep"}), Error);
+}
+
+TEST(OutputShaper, rises_from_0_to_1_and_most_where_outputs_crowd) {
+    std::vector<RgbD> outputs;
+    for (int i = 0; i < 1000; ++i) {
+        const double x = i / 999.0;
+        outputs.push_back({2 * std::sqrt(x), x, 2}); // crowds high, even, clipped at the end
+    }
+    const Lut1D table = output_shaper(outputs, {{0, 0, 0}, {2, 1, 2}}, 65);
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_EQ(table.entries.front()[c], 0) << c;
+        EXPECT_FLOAT_EQ(table.entries.back()[c], 1) << c;
+        for (std::size_t i = 0; i + 1 < table.entries.size(); ++i) {
+            EXPECT_LT(table.entries[i][c], table.entries[i + 1][c]) << c << ' ' << i;
+        }
+    }
+    // The share below output y is y squared over 4: at the middle a quarter, and a fifth evenly.
+    EXPECT_NEAR(table.entries[32].r, 0.2 * 0.5 + 0.8 * 0.25, 2e-3);
+    EXPECT_NEAR(table.entries[32].g, 0.5, 2e-3);
+    EXPECT_FLOAT_EQ(table.entries[16].b, 0.25F) << "clipped outputs crowd nowhere";
 }
 
 TEST(Invert, reads_a_1d_table_backwards) {

@@ -5,6 +5,7 @@
 #include "lutlib/limits.h"
 #include "lutlib/named.h"
 #include "lutlib/resample/combine.h"
+#include "lutlib/resample/curves.h"
 
 #include <fmt/core.h>
 
@@ -144,6 +145,16 @@ lutlib::Sampling SamplingOptions::sampling_of(const std::vector<const lutlib::Lu
                                              lutlib::limits::max_cube_size));
     }
     return out;
+}
+
+std::string SamplingOptions::choice_text(const lutlib::Lut& made) const {
+    if (size_ || made.cube || !made.shaper) {
+        return {};
+    }
+    return fmt::format(
+        "{} entries, as the error asks: the fewest within {:g} of the curve's range, "
+        "or else those that more do not better; --size chooses another number",
+        made.shaper->size(), lutlib::curve_tolerance);
 }
 
 void MethodOption::declare(Verb& verb) {

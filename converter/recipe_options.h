@@ -39,6 +39,9 @@ class SamplingOptions {
     /// The same of the lattice that these looks make. Throws UsageError for a size that a cube
     /// cannot have.
     lutlib::Sampling sampling_of(const std::vector<const lutlib::Lut*>& looks) const;
+    /// How the entries of a composed or blended curve were chosen, where nobody said; empty of
+    /// others.
+    std::string choice_text(const lutlib::Lut& made) const;
 
   private:
     int size_ = 0, shaper_size_ = 0;

@@ -50,6 +50,9 @@ int run(const Options& o, const Verb& verb) {
     const std::string made_of =
         fmt::format("{} and {:.4g} of {}", input_text(o.a), o.amount, input_text(o.b));
     std::vector<std::string> notes;
+    if (const std::string chosen = o.made.sampling.choice_text(lut); !chosen.empty()) {
+        notes.push_back(chosen);
+    }
     if (a->encodings != b->encodings && a->encodings.any() && b->encodings.any()) {
         notes.push_back(fmt::format("the looks are made for other codes ({} and {}), which a blend "
                                     "does not convert; the result says only what they share",

@@ -63,6 +63,9 @@ int run(const Options& o, const Verb& verb) {
     tell_unused(verb, {interpolation_part(any_cube), shaper_part(lut)});
     const double clamped = clamped_share(chain, method);
     std::vector<std::string> notes = mismatches(o.inputs, chain);
+    if (const std::string chosen = o.made.sampling.choice_text(lut); !chosen.empty()) {
+        notes.push_back(chosen);
+    }
     if (clamped > 0) {
         notes.push_back(fmt::format("lost: {:.3g} % of the input's colours leave a later look's "
                                     "domain and are clamped to it",

@@ -67,20 +67,21 @@ Lut1D sample_curve(const Transform& transform, const Domain& domain, int size) {
 
 Lut1D sample_curve_closely(const Transform& transform, const Domain& domain, int least,
                            double tolerance) {
-    Lut1D out = sample_curve(transform, domain, least);
-    double error = error_between(out, transform);
-    while (error > tolerance && 2 * out.size() - 1 <= limits::max_shaper_size) {
-        Lut1D finer = sample_curve(transform, domain, 2 * out.size() - 1);
-        const double less = error_between(finer, transform);
-        // Half at a bend, 0.71 where a root begins; a jump never closes.
-        constexpr double no_gain = 0.8;
-        if (less > no_gain * error) {
-            break;
-        }
-        out = std::move(finer);
-        error = less;
+    // An error no more than this times the least is as good: nothing brings a jump nearer.
+    constexpr double as_good = 1.05;
+    std::vector<std::pair<Lut1D, double>> tried;
+    double smallest = INFINITY;
+    for (int size = least; size <= limits::max_shaper_size && smallest > tolerance;
+         size = 2 * size - 1) {
+        Lut1D curve = sample_curve(transform, domain, size);
+        const double error = error_between(curve, transform);
+        smallest = std::min(smallest, error);
+        tried.emplace_back(std::move(curve), error);
     }
-    return out;
+    const double enough = std::max(tolerance, as_good * smallest);
+    return std::find_if(tried.begin(), tried.end(),
+                        [&](const auto& one) { return one.second <= enough; })
+        ->first;
 }
 
 } // namespace lutlib

@@ -14,9 +14,9 @@ bool is_curves(const Lut& lut);
 /// for a size or a domain outside limits.h.
 Lut1D sample_curve(const Transform& transform, const Domain& domain, int size);
 
-/// The same with as many entries as it takes: `least`, then twice the steps, then four times, until
-/// the table between its entries lies within `tolerance` of its own range, more entries bring
-/// nothing, as at a jump, or limits.h ends it.
+/// The same with as many entries as it takes: of `least`, twice the steps, four times and so on up
+/// to limits.h, the first that lies, between its entries too, within `tolerance` of the table's own
+/// range; where none does, as at a jump, the first whose error is as good as the least of them.
 Lut1D sample_curve_closely(const Transform& transform, const Domain& domain, int least,
                            double tolerance);
 

@@ -39,8 +39,34 @@ void choose_engine(Subject& s, const std::string& name) {
     }
 }
 
-int size_in_layout(const Engine& engine, const lutlib::CodeImage& codes) {
-    return lutlib::layout_named(engine.layout)->lattice({codes.width, codes.height}).value_or(0);
+// The rows of pixels of one of the lattices that lie below each other.
+void cut_out(io::PngImage& image, int rows, int row) {
+    const auto part = static_cast<std::ptrdiff_t>(image.samples.size()) / rows;
+    image.height /= rows;
+    image.samples = {image.samples.begin() + row * part, image.samples.begin() + (row + 1) * part};
+}
+
+// The size of the lattice in the engine's layout, the picture cut to it where it holds several.
+int take_lattice(Subject& s, std::optional<int> row) {
+    const auto held =
+        arrangement_in(*lutlib::layout_named(s.engine->layout), {s.codes.width, s.codes.height});
+    const int rows = held ? held->rows : 1;
+    if (row && (*row < 0 || *row >= rows)) {
+        throw lutlib::UsageError(fmt::format(
+            "--row {}: the picture has {} for this engine", *row,
+            rows == 1 ? "one lattice" : fmt::format("{} lattices, 0 to {}", rows, rows - 1)));
+    }
+    if (rows > 1 && !row) {
+        s.contract.push_back(fmt::format("the picture holds {} lattices below each other; verify "
+                                         "one of them with --row 0 to {}, from the top",
+                                         rows, rows - 1));
+        return 0;
+    }
+    if (rows > 1) {
+        cut_out(s.image, rows, *row);
+        s.codes = io::code_picture(s.image);
+    }
+    return held ? held->size : 0;
 }
 
 std::string wrong_size(const Subject& s) {
@@ -171,7 +197,7 @@ bool Subject::fitted() const {
     return io::text_entry(image, "Lattice") == "fitted";
 }
 
-Subject open_subject(const std::string& path, const Engine* engine) {
+Subject open_subject(const std::string& path, const Engine* engine, std::optional<int> row) {
     Subject s;
     const std::string name = io::input_name(path);
     const std::string bytes = io::read_file(path);
@@ -187,12 +213,13 @@ Subject open_subject(const std::string& path, const Engine* engine) {
     if (!engine) {
         choose_engine(s, name);
     }
-    s.size = size_in_layout(*s.engine, s.codes);
+    s.size = take_lattice(s, row);
     s.tags = harmful_tags(s.image, *s.engine);
-    s.contract = contract_points(s.image, *s.engine, s.size);
-    if (s.size == 0) {
-        s.contract.insert(s.contract.begin(), wrong_size(s));
+    if (s.size == 0 && s.contract.empty()) {
+        s.contract.push_back(wrong_size(s));
     }
+    const std::vector<std::string> points = contract_points(s.image, *s.engine, s.size);
+    s.contract.insert(s.contract.end(), points.begin(), points.end());
     if (std::string words = harmless_tags(s.image, *s.engine); !words.empty()) {
         s.notes.push_back(std::move(words));
     }

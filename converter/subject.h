@@ -5,6 +5,7 @@
 #include "lutlib/bake/bake.h"
 #include "lutlib/io/png.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,9 @@ std::vector<std::string> contract_points(const lutlib::io::PngImage& image,
                                          const lutlib::Engine& engine, int size);
 
 /// Reads a picture of any type. Without `engine` the picture's own word decides, else its content.
-/// Throws Error when the layout cannot be told.
-Subject open_subject(const std::string& path, const lutlib::Engine* engine);
+/// `row` picks one of several lattices below each other, from the top. Throws Error when the layout
+/// cannot be told, UsageError for a row that is not there.
+Subject open_subject(const std::string& path, const lutlib::Engine* engine,
+                     std::optional<int> row = std::nullopt);
 
 } // namespace converter

@@ -88,7 +88,17 @@ VerbOption& VerbOption::capture_default_str() {
 }
 
 VerbOption Verb::add_option(const std::string& names, std::string& value, const std::string& help) {
-    return VerbOption(*app_.add_option(names, value, help));
+    CLI::Option* const option = app_.add_option(names, value, help);
+    if (names == "-o,--output") {
+        option->check(CLI::Validator(
+            [](const std::string& name) {
+                return name.empty()
+                           ? std::string("name the file to write, or - for standard output")
+                           : std::string();
+            },
+            ""));
+    }
+    return VerbOption(*option);
 }
 
 VerbOption Verb::add_option(const std::string& names, int& value, const std::string& help) {

@@ -38,9 +38,6 @@ nlohmann::ordered_json to_json(const Subject& s, const Verdict& v) {
                                {"notes", s.notes},
                                {"encodings", to_json(v.place)}};
     out["encodings"]["claimed_by_picture"] = v.claimed;
-    if (v.place.is_wrong()) {
-        out["contract_violations"].push_back(ignored_text(v.place, *s.engine));
-    }
     if (is_a_matter_of_tags(s, v)) {
         out["tags_alone"] = s.tags;
     }

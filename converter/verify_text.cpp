@@ -112,7 +112,8 @@ std::string to_text(const Subject& s, const Verdict& v) {
         }
     }
     if (v.place.is_wrong()) {
-        out += "  why: " + ignored_text(v.place, *s.engine) + "\n";
+        out += "  encodings: " + sentence_of(v.place, s.engine->name) +
+               ": --no-convert takes that as meant\n";
     } else if (const std::string said = sentence_of(v.place, s.engine->name); !said.empty()) {
         out += "  encodings: " + said + "\n";
     }

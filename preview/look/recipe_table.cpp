@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <mutex>
-#include <numeric>
 #include <span>
 
 namespace preview {
@@ -28,6 +27,13 @@ lutlib::Lut sampled(const lutlib::Transform& look, int size) {
     out.cube = lutlib::sample_cube(look, {}, size);
     return out;
 }
+
+/// What a table stands for.
+struct Look {
+    lutlib::Transform exact;
+    lutlib::Breaks breaks;
+    lutlib::Encoding results;
+};
 
 /// Asks whether to stop, from any thread, and never again after that said so.
 class Stop {
@@ -50,43 +56,30 @@ class Stop {
     bool stopped_ = false;
 };
 
-/// Measures the table as measure() does (lutlib/metrics/compare.h), in pieces; false when it was
-/// stopped.
-bool measure(RecipeTable& table, const lutlib::Viewing& viewing, const lutlib::Transform& exact,
-             Stop& stop) {
-    constexpr std::size_t at_once = 8192;
+/// The same colours as every verb of lutconv measures a table by, fewer of each kind; false when it
+/// was stopped.
+bool measure(RecipeTable& table, const Look& look, Stop& stop) {
     constexpr lutlib::SampleLimits limits{.even = 20'000, .grid = 1 << 17, .between = 1 << 15};
-    const lutlib::ErrorSamples samples = error_samples(
-        table.lut.domain(), united(lutlib::no_breaks(), breaks_of(table.lut)), limits);
-    std::vector<lutlib::Rgb> colours = samples.even;
-    colours.insert(colours.end(), samples.hiding.begin(), samples.hiding.end());
-    const lutlib::Transform read = lutlib::Transform::of(table.lut);
-    const lutlib::Eye eye(viewing);
-    const auto errors_of = [&](std::span<const lutlib::Rgb> in, std::span<double> errors) {
-        if (stop.asked()) {
-            std::fill(errors.begin(), errors.end(), 0);
-            return;
+    const lutlib::ErrorSamples samples =
+        error_samples(table.lut.domain(), united(look.breaks, breaks_of(table.lut)), limits);
+    // Once it shall stop nothing is worked out any more, so that it soon does.
+    const auto exact = lutlib::Transform::batch([&](std::span<lutlib::RgbD> colours) {
+        if (!stop.asked()) {
+            look.exact(colours);
         }
-        eye(lutlib::Metric::delta_e_2000, images_of(exact, in), images_of(read, in), errors);
-    };
-    std::vector<double> errors(colours.size());
-    for (std::size_t at = 0; at < colours.size(); at += at_once) {
-        const std::size_t count = std::min(at_once, colours.size() - at);
-        errors_of(std::span(colours).subspan(at, count), std::span(errors).subspan(at, count));
-        if (stop.was_asked()) {
-            return false;
-        }
+    });
+    const auto read = lutlib::Transform::of(table.lut);
+    table.mean_error = compare(exact, read, samples.even, look.results).delta_e_2000.mean;
+    if (!stop.was_asked()) {
+        table.max_error =
+            largest_difference(exact, read, samples, look.results, lutlib::Metric::delta_e_2000)
+                .error;
     }
-    const auto even = errors.begin() + static_cast<std::ptrdiff_t>(samples.even.size());
-    table.mean_error =
-        std::accumulate(errors.begin(), even, 0.0) / static_cast<double>(samples.even.size());
-    table.max_error = climbed(colours, errors, samples.axis, errors_of).error;
     return !stop.was_asked();
 }
 
 std::optional<RecipeTable> measured(const std::function<lutlib::Lut(int size)>& made,
-                                    const lutlib::Transform& exact, const lutlib::Encoding& results,
-                                    const std::function<bool()>& asks) {
+                                    const Look& look, const std::function<bool()>& asks) {
     RecipeTable table;
     Stop stop(asks);
     for (const int size : sizes) {
@@ -95,7 +88,7 @@ std::optional<RecipeTable> measured(const std::function<lutlib::Lut(int size)>& 
         }
         table = {made(size), 0, 0, 0};
         table.nodes = table.lut.cube ? table.lut.cube->size : 0;
-        if (!measure(table, results, exact, stop)) {
+        if (!measure(table, look, stop)) {
             return std::nullopt;
         }
         if (table.max_error < visible_difference) {
@@ -118,12 +111,17 @@ lutlib::Lut quick_table(const lutlib::Transform& look) {
 std::optional<RecipeTable> measured_table(const lutlib::Recipe& recipe,
                                           const std::function<bool()>& stop) {
     return measured([&](int size) { return lutlib::bake_recipe(with_size(recipe, size)); },
-                    lutlib::Transform::of(recipe), recipe.output_encoding(), stop);
+                    {lutlib::Transform::of(recipe),
+                     recipe.base_lut ? united(lutlib::no_breaks(), breaks_of(*recipe.base_lut))
+                                     : lutlib::no_breaks(),
+                     recipe.output_encoding()},
+                    stop);
 }
 
 std::optional<RecipeTable> measured_table(const lutlib::Transform& look,
                                           const std::function<bool()>& stop) {
-    return measured([&](int size) { return sampled(look, size); }, look, lutlib::srgb(), stop);
+    return measured([&](int size) { return sampled(look, size); },
+                    {look, lutlib::no_breaks(), lutlib::srgb()}, stop);
 }
 
 LoadedLook measured_look(const RecipeTable& table, const GpuLookup& lookup) {

@@ -82,10 +82,8 @@ class Cells {
             sum = hn::Add(hn::OddEvenBlocks(hn::SwapAdjacentBlocks(b), a),
                           hn::OddEvenBlocks(b, hn::SwapAdjacentBlocks(a)));
         }
-        // Rounded by adding what leaves a float no bits for a fraction.
-        const V magic = hn::Set(d, 3 << 22);
-        const V code = hn::MulAdd(hn::ConvertTo(d, sum), hn::Set(d, factor_), hn::Set(d, offset_));
-        return hn::Sub(hn::BitCast(DI(), hn::Add(code, magic)), hn::BitCast(DI(), magic));
+        return nearest_whole(
+            hn::MulAdd(hn::ConvertTo(d, sum), hn::Set(d, factor_), hn::Set(d, offset_)));
     }
 
   private:

@@ -23,11 +23,11 @@ constexpr std::size_t strip = 256;
 
 /// Where a cell begins, in nodes, and how far the colour lies from there to the next nodes.
 struct Place {
-    V r, g, b;
-    VI cell;
+    V r, g, b, cell;
 };
 
 /// Finds places of colours whose samples are codes of 0 .. `maximum`, or floats where that is 1.
+template <bool are_codes>
 class Places {
   public:
     HWY_INLINE Places(const GradeTables& tables, float maximum)
@@ -54,16 +54,17 @@ class Places {
         const V i = hn::Floor(r), j = hn::Floor(g), k = hn::Floor(b);
         const V side = hn::Set(d, top_ + 1); // 256^3 at most: exact in floats
         const V cell = hn::Add(i, hn::Mul(side, hn::Add(j, hn::Mul(side, k))));
-        return {hn::Sub(r, i), hn::Sub(g, j), hn::Sub(b, k), hn::ConvertTo(DI(), cell)};
+        return {hn::Sub(r, i), hn::Sub(g, j), hn::Sub(b, k), cell};
     }
 
   private:
     // The comparison's form sends NaN to 0.
     HWY_INLINE V held(V x) const {
-        return hn::IfThenElseZero(hn::Gt(x, hn::Zero(D())), hn::Min(x, hn::Set(D(), top_)));
+        const V low = hn::Min(x, hn::Set(D(), top_));
+        return are_codes ? low : hn::IfThenElseZero(hn::Gt(x, hn::Zero(D())), low);
     }
     HWY_INLINE V along(V v, std::size_t c) const {
-        if (maximum_ != 1) {
+        if constexpr (are_codes) {
             v = hn::Div(v, hn::Set(D(), maximum_));
         }
         if (tables_.shaper) {
@@ -120,7 +121,8 @@ class TetrahedronPairs {
         const VI red = hn::IfThenElse(gb, step(0), hn::IfThenElse(rb, step(1), step(4)));
         const VI green = hn::IfThenElse(rb, step(2), hn::IfThenElse(gb, step(3), step(5)));
         static_assert(GradeTables::pairs_bytes == 1 << 7);
-        const VI cell = hn::ShiftLeft<7>(at.cell);
+        static_assert(GradeTables::largest_of_cells < 128, "cells are numbered below 2^21");
+        const VI cell = hn::ShiftLeft<7>(nearest_whole(at.cell));
         hn::Store(cell, di, &found.offset[0][i]);
         hn::Store(hn::Add(cell, hn::IfThenElse(rg, red, green)), di, &found.offset[1][i]);
         found.put_weights(0, i, hn::Sub(hn::Set(d, 1), first), third, hn::Sub(first, second),
@@ -151,7 +153,7 @@ class CubePairs {
     HWY_INLINE void find(const Place& at, std::size_t i, Found& found) const {
         const D d;
         static_assert(GradeTables::node_bytes == 1 << 4);
-        hn::Store(hn::ShiftLeft<4>(at.cell), DI(), &found.offset[0][i]);
+        hn::Store(hn::ShiftLeft<4>(hn::ConvertTo(DI(), at.cell)), DI(), &found.offset[0][i]);
         const V one = hn::Set(d, 1), zero = hn::Zero(d);
         if (is_tetrahedral_) {
             const V rg = hn::Max(at.r, at.g), rb = hn::Max(at.r, at.b), gb = hn::Max(at.g, at.b);
@@ -260,7 +262,7 @@ void grade_by_pairs(const GradeTables& tables, const T* in, T* out, std::size_t 
                     float maximum, bool streams) {
     // Asked for while sums are made, which wait least for memory; as far as measurement says.
     constexpr std::size_t ahead = 4096 / sizeof(T);
-    const Places places(tables, maximum);
+    const Places<std::is_integral_v<T>> places(tables, maximum);
     const Pairs pairs(tables);
     const Sums<Pairs> sums;
     const Store<T> store(maximum, streams);

@@ -39,6 +39,13 @@ HWY_INLINE void transpose(V& a, V& b, V& c, V& d) {
     d = hn::BitCast(tag, hn::InterleaveUpper(pairs, ab_high, cd_high));
 }
 
+/// The nearest whole number, of two the even one, of 0 .. 2^22: what is added leaves a float no
+/// bits for a fraction.
+HWY_INLINE VI nearest_whole(V v) {
+    const V magic = hn::Set(D(), 3 << 22);
+    return hn::Sub(hn::BitCast(DI(), hn::Add(v, magic)), hn::BitCast(DI(), magic));
+}
+
 /// Codes are not yet divided by their maximum.
 template <class T>
 HWY_INLINE V load_samples(const T* p) {
@@ -97,7 +104,7 @@ class Store {
         } else {
             const V most = hn::Set(d, maximum_);
             const V codes = hn::Min(hn::Max(hn::Mul(sum, most), hn::Zero(d)), most);
-            return hn::DemoteTo(narrow, hn::NearestInt(codes));
+            return hn::DemoteTo(narrow, nearest_whole(codes));
         }
     }
 

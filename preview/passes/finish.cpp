@@ -117,7 +117,7 @@ void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing) {
     pass.constants({static_cast<std::uint32_t>(tonemap), layers, taps, plan.threshold > 0,
                     shader_of(a), shader_of(b),
                     static_cast<std::uint32_t>(index_of(*settings.compare)), unit,
-                    settings.has_line, place_of(a), place_of(b)});
+                    settings.has_line, place_of(a), place_of(b), settings.format == Format::rgba8});
     pass.push(Push{std::exp2(settings.exposure), plan.strength, plan.threshold, plan.knee,
                    settings.split, settings.heat_scale});
 }

@@ -3,6 +3,7 @@
 // (rows/compares.glsl).
 #include "common/difference.glsl"
 #include "common/heat_map.glsl"
+#include "common/nearest_code.glsl"
 #include "common/sanitise.glsl"
 #include "common/split_line.glsl"
 
@@ -10,6 +11,7 @@ struct Shown {
     float split; // of the width, 0..1
     bool has_line;
     float heat_scale; // dE2000
+    bool rounds;      // the target has 8 bits
 };
 
 /// A texel as both sides' looks give it; a side that is not shown there is black.
@@ -20,12 +22,16 @@ struct Sides {
 // Whoever includes this counts differences.
 void count_difference(float difference);
 
+void store(writeonly image2D target, ivec2 at, vec3 color, Shown how) {
+    imageStore(target, at, vec4(how.rounds ? nearest_code(color) : color, 1.0));
+}
+
 void show_a(writeonly image2D target, ivec2 at, ivec2 size, Sides sides, Shown how) {
-    imageStore(target, at, vec4(sides.a, 1.0));
+    store(target, at, sides.a, how);
 }
 
 void show_b(writeonly image2D target, ivec2 at, ivec2 size, Sides sides, Shown how) {
-    imageStore(target, at, vec4(sides.b, 1.0));
+    store(target, at, sides.b, how);
 }
 
 bool is_left_of_line(ivec2 at, ivec2 size, float split) {
@@ -35,18 +41,18 @@ bool is_left_of_line(ivec2 at, ivec2 size, float split) {
 void show_split(writeonly image2D target, ivec2 at, ivec2 size, Sides sides, Shown how) {
     vec3 side = is_left_of_line(at, size, how.split) ? sides.a : sides.b;
     bool is_line = how.has_line && on_line(at.x, size, how.split);
-    imageStore(target, at, vec4(is_line ? vec3(1.0) : side, 1.0));
+    store(target, at, is_line ? vec3(1.0) : side, how);
 }
 
 /// The target is twice as wide.
 void show_side(writeonly image2D target, ivec2 at, ivec2 size, Sides sides, Shown how) {
-    imageStore(target, at, vec4(sides.a, 1.0));
-    imageStore(target, at + ivec2(size.x, 0), vec4(sides.b, 1.0));
+    store(target, at, sides.a, how);
+    store(target, at + ivec2(size.x, 0), sides.b, how);
 }
 
 void show_difference(writeonly image2D target, ivec2 at, ivec2 size, Sides sides, Shown how) {
     float difference = delta_e_2000(saturate(sides.a), saturate(sides.b));
     count_difference(difference);
     vec3 color = with_scale(heat(difference / how.heat_scale), at, size, how.heat_scale);
-    imageStore(target, at, vec4(color, 1.0));
+    store(target, at, color, how);
 }

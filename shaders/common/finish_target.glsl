@@ -6,6 +6,7 @@
 vec3 graded_a(Stages texel);
 vec3 graded_b(Stages texel);
 
+layout(constant_id = 11) const bool rounds = false; // the target has 8 bits
 layout(binding = 16) writeonly uniform image2D target;
 layout(binding = 17) buffer Figures {
     uint largest; // bits of the largest difference
@@ -33,5 +34,5 @@ void store_texel(ivec2 at, ivec2 size, Stages texel) {
     if (needs_b(compare, is_left)) {
         sides.b = graded_b(texel);
     }
-    show(compare, target, at, size, sides, Shown(push.split, has_line, push.heat_scale));
+    show(compare, target, at, size, sides, Shown(push.split, has_line, push.heat_scale, rounds));
 }

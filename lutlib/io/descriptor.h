@@ -2,6 +2,7 @@
 #pragma once
 
 #include <unistd.h>
+#include <utility>
 
 namespace lutlib::io {
 
@@ -17,6 +18,8 @@ class Descriptor {
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
     int get() const { return fd_; }
+    /// The caller closes it.
+    int release() { return std::exchange(fd_, -1); }
 
   private:
     int fd_;

@@ -2,6 +2,8 @@
 
 #include "lutlib/codes.h"
 #include "lutlib/error.h"
+#include "lutlib/io/box/box.h"
+#include "lutlib/io/box/boxed_oiio.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/icc.h"
 #include "lutlib/io/module.h"
@@ -151,14 +153,11 @@ std::vector<std::string> write_picture(const std::string& path, PngPicture png,
     return lost;
 }
 
-// OpenImageIO's reader of Maya's IFF writes beyond its memory on damaged files, under any name.
-void refuse_iff(std::string_view head, const std::string& file) {
-    const std::string_view group = head.substr(0, 4);
-    if (group == "FOR4" || group == "FOR8" || group == "FORM") {
-        throw Error("IFF pictures are not read, as no safe reader is at hand; save it as PNG, TIFF "
-                    "or EXR",
-                    {file, 0, {}});
-    }
+const Oiio& in_this_process() {
+    using Entry = const Oiio* (*)();
+    static const Oiio* const library =
+        reinterpret_cast<Entry>(module_symbol("lutlib_oiio", "lutlib_oiio"))();
+    return *library;
 }
 
 // Of the IHDR chunk, which comes first.
@@ -218,10 +217,8 @@ const DepthInfo& info_of(Depth depth) {
 }
 
 const Oiio& oiio() {
-    using Entry = const Oiio* (*)();
-    static const Oiio* const library =
-        reinterpret_cast<Entry>(module_symbol("lutlib_oiio", "lutlib_oiio"))();
-    return *library;
+    static const box::BoxedOiio boxed;
+    return box::is_used() ? boxed : in_this_process();
 }
 
 FloatImage decode_image(std::string_view bytes, const std::string& extension,
@@ -242,7 +239,6 @@ FloatImage decode_image(std::string_view bytes, const std::string& extension,
         }
         return out;
     }
-    refuse_iff(bytes, file);
     const TemporaryFile copy(bytes, file, extension);
     return oiio().read(copy.path(), file, layer);
 }
@@ -291,7 +287,6 @@ FloatImage read_image(const std::string& path, const std::string& layer, Picture
     if (!head || is_png(*head)) {
         return decode_image(read_file(path), extension_of(path), input_name(path), layer, codes);
     }
-    refuse_iff(*head, path);
     return oiio().read(path, path, layer);
 }
 
@@ -310,7 +305,7 @@ std::vector<Depth> depths_of(const std::string& path) {
     std::vector<Depth> out;
     const PendingFile trial(path);
     for (const DepthInfo& row : table) {
-        const Depth written = oiio().written_depth(trial.path(), path, row.depth);
+        const Depth written = oiio().written_depth(trial.path(), path, path, row.depth);
         if (std::find(out.begin(), out.end(), written) == out.end()) {
             out.push_back(written);
         }
@@ -352,7 +347,7 @@ std::vector<std::string> write_image(const std::string& path, const FloatImage& 
         return write_picture(path, to_codes(image, options), options);
     }
     PendingFile pending(path);
-    std::vector<std::string> lost = oiio().write(pending.path(), path, image, options);
+    std::vector<std::string> lost = oiio().write(pending.path(), path, path, image, options);
     pending.commit();
     return lost;
 }

@@ -14,22 +14,22 @@ std::filesystem::path program_folder() {
     return std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
 }
 
-void* open_module(const std::string& file) {
+} // namespace
+
+std::string module_path(const std::string& file) {
     const std::filesystem::path folder = program_folder();
     for (const auto& place : {folder / "../lib" / file, folder / file}) {
         std::error_code none;
         if (std::filesystem::exists(place, none)) {
-            return ::dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
+            return place.string();
         }
     }
-    return ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    return file;
 }
-
-} // namespace
 
 void* module_symbol(const std::string& name, const char* symbol) {
     const std::string file = "lib" + name + ".so";
-    void* const module = open_module(file);
+    void* const module = ::dlopen(module_path(file).c_str(), RTLD_NOW | RTLD_LOCAL);
     void* const address = module ? ::dlsym(module, symbol) : nullptr;
     if (!address) {
         const char* const reason = ::dlerror();

@@ -6,8 +6,12 @@
 
 namespace lutlib::io {
 
-/// The address of `symbol` in lib`name`.so, which lies in ../lib of the running program, beside it,
-/// or where the system finds libraries. It stays loaded. Throws Error when there is none.
+/// Where a file that belongs to this library lies: in ../lib of the running program or beside it;
+/// else its bare name, which the system may know.
+std::string module_path(const std::string& file);
+
+/// The address of `symbol` in lib`name`.so, which lies at its module_path(), or where the system
+/// finds libraries. It stays loaded. Throws Error when there is none.
 void* module_symbol(const std::string& name, const char* symbol);
 
 } // namespace lutlib::io

@@ -41,26 +41,32 @@ class Ocio {
 
     /// Parses a file's bytes with OpenColorIO's own reader, chosen by `extension` first and then by
     /// content. `file` names it in errors. Throws Error.
-    virtual Transform parse(std::string_view bytes, const std::string& extension,
-                            const std::string& file, const EvaluationOptions& options) const = 0;
+    Transform parse(std::string_view bytes, const std::string& extension, const std::string& file,
+                    const EvaluationOptions& options) const;
     /// The same of the file itself, which OpenColorIO opens at the user's own path. Nothing where
     /// it would not find it there: standard input, and a path with "$" or "%", which it expands as
     /// variables. Throws Error.
-    virtual std::optional<Transform> open(const std::string& path,
-                                          const EvaluationOptions& options) const = 0;
+    std::optional<Transform> open(const std::string& path, const EvaluationOptions& options) const;
+    /// Parses a file into a look: exactly where it is an optional shaper and cube with domains,
+    /// else sampled, with the measured error as a loss. Throws Error.
+    Reading read(std::string_view bytes, const std::string& extension, const std::string& file,
+                 const ReadOptions& options) const;
+
     /// A look as OpenColorIO's own matrices, curves and cubes. Throws Error.
     virtual Transform from_lut(const Lut& lut, const EvaluationOptions& options) const = 0;
 
     /// What the user's config does. Throws Error.
     virtual Transform from_config(const ConfigConversion& conversion) const = 0;
 
-    /// Parses a file into a look: exactly where it is an optional shaper and cube with domains,
-    /// else sampled, with the measured error as a loss. Throws Error.
-    virtual Reading read(std::string_view bytes, const std::string& extension,
-                         const std::string& file, const ReadOptions& options) const = 0;
     /// The bytes of a file in one of OpenColorIO's own writers' formats, by OpenColorIO's name.
     virtual std::string write(const Lut& lut, const std::string& ocio_name,
                               const WriteOptions& options) const = 0;
+
+    /// parse() and read() of a file that lies at `path`, where nothing in it is expanded.
+    virtual Transform parse_at(const std::string& path, const std::string& file,
+                               const EvaluationOptions& options) const = 0;
+    virtual Reading read_at(const std::string& path, const std::string& file,
+                            const ReadOptions& options) const = 0;
 };
 
 /// Loads OpenColorIO on the first call. Throws Error when it is not installed.

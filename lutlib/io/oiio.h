@@ -12,7 +12,7 @@ class Oiio {
   public:
     virtual ~Oiio() = default;
     virtual std::string version() const = 0;
-    /// `file` names the picture at `path` in errors.
+    /// `file` names the picture at `path` in errors. Its type is told by its bytes.
     virtual FloatImage read(const std::string& path, const std::string& file,
                             const std::string& layer = {}) const = 0;
     /// Pixels of all parts, and their bytes in the file's own types, by its header; zeros where it
@@ -25,13 +25,19 @@ class Oiio {
     virtual bool writes(const std::string& path) const = 0;
     /// An extension of each type of picture that can be written, without its dot.
     virtual std::vector<std::string> written_extensions() const = 0;
-    /// The depth that a picture written to `path` with this depth then has; tried out on `path`.
-    virtual Depth written_depth(const std::string& path, const std::string& file,
-                                Depth depth) const = 0;
-    /// Writes to `path` itself. `file` as above; the answer as of write_image().
-    virtual std::vector<std::string> write(const std::string& path, const std::string& file,
-                                           const FloatImage& image,
+    /// The depth that a picture of the extension of `name`, written with this depth, then has;
+    /// tried out on `path`. `file` as above.
+    virtual Depth written_depth(const std::string& path, const std::string& name,
+                                const std::string& file, Depth depth) const = 0;
+    /// Writes a picture of the extension of `name` to `path`. `file` as above; the answer as of
+    /// write_image().
+    virtual std::vector<std::string> write(const std::string& path, const std::string& name,
+                                           const std::string& file, const FloatImage& image,
                                            const ImageWriteOptions& options) const = 0;
+    /// What has been kept of a picture that read() read, as bytes; empty: nothing but its base.
+    virtual std::string packed(const PictureSource& source) const = 0;
+    /// From bytes of packed(). Throws Error for others.
+    virtual std::shared_ptr<const PictureSource> unpacked(std::string_view bytes) const = 0;
 };
 
 /// Loads OpenImageIO on the first call. Throws Error when it is not installed.

@@ -6,33 +6,9 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <system_error>
 
 namespace lutlib::io {
 namespace {
-
-// Corrections of a .ccc or .cdl collection; 0 for other files.
-std::size_t corrections_in(std::string_view bytes) {
-    // Not the collection's own name, which begins alike.
-    constexpr std::string_view name = "ColorCorrection", before = "<:", behind = " \t\r\n>/";
-    std::size_t count = 0;
-    for (std::size_t at = bytes.find(name); at != std::string_view::npos;
-         at = bytes.find(name, at + name.size())) {
-        const std::size_t end = at + name.size();
-        const bool opens = at > 0 && before.find(bytes[at - 1]) != std::string_view::npos &&
-                           !bytes.substr(0, at).ends_with("</");
-        count += opens && end < bytes.size() && behind.find(bytes[end]) != std::string_view::npos;
-    }
-    return count;
-}
-
-// Whether OpenColorIO, handed this path, opens this very file.
-bool finds(const std::string& path) {
-    std::error_code error;
-    return std::filesystem::is_regular_file(path, error) &&
-           std::filesystem::absolute(path, error).string().find_first_of("$%") == path.npos;
-}
 
 class Library final : public Ocio {
   public:
@@ -54,23 +30,10 @@ class Library final : public Ocio {
         return out;
     }
 
-    Transform parse(std::string_view bytes, const std::string& extension, const std::string& file,
-                    const EvaluationOptions& options) const override {
+    Transform parse_at(const std::string& path, const std::string& file,
+                       const EvaluationOptions& options) const override {
         return guarded(file, [&] {
-            return transform_of(
-                cpu_processor(processor_of_file(bytes, extension, file, options.interpolation),
-                              options.optimization));
-        });
-    }
-
-    std::optional<Transform> open(const std::string& path,
-                                  const EvaluationOptions& options) const override {
-        if (!finds(path)) {
-            return std::nullopt;
-        }
-        return guarded(path, [&] {
-            const std::string absolute = std::filesystem::absolute(path).string();
-            return transform_of(cpu_processor(processor_at(absolute, path, options.interpolation),
+            return transform_of(cpu_processor(processor_at(path, file, options.interpolation),
                                               options.optimization));
         });
     }
@@ -90,23 +53,15 @@ class Library final : public Ocio {
         });
     }
 
-    Reading read(std::string_view bytes, const std::string& extension, const std::string& file,
-                 const ReadOptions& options) const override {
-        Reading out = [&] {
-            try {
-                return guarded(file, [&] {
-                    return look_of_processor(
-                        processor_of_file(bytes, extension, file, std::nullopt), options);
-                });
-            } catch (const Error& e) {
-                throw e.where().file.empty() ? e.in_file(file) : e;
-            }
-        }();
-        if (const std::size_t count = corrections_in(bytes); count > 1) {
-            out.losses.push_back({"only the first colour correction is read, of",
-                                  static_cast<double>(count), "corrections"});
+    Reading read_at(const std::string& path, const std::string& file,
+                    const ReadOptions& options) const override {
+        try {
+            return guarded(file, [&] {
+                return look_of_processor(processor_at(path, file, std::nullopt), options);
+            });
+        } catch (const Error& e) {
+            throw e.where().file.empty() ? e.in_file(file) : e;
         }
-        return out;
     }
 
     std::string write(const Lut& lut, const std::string& ocio_name,

@@ -1,7 +1,5 @@
 #include "lutlib/io/ocio/transform.h"
 
-#include "lutlib/io/temporary_file.h"
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -83,16 +81,6 @@ OCIO::ConstProcessorRcPtr processor_at(const std::string& path, const std::strin
         throw Error("OpenColorIO cannot read it: " + with_name(e.what(), path, file),
                     {file, 0, {}});
     }
-}
-
-OCIO::ConstProcessorRcPtr processor_of_file(std::string_view bytes, const std::string& extension,
-                                            const std::string& file,
-                                            std::optional<Interpolation> interpolation) {
-    // OpenColorIO reads only by path, expands "$" and "%" in it as variables and remembers what it
-    // read under it. A file of our own in a folder of our own has none of these troubles; its name
-    // stays, for a Discreet 1D .lut says its depth there.
-    const TemporaryFile copy(bytes, file, extension);
-    return processor_at(copy.path(), file, interpolation);
 }
 
 OCIO::GroupTransformRcPtr group_of_lut(const Lut& lut, Interpolation interpolation) {

@@ -10,7 +10,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 
 namespace lutlib::io {
 
@@ -31,11 +30,6 @@ auto guarded(const std::string& file, Action&& action) {
 /// that none is named. Throws Error.
 OCIO::ConstProcessorRcPtr processor_at(const std::string& path, const std::string& file,
                                        std::optional<Interpolation> interpolation);
-
-/// The same of a file's bytes.
-OCIO::ConstProcessorRcPtr processor_of_file(std::string_view bytes, const std::string& extension,
-                                            const std::string& file,
-                                            std::optional<Interpolation> interpolation);
 
 /// Matrix, curve, matrix, cube, as far as the look needs them.
 OCIO::GroupTransformRcPtr group_of_lut(const Lut& lut, Interpolation interpolation);

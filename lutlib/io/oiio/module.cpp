@@ -4,6 +4,8 @@
 
 #include "lutlib/error.h"
 #include "lutlib/io/oiio/kept.h"
+#include "lutlib/io/oiio/packed.h"
+#include "lutlib/io/oiio/types.h"
 #include "lutlib/io/picture_channels.h"
 #include "lutlib/limits.h"
 
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <string_view>
 
@@ -208,19 +211,38 @@ std::shared_ptr<OiioSource> source_of(OIIO::ImageInput& input, std::vector<OIIO:
     return out;
 }
 
+std::string head_of(const std::string& path) {
+    std::string out(enough_to_tell_type, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(out.data(), static_cast<std::streamsize>(out.size()));
+    out.resize(static_cast<std::size_t>(file.gcount()));
+    return out;
+}
+
+// By the one reader that the bytes call for: OpenImageIO itself would try all that it has.
+std::unique_ptr<OIIO::ImageInput> opened(const std::string& path, const std::string& file) {
+    auto input = OIIO::ImageInput::create(std::string(type_of_bytes(head_of(path), file)));
+    if (!input) {
+        fail("cannot read a picture of this type", OIIO::geterror(), path, file);
+    }
+    OIIO::ImageSpec found, config;
+    // Without this, alpha would be multiplied into the colours of PNG, TIFF and others.
+    config.attribute("oiio:UnassociatedAlpha", 1);
+    if (!input->open(path, found, config)) {
+        fail("cannot read the picture", input->geterror(), path, file);
+    }
+    return input;
+}
+
 class Library final : public Oiio {
   public:
+    Library() { OIIO::attribute("plugin_searchpath", ""); }
+
     std::string version() const override { return OIIO_VERSION_STRING; }
 
     FloatImage read(const std::string& path, const std::string& file,
                     const std::string& layer) const override {
-        OIIO::ImageSpec config;
-        // Without this, alpha would be multiplied into the colours of PNG, TIFF and others.
-        config.attribute("oiio:UnassociatedAlpha", 1);
-        const auto input = OIIO::ImageInput::open(path, &config);
-        if (!input) {
-            fail("cannot read the picture", OIIO::geterror(), path, file);
-        }
+        const auto input = opened(path, file);
         check_size(input->spec(), file);
         const std::string_view type = input->format_name();
         const std::vector<OIIO::ImageSpec> specs = parts_of(*input, file);
@@ -278,9 +300,9 @@ class Library final : public Oiio {
     }
 
     bool writes(const std::string& path) const override {
-        const bool known = OIIO::ImageOutput::create(path) != nullptr;
+        const auto output = OIIO::ImageOutput::create(path);
         OIIO::geterror(); // else it is printed when the program ends
-        return known;
+        return output && is_known_type(output->format_name());
     }
 
     std::vector<std::string> written_extensions() const override {
@@ -290,8 +312,7 @@ class Library final : public Oiio {
         for (std::string type; std::getline(types, type, ';');) {
             const std::size_t first = type.find(':') + 1;
             const std::string extension = type.substr(first, type.find(',') - first);
-            const bool makes_file = extension != "null" && extension != "term"; // a terminal
-            if (makes_file && writes("picture." + extension)) {
+            if (writes("picture." + extension)) {
                 out.push_back(extension);
             }
         }
@@ -299,26 +320,22 @@ class Library final : public Oiio {
         return out;
     }
 
-    Depth written_depth(const std::string& path, const std::string& file,
+    Depth written_depth(const std::string& path, const std::string& name, const std::string& file,
                         Depth depth) const override {
         // Large enough for every type; JPEG 2000 wants several resolutions.
         FloatImage image;
         image.width = image.height = 64;
         image.rgba.assign(64 * 64 * 4, 0.0F);
-        write(path, file, image, {.depth = depth, .alpha = false, .text = {}});
+        write(path, name, file, image, {.depth = depth, .alpha = false, .text = {}});
         // What the library says of a file that it writes is not always what it then wrote.
-        const auto written = OIIO::ImageInput::open(path);
-        if (!written) {
-            fail("cannot read back a picture of this type", OIIO::geterror(), path, file);
-        }
-        return depth_of(written->spec().format);
+        return depth_of(opened(path, file)->spec().format);
     }
 
-    std::vector<std::string> write(const std::string& path, const std::string& file,
-                                   const FloatImage& image,
+    std::vector<std::string> write(const std::string& path, const std::string& name,
+                                   const std::string& file, const FloatImage& image,
                                    const ImageWriteOptions& options) const override {
-        const auto output = OIIO::ImageOutput::create(path);
-        if (!output) {
+        const auto output = OIIO::ImageOutput::create(name);
+        if (!output || !is_known_type(output->format_name())) {
             fail("cannot write a picture of this type", OIIO::geterror(), path, file);
         }
         if (const OiioSource* const keep = kept_whole(options.keep, output->format_name())) {
@@ -352,6 +369,15 @@ class Library final : public Oiio {
             fail("cannot write the pixels", output->geterror(), path, file);
         }
         return lost;
+    }
+
+    std::string packed(const PictureSource& source) const override {
+        const auto* const own = dynamic_cast<const OiioSource*>(&source);
+        return own ? packed_source(*own) : std::string();
+    }
+
+    std::shared_ptr<const PictureSource> unpacked(std::string_view bytes) const override {
+        return unpacked_source(bytes);
     }
 
   private:

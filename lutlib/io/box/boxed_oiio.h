@@ -1,0 +1,40 @@
+// OpenImageIO, whose every picture is read and written by processes of their own, which are kept
+// for the next ones.
+#pragma once
+
+#include "lutlib/io/box/reader.h"
+#include "lutlib/io/oiio.h"
+
+#include <mutex>
+
+namespace lutlib::io::box {
+
+class BoxedOiio final : public Oiio {
+  public:
+    explicit BoxedOiio(const Foreign& library = openimageio) : library_(library) {}
+
+    /// What holds its readers.
+    Held held() const;
+
+    std::string version() const override;
+    FloatImage read(const std::string& path, const std::string& file,
+                    const std::string& layer = {}) const override;
+    bool writes(const std::string& path) const override;
+    std::vector<std::string> written_extensions() const override;
+    Depth written_depth(const std::string& path, const std::string& name, const std::string& file,
+                        Depth depth) const override;
+    std::vector<std::string> write(const std::string& path, const std::string& name,
+                                   const std::string& file, const FloatImage& image,
+                                   const ImageWriteOptions& options) const override;
+    std::string packed(const PictureSource& source) const override;
+    std::shared_ptr<const PictureSource> unpacked(std::string_view bytes) const override;
+
+  private:
+    Incoming ask(const Outgoing& question, const About& about) const;
+
+    const Foreign& library_;
+    mutable std::mutex mutex_;
+    mutable std::vector<std::unique_ptr<Reader>> idle_;
+};
+
+} // namespace lutlib::io::box

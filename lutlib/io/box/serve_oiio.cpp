@@ -1,0 +1,86 @@
+#include "lutlib/io/box/serve.h"
+
+#include "lutlib/io/box/shared_bytes.h"
+#include "lutlib/io/box/source.h"
+#include "lutlib/io/box/values.h"
+
+#include <cstring>
+#include <string>
+
+namespace lutlib::io::box {
+namespace {
+
+// The library opens files by a path; this one leads to what has been opened already.
+std::string path_of(int descriptor) {
+    return "/proc/self/fd/" + std::to_string(descriptor);
+}
+
+SharedBytes shared(std::string_view bytes) {
+    if (bytes.empty()) {
+        return {};
+    }
+    const SharedBytes out(bytes.size());
+    std::memcpy(out.bytes().data(), bytes.data(), bytes.size());
+    return out;
+}
+
+void read(const Oiio& library, Incoming& question, Outgoing& answer) {
+    const std::string file = question.take_text(), layer = question.take_text();
+    const Descriptor opened(question.take_file());
+    const FloatImage image = library.read(path_of(opened.get()), file, layer);
+    put(answer, image);
+    put_source(answer, image.source.get(), shared(library.packed(*image.source)));
+}
+
+void write(const Oiio& library, Incoming& question, Outgoing& answer) {
+    const std::string name = question.take_text(), file = question.take_text();
+    const FloatImage image = take_image(question);
+    ImageWriteOptions options;
+    options.depth = question.take<Depth>();
+    options.alpha = question.take_bool();
+    options.keep_color = question.take_bool();
+    for (auto left = question.take<std::uint64_t>(); left > 0; --left) {
+        std::string key = question.take_text();
+        options.text.emplace_back(std::move(key), question.take_text());
+    }
+    const std::shared_ptr<const BoxedSource> boxed = take_source(question);
+    std::shared_ptr<const PictureSource> keep = boxed;
+    if (boxed && boxed->packed.descriptor() >= 0) {
+        const auto bytes = boxed->packed.bytes();
+        keep = library.unpacked({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    }
+    options.keep = keep.get();
+    const Descriptor written(new_memory_file());
+    answer.put_texts(library.write(path_of(written.get()), name, file, image, options));
+    answer.attach(written.get());
+}
+
+} // namespace
+
+Desk oiio_desk(const Oiio& library, const Held& held) {
+    return [&library, held](Incoming& question, Outgoing& answer) {
+        switch (question.take<OiioCall>()) {
+        case OiioCall::held:
+            return put(answer, held);
+        case OiioCall::version:
+            return answer.put(std::string_view(library.version()));
+        case OiioCall::read:
+            return read(library, question, answer);
+        case OiioCall::writes:
+            return answer.put(std::uint8_t{library.writes(question.take_text())});
+        case OiioCall::written_extensions:
+            return answer.put_texts(library.written_extensions());
+        case OiioCall::written_depth: {
+            const std::string name = question.take_text(), file = question.take_text();
+            const auto depth = question.take<Depth>();
+            const Descriptor trial(new_memory_file());
+            return answer.put(library.written_depth(path_of(trial.get()), name, file, depth));
+        }
+        case OiioCall::write:
+            return write(library, question, answer);
+        }
+        throw Error("a boxed reader was asked what it does not know");
+    };
+}
+
+} // namespace lutlib::io::box

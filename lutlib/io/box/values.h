@@ -1,0 +1,56 @@
+// lutlib's own types in messages.
+#pragma once
+
+#include "lutlib/format.h"
+#include "lutlib/io/box/confine.h"
+#include "lutlib/io/box/message.h"
+#include "lutlib/io/image.h"
+
+namespace lutlib::io::box {
+
+void put(Outgoing& to, const Lut& lut);
+/// Validated: what a box says of a look is a stranger's word. Throws Error.
+Lut take_lut(Incoming& from);
+
+void put(Outgoing& to, const Reading& reading);
+Reading take_reading(Incoming& from);
+
+/// Its pixels travel as shared memory; its source does not.
+void put(Outgoing& to, const FloatImage& image);
+/// Throws Error for sides outside limits.h, and for pixels that are not as many.
+FloatImage take_image(Incoming& from);
+
+void put(Outgoing& to, const Held& held);
+Held take_held(Incoming& from);
+
+/// A library's answer, or what it throws: Error and UsageError as they are, a lack of memory and
+/// others as what they are about.
+template <class Answer>
+Outgoing answered(Answer&& answer);
+/// Throws what the other side threw, about `file` where it names none.
+void throw_if_failed(Incoming& answer, const std::string& file);
+
+/// The first word of every answer.
+enum class Outcome : std::uint8_t { answer, error, usage_error, no_memory, other };
+
+Outgoing failure(Outcome outcome, const std::string& message, const Where& where = {});
+
+template <class Answer>
+Outgoing answered(Answer&& answer) {
+    try {
+        Outgoing out;
+        out.put(Outcome::answer);
+        answer(out);
+        return out;
+    } catch (const UsageError& error) {
+        return failure(Outcome::usage_error, error.message(), error.where());
+    } catch (const Error& error) {
+        return failure(Outcome::error, error.message(), error.where());
+    } catch (const std::bad_alloc&) {
+        return failure(Outcome::no_memory, {});
+    } catch (const std::exception& error) {
+        return failure(Outcome::other, error.what());
+    }
+}
+
+} // namespace lutlib::io::box

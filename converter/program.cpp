@@ -2,6 +2,7 @@
 
 #include "converter/command.h"
 #include "converter/look_files.h"
+#include "converter/reading_limits.h"
 #include "converter/report.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
@@ -44,11 +45,16 @@ bool is_word_of(std::string_view word, int argc, const char* const* argv) {
 // Returns an ExitCode. Throws lutlib::Error.
 int parse_and_run(CLI::App& app, const Run& run, int argc, const char* const* argv) {
     require_verb(argc, argv);
+    if (is_word_of("--version", argc, argv) && is_word_of("--verbose", argc, argv)) {
+        print(verbose_version() + "\n", "");
+        return ok;
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return answer(app, error);
     }
+    apply_reading_limits();
     const int code = run();
     tell_unused_layout();
     return code;
@@ -79,6 +85,7 @@ int run_program(int argc, const char* const* argv) {
         verb->final_callback([&run, chosen = command.declare(declared)] { run = chosen; });
         if (command.reads_looks) {
             declare_layout(declared);
+            declare_reading_limits(declared);
         }
     }
     try {

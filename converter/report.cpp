@@ -1,45 +1,13 @@
 #include "converter/report.h"
 
-#include "lutlib/error.h"
 #include "lutlib/io/bake_report.h"
 #include "lutlib/io/file.h"
+#include "lutlib/io/terminal.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <cerrno>
-#include <cstdio>
-#include <system_error>
-
 namespace converter {
-namespace {
-
-std::string escaped(std::string_view text, char kept) {
-    std::string out;
-    for (const char c : text) {
-        const auto code = static_cast<unsigned char>(c);
-        if ((code >= 0x20 && code != 0x7f) || c == kept) {
-            out += c;
-        } else if (c == '\n' || c == '\r' || c == '\t') {
-            out += c == '\n' ? "\\n" : c == '\r' ? "\\r" : "\\t";
-        } else {
-            out += fmt::format("\\x{:02x}", code);
-        }
-    }
-    return out;
-}
-
-void put(const std::string& text, const std::string& output) {
-    if (output == lutlib::io::standard_stream) {
-        std::fputs(text.c_str(), stderr);
-    } else if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
-        throw lutlib::Error("cannot write standard output: " +
-                            std::generic_category().message(errno));
-    }
-}
-
-} // namespace
-
 nlohmann::ordered_json to_json(const lutlib::ErrorStats& stats) {
     nlohmann::ordered_json out{{"p99", stats.p99},
                                {"mean", stats.mean},
@@ -67,7 +35,7 @@ std::string loss_text(const lutlib::Loss& loss) {
 }
 
 std::string one_line(std::string_view text) {
-    return escaped(text, ' ');
+    return lutlib::io::shown_text(text);
 }
 
 std::string input_text(const std::string& path) {
@@ -79,15 +47,16 @@ std::string output_text(const std::string& path) {
 }
 
 std::string json_text(const nlohmann::ordered_json& json) {
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 void print(const std::string& text, const std::string& output) {
-    put(escaped(text, '\n'), output);
+    output == lutlib::io::standard_stream ? lutlib::io::print_err(text)
+                                          : lutlib::io::print_out(text);
 }
 
 void print(const nlohmann::ordered_json& json, const std::string& output) {
-    put(json_text(json), output);
+    print(json_text(json), output);
 }
 
 } // namespace converter

@@ -1,11 +1,11 @@
 // lutpreview: renders a scene or a picture, finishes it as an engine would and shows two looks.
 // Errors are caught here and nowhere else.
 #include "lutlib/error.h"
+#include "lutlib/io/terminal.h"
 #include "preview/cli/modes.h"
 
 #include <CLI/CLI.hpp>
 
-#include <cstdio>
 #include <exception>
 #include <string>
 
@@ -15,7 +15,7 @@ namespace {
 enum ExitCode { ok = 0, bad_input = 2, bad_usage = 3 };
 
 int complain(const char* message, int code) {
-    std::fprintf(stderr, "lutpreview: %s\n", message);
+    lutlib::io::print_err("lutpreview: " + lutlib::io::shown_text(message) + "\n");
     return code;
 }
 
@@ -23,6 +23,7 @@ int complain(const char* message, int code) {
 } // namespace preview
 
 int main(int argc, char** argv) {
+    lutlib::io::open_standard_streams();
     CLI::App app("Renders a scene or a picture, finishes it in an engine's order (bloom, tone map, "
                  "LUT, antialiasing) and shows two looks side by side.\n"
                  "Exit codes: 0 ok, 2 bad input, 3 bad usage.",

@@ -2,11 +2,8 @@
 
 #include "lutlib/codes.h"
 #include "lutlib/error.h"
-#include "lutlib/io/box/box.h"
-#include "lutlib/io/box/boxed_oiio.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/icc.h"
-#include "lutlib/io/module.h"
 #include "lutlib/io/oiio.h"
 #include "lutlib/io/png.h"
 #include "lutlib/io/temporary_file.h"
@@ -153,13 +150,6 @@ std::vector<std::string> write_picture(const std::string& path, PngPicture png,
     return lost;
 }
 
-const Oiio& in_this_process() {
-    using Entry = const Oiio* (*)();
-    static const Oiio* const library =
-        reinterpret_cast<Entry>(module_symbol("lutlib_oiio", "lutlib_oiio"))();
-    return *library;
-}
-
 // Of the IHDR chunk, which comes first.
 std::size_t pixels_of_png(std::string_view head) {
     constexpr std::size_t width_at = 16, height_at = 20;
@@ -214,11 +204,6 @@ std::span<const DepthInfo> depths() {
 const DepthInfo& info_of(Depth depth) {
     return *std::find_if(table.begin(), table.end(),
                          [depth](const DepthInfo& row) { return row.depth == depth; });
-}
-
-const Oiio& oiio() {
-    static const box::BoxedOiio boxed;
-    return box::is_used() ? boxed : in_this_process();
 }
 
 FloatImage decode_image(std::string_view bytes, const std::string& extension,

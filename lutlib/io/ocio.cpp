@@ -1,9 +1,6 @@
 #include "lutlib/io/ocio.h"
 
-#include "lutlib/io/box/box.h"
-#include "lutlib/io/box/boxed_ocio.h"
 #include "lutlib/io/file.h"
-#include "lutlib/io/module.h"
 #include "lutlib/io/temporary_file.h"
 
 #include <filesystem>
@@ -27,19 +24,7 @@ std::size_t corrections_in(std::string_view bytes) {
     return count;
 }
 
-const Ocio& in_this_process() {
-    using Entry = const Ocio* (*)();
-    static const Ocio* const library =
-        reinterpret_cast<Entry>(module_symbol("lutlib_ocio", "lutlib_ocio"))();
-    return *library;
-}
-
 } // namespace
-
-const Ocio& ocio() {
-    static const box::BoxedOcio boxed;
-    return box::is_used() ? boxed : in_this_process();
-}
 
 // OpenColorIO reads only by path, expands "$" and "%" in it as variables and remembers what it read
 // under it. A file of our own in a folder of our own has none of these troubles; its name stays,

@@ -278,7 +278,7 @@ std::string to_json(const Timings& timings, const std::string& device, Size size
                                 {"passes", passes},
                                 {"frame_gpu", json_of(timings.gpu)},
                                 {"frame_wall", json_of(timings.wall)}};
-    return all.dump(2) + "\n";
+    return all.dump(2, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 std::string to_text(const Report& report) {
@@ -320,7 +320,7 @@ std::string to_json(const Report& report) {
     for (std::string line; std::getline(lines, line);) {
         all["explanation"].push_back(line);
     }
-    return all.dump(2) + "\n";
+    return all.dump(2, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 } // namespace preview

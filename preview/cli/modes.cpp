@@ -1,7 +1,9 @@
 #include "preview/cli/modes.h"
 
 #include "lutlib/error.h"
+#include "lutlib/io/box/box.h"
 #include "lutlib/io/file.h"
+#include "lutlib/io/terminal.h"
 #include "preview/cli/look_options.h"
 #include "preview/cli/option_listing.h"
 #include "preview/cli/picture_file.h"
@@ -10,7 +12,8 @@
 #include "preview/look/gpu_look.h"
 #include "preview/look/look_file.h"
 
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <memory>
 #include <optional>
 #include <set>
@@ -20,7 +23,7 @@ namespace preview {
 namespace {
 
 void tell(const std::string& line) {
-    std::fprintf(stderr, "lutpreview: %s\n", line.c_str());
+    lutlib::io::print_err("lutpreview: " + lutlib::io::shown_text(line) + "\n");
 }
 
 std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& path,
@@ -29,7 +32,7 @@ std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& p
     const LoadedLook look = load_look(path, use);
     const std::string name = "look " + std::string(side) + ": ";
     for (const std::string& line : look.told) {
-        std::fprintf(stderr, "lutpreview: %s: %s\n", path.c_str(), line.c_str());
+        tell(path + ": " + line);
         notes += name + line + "\n";
     }
     for (const std::string& line : {look.encodings, look.note}) {
@@ -83,8 +86,7 @@ Rendering::Rendering(const Options& options)
     for (const std::string& line : shown->left_out) {
         notes += "left out  of " + shown->name + ": " + line + "\n";
         if (!options.explain) {
-            std::fprintf(stderr, "lutpreview: %s: not supported, left out: %s\n",
-                         shown->name.c_str(), line.c_str());
+            tell(shown->name + ": not supported, left out: " + line);
         }
     }
     if (shown->scene) {
@@ -104,8 +106,7 @@ Rendering::Rendering(const Options& options)
     if (!options.output.empty()) {
         file = file_format(options.output, options.depth);
         for (const std::string& line : shown->not_written) {
-            std::fprintf(stderr, "lutpreview: %s: not written: %s; 'lutconv apply' keeps it\n",
-                         shown->name.c_str(), line.c_str());
+            tell(shown->name + ": not written: " + line + "; 'lutconv apply' keeps it");
         }
     }
     const bool shows_picture = !settings.shows_intermediate() && settings.scope == nullptr;
@@ -220,33 +221,34 @@ void render_sequence(const Options& options, const Rendering& rendering, Executo
         }
     }
     const int there = range.last - range.first + 1 - written;
-    std::fprintf(stderr, "lutpreview: %d frames written%s\n", written,
-                 there > 0 ? (", " + std::to_string(there) + " were there").c_str() : "");
+    tell(std::to_string(written) + " frames written" +
+         (there > 0 ? ", " + std::to_string(there) + " were there" : ""));
 }
 
 /// Beside a picture on standard output there is room for people's eyes only.
 void print(const Options& options, const Report& report) {
-    std::fputs((options.json ? to_json(report) : to_text(report)).c_str(),
-               options.output == lutlib::io::standard_stream ? stderr : stdout);
+    const std::string text = options.json ? to_json(report) : to_text(report);
+    options.output == lutlib::io::standard_stream ? lutlib::io::print_err(text)
+                                                  : lutlib::io::print_out(text);
 }
 
 void print_validation(const gpu::Device& device) {
     for (const std::string& message : device.validation_messages()) {
-        std::fprintf(stderr, "lutpreview: %s\n", message.c_str());
+        tell(message);
     }
 }
 
 } // namespace
 
 void print_list() {
-    std::fputs(listing().c_str(), stdout);
-    std::puts("Devices (--device)");
+    std::string text = listing() + "Devices (--device)\n";
     std::size_t number = 0;
     for (const gpu::DeviceInfo& device : gpu::list_devices()) {
-        std::printf("  %-20zu %s, %s%s%s\n", number, device.name.c_str(), device.kind.c_str(),
-                    device.usable ? "" : "; lacks ", device.missing.c_str());
+        text += fmt::format("  {:<20} {}, {}{}{}\n", number, device.name, device.kind,
+                            device.usable ? "" : "; lacks ", device.missing);
         ++number;
     }
+    lutlib::io::print_out(text);
 }
 
 void render_cube(const Options& options) {
@@ -312,8 +314,13 @@ void render(const Options& options) {
 }
 
 void run(const Options& options) {
+    lutlib::io::box::set_used(!options.no_sandbox);
+    lutlib::io::box::set_memory(static_cast<std::size_t>(options.max_memory * (1 << 30)));
+    if (options.no_sandbox) {
+        tell("files are read without a sandbox");
+    }
     for (const std::string& line : options.unused) {
-        std::fprintf(stderr, "lutpreview: %s\n", line.c_str());
+        tell(line);
     }
     if (options.list) {
         print_list();

@@ -162,6 +162,14 @@ constexpr OptionRow rows[] = {
     {.flag = "--validate",
      .help = "Run under Vulkan's validation layers",
      .of = [](O& o) -> bool& { return o.validate; }},
+    {.flag = "--no-sandbox",
+     .help = "Let OpenImageIO and OpenColorIO read files in this process, with all that it may do",
+     .of = [](O& o) -> bool& { return o.no_sandbox; }},
+    {.flag = "--max-memory",
+     .help = "GiB that a process which reads a file for them may take",
+     .of = [](O& o) -> double& { return o.max_memory; },
+     .min = 0.125,
+     .max = 1024},
 };
 
 std::span<const Scope> scope_rows() {

@@ -75,7 +75,7 @@ std::string probe_json(const Probe& probe, ProbePlace place) {
                                  {{"before_a", differences.before_a},
                                   {"before_b", differences.before_b},
                                   {"a_b", differences.a_b}}}};
-    return all.dump(2) + "\n";
+    return all.dump(2, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 } // namespace preview

@@ -2,6 +2,7 @@
 
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
+#include "lutlib/io/terminal.h"
 #include "preview/editor/commands.h"
 #include "preview/editor/look_baker.h"
 #include "preview/scene/import.h"
@@ -26,7 +27,7 @@ constexpr int frames_after_event = 3;
 
 void print_validation(const gpu::Device& device) {
     for (const std::string& message : device.validation_messages()) {
-        std::fprintf(stderr, "lutpreview: %s\n", message.c_str());
+        lutlib::io::print_err("lutpreview: " + lutlib::io::shown_text(message) + "\n");
     }
 }
 

@@ -76,7 +76,8 @@ const std::vector<Part>& parts() {
          "lutlib/io/formats"},
         {"lutlib/io/ocio",
          {"lutlib", "lutlib/interpolation", "lutlib/io", "lutlib/metrics", "lutlib/resample"}},
-        {"lutlib/io/oiio", {"lutlib", "lutlib/io"}},
+        {"lutlib/io/box", {"lutlib", "lutlib/io"}, no_big_library},
+        {"lutlib/io/oiio", {"lutlib", "lutlib/io", "lutlib/io/box"}},
         {"lutlib/plot", {"lutlib"}, no_big_library},
 
         // lutconv
@@ -140,7 +141,7 @@ const std::vector<Part>& parts() {
          no_screen},
         {"preview/cli/light_edit.*", {"lutlib", "preview/scene"}, no_screen},
         {"preview/cli/sequence.*", {"lutlib"}, no_screen},
-        {"preview", {"lutlib", "preview/cli"}},
+        {"preview", {"lutlib", "lutlib/io", "preview/cli"}},
         // Oracles, which nothing but tests includes.
         {"preview/reference",
          {"lutlib/*", "preview/finish", "preview/scene", "preview/scene/scene_data.*"},

@@ -1,5 +1,6 @@
 #include "lutlib/io/box/boxed_ocio.h"
 
+#include "lutlib/io/box/box.h"
 #include "lutlib/io/box/reader.h"
 #include "lutlib/io/box/serve.h"
 #include "lutlib/io/box/values.h"
@@ -12,7 +13,7 @@ namespace lutlib::io::box {
 namespace {
 
 Allowance to_read(std::vector<std::string> paths) {
-    return {reader_memory(), std::move(paths)};
+    return {memory(), std::move(paths)};
 }
 
 About about_file(const std::string& path, const std::string& file) {

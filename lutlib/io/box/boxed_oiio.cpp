@@ -1,5 +1,6 @@
 #include "lutlib/io/box/boxed_oiio.h"
 
+#include "lutlib/io/box/box.h"
 #include "lutlib/io/box/serve.h"
 #include "lutlib/io/box/shared_bytes.h"
 #include "lutlib/io/box/source.h"
@@ -71,7 +72,7 @@ Incoming BoxedOiio::ask(const Outgoing& question, const About& about) const {
         }
     }
     if (!reader) {
-        reader = std::make_unique<Reader>(library_, Allowance{reader_memory(), {}});
+        reader = std::make_unique<Reader>(library_, Allowance{memory(), {}});
     }
     const auto keep = [&] {
         if (reader->is_alive()) {
@@ -96,6 +97,14 @@ Held BoxedOiio::held() const {
 
 std::string BoxedOiio::version() const {
     return ask(question(OiioCall::version, {}), {}).take_text();
+}
+
+Oiio::Size BoxedOiio::size(const std::string& path) const {
+    const Descriptor copy(new_memory_file());
+    const About about{path, copy_into(copy.get(), path, path)};
+    Outgoing asked = question(OiioCall::size, about);
+    asked.attach(copy.get());
+    return ask(asked, about).take<Size>();
 }
 
 FloatImage BoxedOiio::read(const std::string& path, const std::string& file,

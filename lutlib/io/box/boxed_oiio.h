@@ -17,6 +17,7 @@ class BoxedOiio final : public Oiio {
     Held held() const;
 
     std::string version() const override;
+    Size size(const std::string& path) const override;
     FloatImage read(const std::string& path, const std::string& file,
                     const std::string& layer = {}) const override;
     bool writes(const std::string& path) const override;

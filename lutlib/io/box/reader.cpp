@@ -3,26 +3,11 @@
 #include "lutlib/io/box/nursery.h"
 #include "lutlib/io/box/values.h"
 
-#include <atomic>
 #include <csignal>
 #include <cstring>
 #include <sys/wait.h>
 
 namespace lutlib::io::box {
-namespace {
-
-std::atomic<std::size_t> memory{Allowance{}.memory};
-
-} // namespace
-
-void set_reader_memory(std::size_t bytes) {
-    memory = bytes;
-}
-
-std::size_t reader_memory() {
-    return memory;
-}
-
 std::uint32_t seconds_for(const About& about) {
     constexpr std::size_t least = 1, bytes_each = std::size_t{256} << 10;
     constexpr std::size_t colours_each = 100'000;

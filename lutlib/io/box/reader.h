@@ -62,8 +62,4 @@ class Reader {
     pid_t process_ = 0;
 };
 
-/// The memory that readers made from now on may have; at first 4 GiB.
-void set_reader_memory(std::size_t bytes);
-std::size_t reader_memory();
-
 } // namespace lutlib::io::box

@@ -20,6 +20,7 @@ enum class NurseryCall : std::uint8_t {
 enum class OiioCall : std::uint8_t {
     held,
     version,
+    size,
     read,
     writes,
     written_extensions,

@@ -64,6 +64,10 @@ Desk oiio_desk(const Oiio& library, const Held& held) {
             return put(answer, held);
         case OiioCall::version:
             return answer.put(std::string_view(library.version()));
+        case OiioCall::size: {
+            const Descriptor opened(question.take_file());
+            return answer.put(library.size(path_of(opened.get())));
+        }
         case OiioCall::read:
             return read(library, question, answer);
         case OiioCall::writes:

@@ -287,15 +287,10 @@ class Library final : public Oiio {
 
     Size size(const std::string& path) const override {
         Size out;
-        const auto input = OIIO::ImageInput::open(path);
-        for (int i = 0; input && i < most_parts && input->seek_subimage(i, 0); ++i) {
-            out.pixels += input->spec().image_pixels();
-            out.bytes += input->spec().image_bytes(true);
+        for (const OIIO::ImageSpec& spec : parts_of(*opened(path, path), path)) {
+            out.pixels += spec.image_pixels();
+            out.bytes += spec.image_bytes(true);
         }
-        if (input) {
-            input->geterror();
-        }
-        OIIO::geterror();
         return out;
     }
 

@@ -1,5 +1,6 @@
 // What a reader of strangers' files can do to its program and to the machine: nothing.
 #include "lutlib/error.h"
+#include "lutlib/io/box/box.h"
 #include "lutlib/io/box/boxed_oiio.h"
 #include "lutlib/io/box/message.h"
 #include "lutlib/io/box/values.h"
@@ -60,10 +61,10 @@ TEST_F(Box, refuses_memory_beyond_the_limit) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__clang__)
     GTEST_SKIP() << "a sanitizer's own memory cannot be limited";
 #else
-    const std::size_t usual = reader_memory();
-    set_reader_memory(std::size_t{256} << 20);
+    const std::size_t usual = memory();
+    set_memory(std::size_t{256} << 20);
     EXPECT_THAT(reason("take memory"), HasSubstr("picture: reading it takes more memory"));
-    set_reader_memory(usual);
+    set_memory(usual);
 #endif
 }
 

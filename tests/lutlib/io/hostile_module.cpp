@@ -75,6 +75,7 @@ class Hostile final : public Oiio {
   public:
     std::string version() const override { return "1"; }
 
+    Size size(const std::string&) const override { return {}; }
     FloatImage read(const std::string& path, const std::string&,
                     const std::string&) const override {
         static const std::map<std::string, void (*)()> deeds{{"crash", crash},

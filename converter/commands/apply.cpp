@@ -3,6 +3,7 @@
 #include "converter/command.h"
 #include "converter/grade.h"
 #include "converter/grade_many.h"
+#include "converter/grade_stream.h"
 #include "converter/grade_text.h"
 #include "converter/look_files.h"
 #include "converter/many.h"
@@ -71,7 +72,10 @@ bool is_picture(const std::string& extension) {
 // From which pictures to which, whether this run makes them or not.
 std::vector<io::Route> routes_of(const io::Inputs& inputs, const io::OutputTemplate& output) {
     std::vector<io::Route> out;
-    for (const io::InputFile& file : inputs.files) {
+    for (io::InputFile file : inputs.files) {
+        if (file.path == io::standard_stream) {
+            file.frame = "1"; // of those that come
+        }
         out.push_back({file, output.path_for(file)});
     }
     require_distinct(out);
@@ -132,6 +136,16 @@ int run(const Options& o, const Verb& verb) {
                           o.layer,
                           o.strength,
                           o.explain};
+    if (is_one && !routes.empty() && routes[0].from.path == io::standard_stream) {
+        const GradedStream stream = grade_stream(grading, output, o.many);
+        tell_unused(verb, look, stream.graded.pictures);
+        if (stream.is_one) {
+            print_report(o, stream.routes[0], grading, *stream.graded.pictures[0]);
+        } else {
+            print_report(stream.graded, grading, stream.routes, o.lut, output.text(), o.json);
+        }
+        return stream.graded.failures.empty() ? ok : bad_input;
+    }
     if (is_one && !routes.empty()) {
         const Graded graded = grade_file(grading, routes[0].from.path, routes[0].to, held);
         tell_unused(verb, look, {graded});

@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace lutlib::io {
@@ -84,6 +85,8 @@ std::string temporary_name(const std::string& target) {
     const std::string stem = file.substr(0, std::min<std::size_t>(dot, 64));
     return directory_of(target) + "/." + stem + "." + tag + ".tmp" + extension;
 }
+
+thread_local StandardStreamsInstead* instead = nullptr;
 
 constexpr const char* empty_file = "the file is empty";
 
@@ -187,7 +190,18 @@ std::string FileInput::all_of(std::string head, std::size_t max_bytes) {
     return bytes;
 }
 
+StandardStreamsInstead::StandardStreamsInstead(std::string bytes) : input(std::move(bytes)) {
+    instead = this;
+}
+
+StandardStreamsInstead::~StandardStreamsInstead() {
+    instead = nullptr;
+}
+
 std::string read_file(const std::string& path, std::size_t max_bytes) {
+    if (instead && path == standard_stream) {
+        return std::exchange(instead->input, {});
+    }
     return FileInput(path).all_of({}, max_bytes);
 }
 
@@ -245,7 +259,9 @@ void write_files(std::span<const FileToWrite> files) {
         }
     }
     for (const FileToWrite* const file : in_place) {
-        if (file->path == standard_stream) {
+        if (instead && file->path == standard_stream) {
+            instead->output += file->bytes;
+        } else if (file->path == standard_stream) {
             write_all(STDOUT_FILENO, file->bytes, output_name(file->path));
         } else {
             open_and_write(file->path, file->bytes, file->path);

@@ -63,6 +63,19 @@ struct FileToWrite {
 };
 void write_files(std::span<const FileToWrite> files);
 
+/// While it lives, reading `-` whole on this thread gives these bytes, and what is written to `-`
+/// is kept here: for who takes pictures off standard input one by one.
+class StandardStreamsInstead {
+  public:
+    explicit StandardStreamsInstead(std::string input);
+    ~StandardStreamsInstead();
+    StandardStreamsInstead(const StandardStreamsInstead&) = delete;
+    StandardStreamsInstead& operator=(const StandardStreamsInstead&) = delete;
+
+    std::string input;  ///< given away once
+    std::string output; ///< what has been written
+};
+
 /// What messages call a path: itself, or "standard input" / "standard output" for `-`.
 std::string input_name(const std::string& path);
 std::string output_name(const std::string& path);

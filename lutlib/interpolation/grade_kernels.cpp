@@ -8,6 +8,8 @@
 #include "lutlib/interpolation/interpolation.h"
 #include "lutlib/interpolation/pairs-inl.h"
 
+#include <cstring>
+
 HWY_BEFORE_NAMESPACE();
 namespace lutlib::HWY_NAMESPACE {
 
@@ -76,6 +78,30 @@ void grade_vectors(const GradeTables& tables, const T* in, T* out, std::size_t p
                : grade_by_pairs<T, CubePairs>(tables, in, out, pixels, maximum, streams);
 }
 
+template <class T>
+bool is_of_one_colour(const T* pixels, std::size_t count) {
+    return std::memcmp(pixels, pixels + 4, (count - 1) * 4 * sizeof(T)) == 0;
+}
+
+// Strips of one colour, as black bars are, are looked up once; what lies between them is graded.
+template <class T>
+void grade_strips(const GradeTables& tables, const T* in, T* out, std::size_t pixels, float maximum,
+                  bool streams) {
+    std::size_t graded = 0;
+    for (std::size_t i = 0; i + strip <= pixels; i += strip) {
+        if (!is_of_one_colour(in + 4 * i, strip)) {
+            continue;
+        }
+        grade_vectors(tables, in + 4 * graded, out + 4 * graded, i - graded, maximum, streams);
+        grade_vectors(tables, in + 4 * i, out + 4 * i, lanes, maximum, false);
+        for (std::size_t k = lanes; k < strip; k += lanes) {
+            std::copy_n(out + 4 * i, 4 * lanes, out + 4 * (i + k));
+        }
+        graded = i + strip;
+    }
+    grade_vectors(tables, in + 4 * graded, out + 4 * graded, pixels - graded, maximum, streams);
+}
+
 // Fewer pixels than a vector takes, in a copy.
 template <class T>
 void grade_few(const GradeTables& tables, const T* in, T* out, std::size_t pixels, float maximum) {
@@ -109,7 +135,7 @@ void grade_row(const GradeTables& tables, const std::byte* from, std::byte* to, 
         }
     }
     const std::size_t whole = pixels / lanes * lanes;
-    grade_vectors(tables, in, out, whole, most, streams);
+    grade_strips(tables, in, out, whole, most, streams);
     if (whole < pixels) {
         grade_few(tables, in + 4 * whole, out + 4 * whole, pixels - whole, most);
     }

@@ -295,6 +295,29 @@ TEST_P(GradeEveryElement, gives_the_same_bytes_whatever_the_number_of_threads) {
     }
 }
 
+TEST_P(GradeEveryElement, looks_up_runs_of_one_colour_as_any_others) {
+    const Lut lut = look_of({33, 0, {}});
+    const Element element = GetParam().element;
+    Picture in(packed_rgba, element, 1023, 5), wanted(packed_rgba, element, 1023, 5);
+    fill(in, {});
+    // From the middle of the first row on, two rows of one colour, then one pixel that differs.
+    const std::size_t bytes = 4 * info_of(element).bytes;
+    for (std::size_t i = 500; i < 2500; ++i) {
+        std::memcpy(in.view().at(0, 0, 0) + i * bytes, in.view().at(0, 3, 0), bytes);
+    }
+    std::memcpy(in.view().at(0, 0, 0) + 2000 * bytes, in.view().at(0, 4, 0), bytes);
+    grade_plainly(lut, Interpolation::tetrahedral, in.view(), wanted.view());
+    on_every_processor([&] {
+        Picture got(packed_rgba, element, 1023, 5);
+        grade(Grading(lut), in.view(), got.view(), 1);
+        expect_close(got, wanted, Exact{lut, Interpolation::tetrahedral, in});
+        Picture in_place(packed_rgba, element, 1023, 5);
+        in_place.copy_samples_of(in);
+        grade(Grading(lut), in_place.view(), in_place.view(), 1);
+        EXPECT_EQ(in_place.memory() == got.memory(), true) << "in place";
+    });
+}
+
 TEST_P(GradeEveryElement, goes_into_every_other_element) {
     const Lut lut = look_of({33, 0, {}});
     Picture in(packed_rgba, GetParam().element, 1001, 3);

@@ -27,6 +27,7 @@ struct Options {
     double reference_white = lutlib::reference_white_nits;
     InterpolationOption interpolation;
     int samples = 100000;
+    double max_delta_e = -1; ///< below 0: no limit
     std::vector<std::string> domain;
     bool json = false;
 };
@@ -56,6 +57,13 @@ Compared opened(const std::string& name, const Options& o) {
     return {look.exact(), look.domain(), look.breaks(), look.encodings().output, has_lattice(look)};
 }
 
+std::string limit_text(const Options& o, const lutlib::ErrorStats& error) {
+    return o.max_delta_e < 0 ? ""
+           : error.max <= o.max_delta_e
+               ? fmt::format("within dE2000 {:g}\n", o.max_delta_e)
+               : fmt::format("FAILED: dE2000 {:.4g} is above {:g}\n", error.max, o.max_delta_e);
+}
+
 int run(const Options& o, const Verb& verb) {
     if (o.samples < 1 || o.samples > 100000000) {
         throw lutlib::UsageError("--samples must be a number from 1 to 100000000");
@@ -74,19 +82,25 @@ int run(const Options& o, const Verb& verb) {
     const lutlib::ErrorSamples samples = error_samples(
         domain, united(a.breaks, b.breaks), {.even = static_cast<std::size_t>(o.samples)});
     const lutlib::Difference d = measure(a.exact, b.exact, samples, viewing);
+    const bool within = o.max_delta_e < 0 || d.delta_e_2000.max <= o.max_delta_e;
+    const int exit_code = within ? ok : verification_failed;
     if (o.json) {
         nlohmann::ordered_json out{
             {"a", o.a}, {"b", o.b}, {"samples", o.samples}, {"viewing", to_json(viewing)}};
         out.update(to_json(d));
+        if (o.max_delta_e >= 0) {
+            out["max_delta_e"] = {{"limit", o.max_delta_e}, {"kept", within}};
+        }
         print(out, "");
-        return ok;
+        return exit_code;
     }
     print(fmt::format("{} against {} over {}; p99 and mean over {} colours spread evenly\n"
-                      "  as colours of {}\n{}",
+                      "  as colours of {}\n{}{}",
                       input_text(o.a), input_text(o.b), lutlib::io::domain_text(domain), o.samples,
-                      lutlib::io::text_of(viewing), to_text(d, "  ")),
+                      lutlib::io::text_of(viewing), to_text(d, "  "),
+                      limit_text(o, d.delta_e_2000)),
           "");
-    return ok;
+    return exit_code;
 }
 
 } // namespace
@@ -107,6 +121,9 @@ Run declare_compare(Verb& verb) {
     verb.add_option("--domain", o->domain,
                     "inputs to compare on: minimum and maximum (default: both looks' domains)")
         .expected(2);
+    verb.add_option("--max-delta-e", o->max_delta_e,
+                    "exit with status 1 where the looks differ by more than this dE2000 anywhere")
+        .takes(Takes::zero_or_more);
     verb.add_flag("--json", o->json, "print the results as JSON");
     return [o, &verb] { return run(*o, verb); };
 }

@@ -41,6 +41,7 @@ Run declare_info(Verb& verb);
 Run declare_invert(Verb& verb);
 Run declare_report(Verb& verb);
 Run declare_resample(Verb& verb);
+Run declare_shader(Verb& verb);
 Run declare_verify(Verb& verb);
 
 } // namespace converter

@@ -1,7 +1,9 @@
 // lutconv engines: the engines whose LUT pictures are known, with what each wants.
 #include "converter/command.h"
+#include "converter/engine_page.h"
 #include "converter/report.h"
 #include "lutlib/engine/engine.h"
+#include "lutlib/named.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -12,23 +14,6 @@ namespace converter {
 namespace {
 
 using lutlib::Engine;
-
-std::string list_of(std::span<const int> values) {
-    const auto count = static_cast<int>(values.size());
-    if (count > 3 && values.back() - values.front() == count - 1) {
-        return fmt::format("{} to {}", values.front(), values.back());
-    }
-    std::string out;
-    for (const int value : values) {
-        out += (out.empty() ? "" : " or ") + std::to_string(value);
-    }
-    return out;
-}
-
-std::string sizes_of(const Engine& engine) {
-    return engine.sizes.empty() ? std::string(lutlib::layout_named(engine.layout)->sizes)
-                                : list_of(engine.sizes);
-}
 
 std::string as_text(const Engine& e) {
     const lutlib::PictureSize extent = *lutlib::layout_named(e.layout)->picture(e.default_size);
@@ -73,8 +58,20 @@ int run(bool json) {
 
 Run declare_engines(Verb& verb) {
     const auto json = std::make_shared<bool>(false);
+    const auto page = std::make_shared<std::string>();
     verb.add_flag("--json", *json, "print as JSON, with where each row is documented");
-    return [json] { return run(*json); };
+    verb.add_option("--page", *page,
+                    "print the page of one engine: its contract, how to check it, its shader")
+        .excludes({"--json"});
+    return [json, page] {
+        if (page->empty()) {
+            return run(*json);
+        }
+        print(engine_page(lutlib::require_named(lutlib::engines(), "engine", *page,
+                                                lutlib::Letters::any_case)),
+              "");
+        return static_cast<int>(ok);
+    };
 }
 
 } // namespace converter

@@ -1,6 +1,7 @@
 #include "preview/cli/sequence.h"
 
 #include "lutlib/error.h"
+#include "lutlib/io/frames.h"
 
 #include <fmt/format.h>
 
@@ -57,15 +58,12 @@ bool is_frame_there(const std::string& path) {
 }
 
 std::string frame_path(const std::string& pattern, int frame) {
-    const std::size_t last = pattern.find_last_of('#');
-    if (last == std::string::npos) {
+    const auto place = lutlib::io::FramePattern::of(pattern, 1);
+    if (!place) {
         throw lutlib::UsageError("--frames FIRST-LAST writes a file for each frame: put #### for "
                                  "its number into -o, as in frame.####.png");
     }
-    const std::size_t before = pattern.find_last_not_of('#', last);
-    const std::size_t first = before == std::string::npos ? 0 : before + 1;
-    return fmt::format("{}{:0{}}{}", pattern.substr(0, first), frame, last + 1 - first,
-                       pattern.substr(last + 1));
+    return place->path_of(frame);
 }
 
 } // namespace preview

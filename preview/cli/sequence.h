@@ -27,8 +27,8 @@ void refuse_hashes(const std::string& path);
 /// all.
 bool is_frame_there(const std::string& path);
 
-/// The file of a frame: its number in place of the last run of #, with zeros before it. Throws
-/// lutlib::UsageError for a pattern without #.
+/// The file of a frame: its number in place of the last run of # (or %04d) of the file's own name,
+/// with zeros before it. Throws lutlib::UsageError for a pattern without one.
 std::string frame_path(const std::string& pattern, int frame);
 
 } // namespace preview

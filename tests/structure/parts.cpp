@@ -140,7 +140,7 @@ const std::vector<Part>& parts() {
           "preview/scene"},
          no_screen},
         {"preview/cli/light_edit.*", {"lutlib", "preview/scene"}, no_screen},
-        {"preview/cli/sequence.*", {"lutlib"}, no_screen},
+        {"preview/cli/sequence.*", {"lutlib", "lutlib/io"}, no_screen},
         {"preview", {"lutlib", "lutlib/io", "preview/cli"}},
         // Oracles, which nothing but tests includes.
         {"preview/reference",

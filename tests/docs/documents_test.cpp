@@ -26,6 +26,7 @@ constexpr Exception exceptions[] = {
     {"ctest ", "runs this test"},
     {"export ", "sets up the reader's shell"},
     {"xvfb-run ", "wants a screen and ffmpeg"},
+    {"ffmpeg ", "wants ffmpeg and a film"},
     {"lutpreview --b look.json ", "opens a window"},
     {"build/bin/preview_golden_tests", "renews golden pictures"},
 };
@@ -50,6 +51,8 @@ constexpr Promise promises[] = {
     {"--explain -o x.png", 0, "shadow"},
     {"--timings", 0, "ms"},
     {"--list", 0, "piccolo"},
+    {"-o graded/{name}.{ext}", 0, "3 pictures -> graded/"},
+    {"--shard 1/2", 0, "2 pictures -> graded/"},
     {"lutconv info", 0, "nodes per axis"},
     {"lutconv eval look.cube 0.18 0.18 0.18", 0, "0.2081"},
 };

@@ -108,6 +108,13 @@ void fill_workplace(const fs::path& folder) {
     make(folder, "lutconv edit identity --saturation 0.8 --domain 0 4 -o wide.cube");
     make(folder, "lutconv apply look.cube luts/warm_teal.png -o picture.exr");
     fs::copy(folder / "picture.exr", folder / "Desk.exr");
+    for (const char* const name : {"shot.1001.exr", "shot.1002.exr", "shot.1003.exr"}) {
+        fs::copy(folder / "picture.exr", folder / name);
+    }
+    fs::create_directory(folder / "looks");
+    for (const char* const name : {"a.cube", "b.cube"}) {
+        fs::copy(folder / name, folder / "looks" / name);
+    }
     write(folder / "model.glb", square_glb());
     // A row whose decimal point was lost, as a spike stands out.
     std::string broken = contents(folder / "look.cube");

@@ -3,6 +3,7 @@
 
 #include "lutlib/io/image.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,14 @@ namespace lutlib::io {
 class Oiio {
   public:
     virtual ~Oiio() = default;
+
+    /// Is told how many samples are going to be decoded, before they are.
+    using Announce = std::function<void(std::size_t samples)>;
+
     virtual std::string version() const = 0;
     /// `file` names the picture at `path` in errors. Its type is told by its bytes.
     virtual FloatImage read(const std::string& path, const std::string& file,
-                            const std::string& layer = {}) const = 0;
+                            const std::string& layer = {}, const Announce& announce = {}) const = 0;
     /// Pixels of all parts, and their bytes in the file's own types, by its header; zeros where it
     /// cannot be read.
     struct Size {

@@ -108,7 +108,7 @@ Oiio::Size BoxedOiio::size(const std::string& path) const {
 }
 
 FloatImage BoxedOiio::read(const std::string& path, const std::string& file,
-                           const std::string& layer) const {
+                           const std::string& layer, const Announce&) const {
     const Descriptor copy(new_memory_file());
     const About about{file, copy_into(copy.get(), path, file)};
     Outgoing asked = question(OiioCall::read, about);

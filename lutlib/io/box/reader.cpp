@@ -45,7 +45,9 @@ void Reader::tell_end(const About& about) {
     const std::string who(library_.library);
     const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     if (signal == SIGXCPU || signal == SIGKILL) {
-        throw Error(who + " reads it without end; it is damaged: fetch or export it again",
+        throw Error(who + " computes longer on it than on any whole file of its size, " +
+                        std::to_string(seconds_for(about)) +
+                        " s; fetch or export it again, or read it without a limit by --no-sandbox",
                     {about.file, 0, {}});
     }
     throw Error(who + "'s reader crashes on it (" +

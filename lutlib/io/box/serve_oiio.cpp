@@ -27,7 +27,11 @@ SharedBytes shared(std::string_view bytes) {
 void read(const Oiio& library, Incoming& question, Outgoing& answer) {
     const std::string file = question.take_text(), layer = question.take_text();
     const Descriptor opened(question.take_file());
-    const FloatImage image = library.read(path_of(opened.get()), file, layer);
+    const FloatImage image =
+        library.read(path_of(opened.get()), file, layer, [](std::size_t samples) {
+            constexpr std::size_t samples_a_second = 1 << 22;
+            limit_computing(static_cast<unsigned>(1 + samples / samples_a_second));
+        });
     put(answer, image);
     put_source(answer, image.source.get(), shared(library.packed(*image.source)));
 }

@@ -5,6 +5,7 @@
 #include "lutlib/error.h"
 #include "lutlib/io/oiio/kept.h"
 #include "lutlib/io/oiio/packed.h"
+#include "lutlib/io/oiio/packing.h"
 #include "lutlib/io/oiio/types.h"
 #include "lutlib/io/picture_channels.h"
 #include "lutlib/limits.h"
@@ -15,6 +16,8 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <span>
 #include <sstream>
 #include <string_view>
 
@@ -80,45 +83,8 @@ void check_size(const OIIO::ImageSpec& spec, const std::string& file) {
     }
 }
 
-// A few bytes must not make the reader allocate gigabytes, and half a file is no picture: a file
-// holds at least what its type cannot pack any better.
-void check_packing(const OIIO::ImageSpec& spec, std::string_view type, const std::string& path,
-                   const std::string& file) {
-    struct Packing {
-        std::string_view type;
-        std::size_t ratio; ///< pixels' bytes by the file's, at best: of run lengths of a byte
-    };
-    constexpr std::array<Packing, 10> packings{{{"targa", 128},
-                                                {"hdr", 128},
-                                                {"bmp", 256},
-                                                {"sgi", 128},
-                                                {"rla", 128},
-                                                {"softimage", 256},
-                                                {"dpx", 1},
-                                                {"cineon", 2},
-                                                {"pnm", 1},
-                                                {"dds", 32}}};
-    const auto* const row = std::find_if(packings.begin(), packings.end(),
-                                         [&](const Packing& p) { return p.type == type; });
-    const bool is_bare_tiff = type == "tiff" && spec.get_string_attribute("compression") == "none";
-    if (row == packings.end() && !is_bare_tiff) {
-        return;
-    }
-    const std::size_t ratio = is_bare_tiff ? 1 : row->ratio;
-    const std::size_t bits = static_cast<std::size_t>(std::max(
-        1, spec.get_int_attribute("oiio:BitsPerSample", static_cast<int>(spec.format.size()) * 8)));
-    const std::size_t bytes = spec.image_pixels() * static_cast<std::size_t>(spec.nchannels) *
-                              std::min(bits, spec.format.size() * 8) / 8;
-    if (bytes / ratio > std::filesystem::file_size(path)) {
-        throw Error("the picture is cut short: its header tells of " + std::to_string(spec.width) +
-                        "x" + std::to_string(spec.height) +
-                        " pixels, more than the file can hold; fetch or export it again",
-                    {file, 0, {}});
-    }
-}
-
 // The channels [first, last) of a part, a picture's among them, to their places.
-void spread(FloatImage& image, const std::vector<float>& samples, const PictureChannels& from,
+void spread(FloatImage& image, std::span<const float> samples, const PictureChannels& from,
             int first, int last) {
     const auto stride = static_cast<std::size_t>(last - first);
     const std::size_t pixels = samples.size() / stride;
@@ -202,7 +168,8 @@ std::shared_ptr<OiioSource> source_of(OIIO::ImageInput& input, std::vector<OIIO:
             }
             part.pixels.resize(specs[i].image_bytes(true));
             if (!input.read_image(static_cast<int>(i), 0, 0, specs[i].nchannels,
-                                  OIIO::TypeDesc::UNKNOWN, part.pixels.data())) {
+                                  OIIO::TypeDesc::UNKNOWN, part.pixels.data()) ||
+                input.has_error()) {
                 fail("cannot read the other channels", input.geterror(), path, file);
             }
         }
@@ -240,8 +207,8 @@ class Library final : public Oiio {
 
     std::string version() const override { return OIIO_VERSION_STRING; }
 
-    FloatImage read(const std::string& path, const std::string& file,
-                    const std::string& layer) const override {
+    FloatImage read(const std::string& path, const std::string& file, const std::string& layer,
+                    const Announce& announce) const override {
         const auto input = opened(path, file);
         check_size(input->spec(), file);
         const std::string_view type = input->format_name();
@@ -251,7 +218,7 @@ class Library final : public Oiio {
         const PictureChannels picture = require_picture(pictures, parts, layer, file);
         const OIIO::ImageSpec& spec = specs[picture.part];
         check_size(spec, file);
-        check_packing(spec, type, path, file);
+        check_packing(spec, type, std::filesystem::file_size(path), file);
 
         FloatImage image;
         image.width = spec.width;
@@ -269,14 +236,20 @@ class Library final : public Oiio {
         const auto [least, most] =
             std::minmax_element(picture.at.begin(), picture.at.end() - (image.alpha ? 0 : 1));
         const int first = *least, last = *most + 1;
-        std::vector<float> samples(static_cast<std::size_t>(spec.width) *
-                                   static_cast<std::size_t>(spec.height) *
-                                   static_cast<std::size_t>(last - first));
+        // Not filled before it is read: of a file that ends early most is never touched.
+        const std::size_t count = static_cast<std::size_t>(spec.width) *
+                                  static_cast<std::size_t>(spec.height) *
+                                  static_cast<std::size_t>(last - first);
+        const auto samples = std::make_unique_for_overwrite<float[]>(count);
+        if (announce) {
+            announce(count);
+        }
         if (!input->read_image(static_cast<int>(picture.part), 0, first, last,
-                               OIIO::TypeDesc::FLOAT, samples.data())) {
+                               OIIO::TypeDesc::FLOAT, samples.get()) ||
+            input->has_error()) {
             fail("cannot read the pixels", input->geterror(), path, file);
         }
-        spread(image, samples, picture, first, last);
+        spread(image, {samples.get(), count}, picture, first, last);
         const auto source = source_of(*input, specs, picture, path, file);
         source->premultiplied = image.premultiplied;
         source->remarks = channel_remarks(picture, pictures, parts);

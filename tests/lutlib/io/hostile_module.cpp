@@ -76,8 +76,8 @@ class Hostile final : public Oiio {
     std::string version() const override { return "1"; }
 
     Size size(const std::string&) const override { return {}; }
-    FloatImage read(const std::string& path, const std::string&,
-                    const std::string&) const override {
+    FloatImage read(const std::string& path, const std::string&, const std::string&,
+                    const Announce&) const override {
         static const std::map<std::string, void (*)()> deeds{{"crash", crash},
                                                              {"abort", std::abort},
                                                              {"run for ever", run_for_ever},

@@ -18,6 +18,8 @@ inline constexpr std::size_t max_title_bytes = 4096;
 // Side length of a picture that is read as a LUT or filtered through one.
 inline constexpr int max_image_side = 65536;
 inline constexpr std::size_t max_image_pixels = std::size_t{1} << 28;
+// Of a picture that is read as a LUT: four lattices of the largest size.
+inline constexpr std::size_t max_lut_picture_pixels = std::size_t{1} << 26;
 
 // Of the grid over a cube's outputs by which it is inverted. Four bytes each, 256 MiB: 32 for each
 // cell of the largest cube, where a smooth look needs 8. Noise would need more than 2^32 from 47^3

@@ -134,6 +134,9 @@ FileInput::FileInput(const std::string& path)
     if (S_ISDIR(info.st_mode)) {
         throw Error("this is a directory; name a file", {name_, 0, {}});
     }
+    if (path != standard_stream && S_ISCHR(info.st_mode) && ::isatty(file_.get()) == 0) {
+        throw Error("this is a device; name a file", {name_, 0, {}});
+    }
     size_ = S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) : 0;
 }
 

@@ -150,19 +150,6 @@ std::vector<std::string> write_picture(const std::string& path, PngPicture png,
     return lost;
 }
 
-// Of the IHDR chunk, which comes first.
-std::size_t pixels_of_png(std::string_view head) {
-    constexpr std::size_t width_at = 16, height_at = 20;
-    const auto number = [&](std::size_t at) {
-        std::size_t out = 0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            out = out << 8 | static_cast<unsigned char>(head[at + i]);
-        }
-        return std::min<std::size_t>(out, limits::max_image_side);
-    };
-    return head.size() < height_at + 4 ? 0 : number(width_at) * number(height_at);
-}
-
 bool is_png_name(const std::string& path) {
     return path == standard_stream || extension_of(path) == "png";
 }

@@ -1,10 +1,12 @@
 #include "lutlib/io/lut_picture.h"
 
 #include "lutlib/engine/evidence.h"
+#include "lutlib/error.h"
 #include "lutlib/io/alpha.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/image.h"
 #include "lutlib/io/picture_types.h"
+#include "lutlib/limits.h"
 
 #include <fmt/core.h>
 
@@ -119,6 +121,11 @@ std::optional<std::string> text_entry(const PngImage& image, std::string_view ke
 
 LutPicture read_lut_picture(std::string_view bytes, const std::string& file) {
     if (is_png(bytes)) {
+        if (pixels_of_png(bytes) > limits::max_lut_picture_pixels) {
+            throw Error(fmt::format("a picture of more than {} pixels is no LUT",
+                                    limits::max_lut_picture_pixels),
+                        {file, 0, {}});
+        }
         const PngImage image = read_png(bytes, file);
         return {.picture = decoded(code_picture(image)),
                 .bits = image.depth.bits,

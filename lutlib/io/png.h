@@ -57,6 +57,9 @@ struct PngPicture : PngTags {
 /// Whether bytes begin as a PNG file does.
 bool is_png(std::string_view bytes);
 
+/// Of its header (ISO/IEC 15948, IHDR comes first), each side held to limits.h; 0 without one.
+std::size_t pixels_of_png(std::string_view head);
+
 /// Decodes a PNG file of any colour type and depth. Grey and palette become RGB; 1, 2 and 4 bit
 /// grey is scaled to 8; transparency becomes alpha. Throws Error for anything that is not a whole,
 /// undamaged PNG within limits.h; sizes are checked before pixels are allocated. `file` names the

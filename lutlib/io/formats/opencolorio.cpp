@@ -1,5 +1,6 @@
 #include "lutlib/io/formats/opencolorio.h"
 
+#include "lutlib/error.h"
 #include "lutlib/formats/integer_codes.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats/all.h"
@@ -111,9 +112,45 @@ std::string element_text(std::string_view bytes, std::string_view name) {
                : std::string(trimmed(head.substr(from + open.size(), to - from - open.size())));
 }
 
+// XML without its comments; line ends stay.
+std::string without_comments(std::string_view bytes) {
+    std::string out;
+    for (std::size_t at = 0; at < bytes.size();) {
+        const std::size_t begin = bytes.find("<!--", at);
+        out += bytes.substr(at, begin - at);
+        const std::size_t end = begin == bytes.npos ? begin : bytes.find("-->", begin);
+        at = end == bytes.npos ? bytes.size() : end + 3;
+        const std::string_view comment =
+            begin == bytes.npos ? std::string_view{} : bytes.substr(begin, at - begin);
+        out.append(static_cast<std::size_t>(std::count(comment.begin(), comment.end(), '\n')),
+                   '\n');
+    }
+    return out;
+}
+
+// OpenColorIO takes a table without values for the identity.
+void require_arrays(std::string_view bytes, const std::string& file) {
+    const std::string text = without_comments(bytes);
+    for (const std::string table : {"LUT1D", "LUT3D"}) {
+        for (std::size_t at = text.find('<' + table); at != text.npos;
+             at = text.find('<' + table, at + 1)) {
+            const std::size_t end = std::min(text.find("</" + table, at), text.size());
+            if (text.substr(at, end - at).find("<Array") == text.npos) {
+                const auto line =
+                    std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+                throw Error("the table " + table +
+                                " has no Array of values: the file is cut short or damaged; fetch "
+                                "or export it again",
+                            {file, static_cast<std::size_t>(line) + 1, {}});
+            }
+        }
+    }
+}
+
 // Descriptors are free text: whoever uses them says which he knows.
 Reading read_process_list(const FileFormat& format, std::string_view bytes, const std::string& file,
                           const ReadOptions& options) {
+    require_arrays(bytes, file);
     Reading out = read_with_opencolorio(format, bytes, file, options);
     out.lut.encodings = {element_text(bytes, "InputDescriptor"),
                          element_text(bytes, "OutputDescriptor")};

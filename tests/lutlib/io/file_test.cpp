@@ -12,6 +12,7 @@
 #include <fstream>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace lutlib::io {
@@ -55,8 +56,17 @@ TEST(ReadFile, says_what_is_wrong_in_one_line_that_names_the_file) {
     EXPECT_EQ(message_of_reading(folder.file("fits")), "no error");
 }
 
+TEST(ReadFile, refuses_devices) {
+    EXPECT_EQ(message_of_reading("/dev/zero"), "/dev/zero: this is a device; name a file");
+}
+
 TEST(ReadFile, caps_a_stream_that_announces_no_size) {
-    EXPECT_NE(message_of_reading("/dev/zero").find("larger than the limit"), std::string::npos);
+    const ScratchFolder folder;
+    const std::string pipe = folder.file("pipe");
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    std::thread writer([&] { std::ofstream(pipe) << std::string(2000, 'x'); });
+    EXPECT_NE(message_of_reading(pipe).find("larger than the limit"), std::string::npos);
+    writer.join();
 }
 
 TEST(WriteFile, replaces_the_content_and_leaves_nothing_else_behind) {

@@ -184,6 +184,23 @@ TEST(Formats, refuse_every_truncated_file) {
     }
 }
 
+TEST(Formats, refuse_a_clf_table_without_values) {
+    const std::string head =
+        "<?xml version=\"1.0\"?>\n<ProcessList id=\"a\" compCLFversion=\"3\">\n"
+        "<!-- <LUT3D> -->\n";
+    for (const std::string table : {"<LUT3D inBitDepth=\"32f\" outBitDepth=\"32f\"></LUT3D>",
+                                    "<LUT1D inBitDepth=\"32f\" outBitDepth=\"32f\"/>"}) {
+        try {
+            decode_lut(head + table + "</ProcessList>", "x.clf");
+            ADD_FAILURE() << table;
+        } catch (const Error& error) {
+            EXPECT_NE(error.message().find("has no Array of values"), std::string::npos)
+                << error.what();
+            EXPECT_EQ(error.where().line, 4U);
+        }
+    }
+}
+
 TEST(FitTo, keeps_a_domain_as_a_shaper_where_that_loses_nothing) {
     const Lut hdr = looks_of_every_shape()[1].lut;
     const Holds holds{.curve = true, .cube = true, .curve_and_cube = true, .curve_domain = true};

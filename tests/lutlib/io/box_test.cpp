@@ -11,6 +11,7 @@
 
 #include <atomic>
 #include <fstream>
+#include <sys/prctl.h>
 #include <thread>
 #include <unistd.h>
 
@@ -69,7 +70,10 @@ TEST_F(Box, refuses_memory_beyond_the_limit) {
 }
 
 TEST_F(Box, has_no_network_and_starts_no_programs) {
-    ASSERT_TRUE(boxed_.held().seccomp) << "this system has no seccomp";
+    if (::prctl(PR_GET_SECCOMP) < 0) {
+        GTEST_SKIP() << "this system has no seccomp";
+    }
+    ASSERT_TRUE(boxed_.held().seccomp);
     for (const char* const deed : {"call home", "start a program", "become a program"}) {
         EXPECT_THAT(reason(deed), HasSubstr("held")) << deed;
     }

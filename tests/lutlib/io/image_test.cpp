@@ -147,7 +147,7 @@ TEST(Image, errors_are_one_line_that_names_the_file) {
     const std::string unknown = folder.file("x.unknown");
     const std::string text = message([&] { write_image(unknown, ramp(false), {}); });
     EXPECT_EQ(text.rfind(unknown + ": ", 0), 0U) << text;
-    EXPECT_EQ(message([] { read_image("/dev/null"); }), "/dev/null: the file is empty");
+    EXPECT_EQ(message([] { read_image("/dev/null"); }), "/dev/null: this is a device; name a file");
     EXPECT_EQ(message([&] { read_image(folder.file("empty.exr")); }),
               folder.file("empty.exr") + ": the file is empty");
     EXPECT_EQ(message([&] { read_image(folder.file("none.exr")); }),

@@ -49,6 +49,7 @@ Runs runs_of(const std::string& verb, const std::string& look, const Folder& fol
         {"identity", {{"--size", "5", "-o", cube}}},
         {"engines", {{}, {"--json"}}},
         {"encodings", {{}}},
+        {"shader", {{"--engine", "unity", "--language", "glsl", "-o", folder.path("x.glsl")}}},
         {"report", {{look, "--sizes", "2", "3", "-o", folder.path("report.html")}}},
     };
     const auto row = rows.find(verb);

@@ -3,8 +3,10 @@
 #include "preview/look/gpu_look.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace preview {
 
@@ -92,7 +94,8 @@ bool is_shared(const GpuLook* look) {
 
 } // namespace
 
-void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing) {
+void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing,
+                 std::span<const std::uint32_t> own_constants) {
     const auto& [picture, bloom, a, b, settings] = finishing;
     const BloomPlan& plan = bloom.plan;
     pass.read(picture);
@@ -114,10 +117,19 @@ void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing) {
     const bool unit =
         format == Format::rgba8 || format == Format::rgb10a2 || format == Format::rgba16;
     const int tonemap = settings.tonemap ? index_of(*settings.tonemap) : -1;
-    pass.constants({static_cast<std::uint32_t>(tonemap), layers, taps, plan.threshold > 0,
-                    shader_of(a), shader_of(b),
-                    static_cast<std::uint32_t>(index_of(*settings.compare)), unit,
-                    settings.has_line, place_of(a), place_of(b), settings.format == Format::rgba8});
+    std::vector<std::uint32_t> constants{static_cast<std::uint32_t>(tonemap),
+                                         layers,
+                                         taps,
+                                         plan.threshold > 0,
+                                         shader_of(a),
+                                         shader_of(b),
+                                         static_cast<std::uint32_t>(index_of(*settings.compare)),
+                                         unit,
+                                         settings.has_line,
+                                         place_of(a),
+                                         place_of(b)};
+    constants.insert(constants.end(), own_constants.begin(), own_constants.end());
+    pass.constants(std::move(constants));
     pass.push(Push{std::exp2(settings.exposure), plan.strength, plan.threshold, plan.knee,
                    settings.split, settings.heat_scale});
 }
@@ -147,7 +159,7 @@ Finished add_finish(Graph& graph, const Finishing& finishing) {
     Pass pass = graph.compute(settings.name, half     ? "finish_shared_half.comp"
                                              : shared ? "finish_shared.comp"
                                                       : "finish.comp");
-    bind_finish(graph, pass, shown);
+    bind_finish(graph, pass, shown, std::array<std::uint32_t, 1>{settings.format == Format::rgba8});
     out.picture = pass.write(target);
     figures = difference ? pass.modify(figures) : pass.write(figures);
     if (difference) {

@@ -6,6 +6,9 @@
 #include "preview/finish/tonemaps.h"
 #include "preview/passes/bloom.h"
 
+#include <cstdint>
+#include <span>
+
 namespace preview {
 
 struct GpuLook;
@@ -40,7 +43,9 @@ struct Finishing {
 Finished add_finish(Graph& graph, const Finishing& finishing);
 
 /// For a pass that finishes texels to count or tell them: binds what shaders/common/finish.glsl
-/// reads (bindings 0 to 15) and sets its constants and push constants.
-void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing);
+/// reads (bindings 0 to 15) and sets its constants and push constants. The shader's own constants
+/// follow from 11 on.
+void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing,
+                 std::span<const std::uint32_t> own_constants = {});
 
 } // namespace preview

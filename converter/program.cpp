@@ -7,6 +7,7 @@
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/named.h"
+#include "lutlib/version.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -72,7 +73,7 @@ int run_program(int argc, const char* const* argv) {
                  "Exit codes: 0 ok, 1 verification failed, 2 bad input, 3 bad usage.",
                  "lutconv");
     app.require_subcommand(1);
-    app.set_version_flag("--version", std::string(LUT_VERSION));
+    app.set_version_flag("--version", std::string(lutlib::version));
     Run run;
     std::deque<Verb> verbs;
     for (const Command& command : commands()) {

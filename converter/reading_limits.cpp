@@ -4,6 +4,7 @@
 #include "lutlib/io/box/box.h"
 #include "lutlib/io/ocio.h"
 #include "lutlib/io/oiio.h"
+#include "lutlib/version.h"
 
 #include <fmt/format.h>
 
@@ -42,7 +43,7 @@ void apply_reading_limits() {
 }
 
 std::string verbose_version() {
-    return fmt::format("lutconv {}\nOpenColorIO {}\nOpenImageIO {}\n{}", LUT_VERSION,
+    return fmt::format("lutconv {}\nOpenColorIO {}\nOpenImageIO {}\n{}", lutlib::version,
                        lutlib::io::ocio().version(), lutlib::io::oiio().version(),
                        lutlib::io::box::holding_text());
 }

@@ -2,6 +2,7 @@
 // Errors are caught here and nowhere else.
 #include "lutlib/error.h"
 #include "lutlib/io/terminal.h"
+#include "lutlib/version.h"
 #include "preview/cli/modes.h"
 
 #include <CLI/CLI.hpp>
@@ -28,7 +29,7 @@ int main(int argc, char** argv) {
                  "LUT, antialiasing) and shows two looks side by side.\n"
                  "Exit codes: 0 ok, 2 bad input, 3 bad usage.",
                  "lutpreview");
-    app.set_version_flag("--version", std::string(LUT_VERSION));
+    app.set_version_flag("--version", std::string(lutlib::version));
     preview::Options options;
     preview::declare(app, options);
     try {

@@ -13,7 +13,7 @@ function(embed_shaders target)
         set(module ${CMAKE_CURRENT_BINARY_DIR}/shaders/${name}.spv)
         add_custom_command(OUTPUT ${module}
             COMMAND ${GLSLANG} -V --quiet --nan-clamp --target-env vulkan1.3
-                -I${CMAKE_SOURCE_DIR}/shaders -I${shaders_INCLUDE} ${shaders_OPTIONS}
+                -I${PROJECT_SOURCE_DIR}/shaders -I${shaders_INCLUDE} ${shaders_OPTIONS}
                 --depfile ${module}.d -o ${module} ${source}
             COMMAND ${SPIRV_VAL} --target-env vulkan1.3 ${module}
             DEPENDS ${source} ${shaders_DEPENDS}
@@ -25,8 +25,8 @@ function(embed_shaders target)
     set(embedded ${CMAKE_CURRENT_BINARY_DIR}/shaders/${target}_shaders.cpp)
     add_custom_command(OUTPUT ${embedded}
         COMMAND ${CMAKE_COMMAND} -DOUTPUT=${embedded} "-DMODULES=${modules}"
-            -P ${CMAKE_SOURCE_DIR}/preview/cmake/embed.cmake
-        DEPENDS ${modules} ${CMAKE_SOURCE_DIR}/preview/cmake/embed.cmake
+            -P ${PROJECT_SOURCE_DIR}/preview/cmake/embed.cmake
+        DEPENDS ${modules} ${PROJECT_SOURCE_DIR}/preview/cmake/embed.cmake
         COMMENT "Embedding the shaders"
         VERBATIM)
     target_sources(${target} PRIVATE ${embedded})

@@ -147,6 +147,9 @@ const std::vector<Part>& parts() {
          {"lutlib/*", "preview/finish", "preview/scene", "preview/scene/scene_data.*"},
          no_screen},
 
+        // As programs of other people, by <lutlib/...> alone.
+        {"examples", {}, no_big_library},
+
         {"tests", {"*"}},
     };
     return table;

@@ -47,7 +47,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 
 class Nursery {
   public:
-    explicit Nursery(const Foreign& library) {
+    explicit Nursery(const Foreign& library) : module_(library.module) {
         const std::string module = module_path("lib" + std::string(library.module) + ".so");
         const std::string program = module_path("lutlib-reader");
         const auto [own, other] = new_sockets();
@@ -91,7 +91,11 @@ class Nursery {
         if (!greeting) {
             throw Error("the program lutlib-reader does not answer");
         }
-        throw_if_failed(*greeting, {});
+        try {
+            throw_if_failed(*greeting, {});
+        } catch (const Error& error) {
+            throw Error(loading_problem(module_, error.message()));
+        }
     }
 
     std::optional<Incoming> ask(const Outgoing& question) {
@@ -99,6 +103,7 @@ class Nursery {
     }
 
   private:
+    std::string_view module_;
     std::unique_ptr<Descriptor> socket_;
     pid_t process_ = 0;
 };

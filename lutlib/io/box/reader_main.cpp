@@ -99,7 +99,7 @@ int run(const char* module, const std::string& entry) {
     const MakeDesk make_desk = desk_of(module, entry);
     Outgoing greeting = make_desk
                             ? answered([](Outgoing&) {})
-                            : failure(Outcome::error, std::string(module) + ": " + ::dlerror());
+                            : failure(Outcome::error, ::dlerror());
     if (!send(program_socket, greeting) || !make_desk) {
         return 1;
     }

@@ -1,0 +1,71 @@
+# What programs outside of this tree may include: installed, and kept from changing without need.
+# tests/structure holds that they include nothing but each other and the standard library.
+set(lutlib_public_headers
+    lutlib/bake/bake.h
+    lutlib/bake/fitted.h
+    lutlib/byte_source.h
+    lutlib/code_image.h
+    lutlib/codes.h
+    lutlib/color/encoding.h
+    lutlib/color/gamut.h
+    lutlib/color/matrix.h
+    lutlib/color/primaries.h
+    lutlib/color/transfer_curve.h
+    lutlib/curve.h
+    lutlib/engine/engine.h
+    lutlib/engine/layout.h
+    lutlib/engine/recognise.h
+    lutlib/engine/shader_code.h
+    lutlib/error.h
+    lutlib/fit/acceptance.h
+    lutlib/fit/fit.h
+    lutlib/fit/samples.h
+    lutlib/format.h
+    lutlib/half.h
+    lutlib/health/health.h
+    lutlib/health/repair.h
+    lutlib/interpolation/grade.h
+    lutlib/interpolation/interpolation.h
+    lutlib/interpolation/lattice_reader.h
+    lutlib/interpolation/picture_view.h
+    lutlib/interpolation/sample.h
+    lutlib/limits.h
+    lutlib/lut.h
+    lutlib/metrics/breaks.h
+    lutlib/metrics/climb.h
+    lutlib/metrics/compare.h
+    lutlib/metrics/error_samples.h
+    lutlib/metrics/eye_form.h
+    lutlib/metrics/stats.h
+    lutlib/metrics/viewing.h
+    lutlib/named.h
+    lutlib/ops/op.h
+    lutlib/recipe/bake_recipe.h
+    lutlib/recipe/placement.h
+    lutlib/recipe/recipe.h
+    lutlib/resample/combine.h
+    lutlib/resample/invert.h
+    lutlib/resample/invert_curve.h
+    lutlib/resample/resample.h
+    lutlib/rgb.h
+    lutlib/transform.h
+    lutlib/verify/diagnose.h
+    lutlib/verify/verify.h
+    lutlib/version.h
+)
+set(lutlib_io_public_headers
+    lutlib/io/bake_report.h
+    lutlib/io/box/box.h
+    lutlib/io/cleanup.h
+    lutlib/io/descriptor.h
+    lutlib/io/file.h
+    lutlib/io/formats.h
+    lutlib/io/image.h
+    lutlib/io/look.h
+    lutlib/io/lut_picture.h
+    lutlib/io/module.h
+    lutlib/io/picture_source.h
+    lutlib/io/png.h
+    lutlib/io/recipe_file.h
+    lutlib/io/sample_buffer.h
+)

@@ -1,14 +1,13 @@
 #include "lutlib/io/file.h"
 
 #include "lutlib/error.h"
+#include "lutlib/io/pending_file.h"
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <fcntl.h>
-#include <filesystem>
 #include <list>
-#include <random>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -49,43 +48,6 @@ void open_and_write(const std::string& path, std::string_view bytes, const std::
     write_all(file.get(), bytes, name);
 }
 
-// The file that a chain of symbolic links leads to, so that a rename replaces it and not the link.
-// It need not exist.
-std::string follow_links(const std::string& path) {
-    constexpr int longest_chain = 40; // Linux's own limit
-    std::filesystem::path at = path;
-    for (int i = 0; i <= longest_chain; ++i) {
-        std::error_code no_link;
-        const std::filesystem::path to = std::filesystem::read_symlink(at, no_link);
-        if (no_link) {
-            return at.string();
-        }
-        at = at.parent_path() / to;
-    }
-    fail("cannot follow the symbolic link", path, ELOOP);
-}
-
-std::string directory_of(const std::string& path) {
-    const std::size_t slash = path.rfind('/');
-    return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
-}
-
-// A hidden name beside the target that keeps its extension, by which libraries choose a format.
-std::string temporary_name(const std::string& target) {
-    std::random_device random;
-    std::string tag;
-    for (int i = 0; i < 8; ++i) {
-        tag += "0123456789abcdefghijklmnopqrstuv"[random() % 32];
-    }
-    const std::size_t slash = target.rfind('/');
-    const std::string file = slash == std::string::npos ? target : target.substr(slash + 1);
-    const std::size_t dot = file.rfind('.');
-    const std::string extension = dot == std::string::npos ? "" : file.substr(dot);
-    // Short enough for a file system's 255 bytes even when the target's own name fills them.
-    const std::string stem = file.substr(0, std::min<std::size_t>(dot, 64));
-    return directory_of(target) + "/." + stem + "." + tag + ".tmp" + extension;
-}
-
 thread_local StandardStreamsInstead* instead = nullptr;
 
 constexpr const char* empty_file = "the file is empty";
@@ -94,13 +56,6 @@ constexpr const char* empty_file = "the file is empty";
 bool is_special(const std::string& path) {
     struct stat info {};
     return ::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode);
-}
-
-void flush(const std::string& path, const std::string& name) {
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (file.get() < 0 || ::fsync(file.get()) != 0) {
-        fail("cannot flush the file to the disk", name, errno);
-    }
 }
 
 } // namespace
@@ -215,42 +170,6 @@ std::optional<std::string> head_of_regular_file(const std::string& path, std::si
     return FileInput(path).head(bytes);
 }
 
-PendingFile::PendingFile(const std::string& target)
-    : target_(follow_links(target)), path_(temporary_name(target_)), removed_(path_) {
-    struct stat info {};
-    const bool exists = ::stat(target_.c_str(), &info) == 0;
-    if (exists && S_ISDIR(info.st_mode)) {
-        throw Error("this is a directory; name a file in it", {target, 0, {}});
-    }
-    // A rename would pass over the target's own write protection.
-    if (exists && ::access(target_.c_str(), W_OK) != 0) {
-        fail("cannot replace the file", target, errno);
-    }
-    const Descriptor file(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-    if (file.get() < 0) {
-        fail("cannot create a file in " + directory_of(target_), target, errno);
-    }
-    if (exists && ::fchmod(file.get(), info.st_mode & 0777) != 0) {
-        const int reason = errno;
-        ::unlink(path_.c_str());
-        fail("cannot keep the permissions of the file", target, reason);
-    }
-}
-
-PendingFile::~PendingFile() {
-    if (!committed_) {
-        ::unlink(path_.c_str());
-    }
-}
-
-void PendingFile::commit() {
-    flush(path_, target_);
-    if (::rename(path_.c_str(), target_.c_str()) != 0) {
-        fail("cannot move the new file into place", target_, errno);
-    }
-    committed_ = true;
-}
-
 void write_files(std::span<const FileToWrite> files) {
     std::list<PendingFile> pending;
     std::vector<const FileToWrite*> in_place;
@@ -270,9 +189,7 @@ void write_files(std::span<const FileToWrite> files) {
             open_and_write(file->path, file->bytes, file->path);
         }
     }
-    for (PendingFile& file : pending) {
-        file.commit();
-    }
+    commit_all(pending);
 }
 
 void write_file(const std::string& path, std::string_view bytes) {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "lutlib/byte_source.h"
-#include "lutlib/io/cleanup.h"
 #include "lutlib/io/descriptor.h"
 #include "lutlib/limits.h"
 
@@ -56,7 +55,8 @@ std::optional<std::string> head_of_regular_file(const std::string& path, std::si
 /// Devices and pipes are written in place. Throws Error; the old file is then unchanged.
 void write_file(const std::string& path, std::string_view bytes);
 
-/// The same of several files of one run: none is replaced before all are written.
+/// The same of several files of one run, all or none: none is replaced before all are written, and
+/// where one cannot be replaced those before it are put back.
 struct FileToWrite {
     std::string path;
     std::string_view bytes;
@@ -82,27 +82,5 @@ std::string output_name(const std::string& path);
 
 /// The part after the last dot of the file name, in lower case and without the dot; else empty.
 std::string extension_of(std::string_view path);
-
-/// The same for a library that insists on writing to a path itself: it writes to path(), which lies
-/// beside the target and has its extension, and commit() moves that file over the target. Without
-/// commit() the destructor or a signal removes it.
-class PendingFile {
-  public:
-    /// Creates the empty temporary file. `target` must not be `-`. Throws Error.
-    explicit PendingFile(const std::string& target);
-    ~PendingFile();
-    PendingFile(const PendingFile&) = delete;
-    PendingFile& operator=(const PendingFile&) = delete;
-
-    const std::string& path() const { return path_; }
-    /// Flushes and renames. Throws Error; the old file is then unchanged.
-    void commit();
-
-  private:
-    std::string target_; ///< with symbolic links followed
-    std::string path_;
-    RemovedBySignals removed_;
-    bool committed_ = false;
-};
 
 } // namespace lutlib::io

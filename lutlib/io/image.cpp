@@ -5,6 +5,7 @@
 #include "lutlib/io/file.h"
 #include "lutlib/io/icc.h"
 #include "lutlib/io/oiio.h"
+#include "lutlib/io/pending_file.h"
 #include "lutlib/io/png.h"
 #include "lutlib/io/temporary_file.h"
 #include "lutlib/limits.h"

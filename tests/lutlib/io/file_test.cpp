@@ -1,6 +1,7 @@
 #include "lutlib/io/file.h"
 
 #include "lutlib/error.h"
+#include "lutlib/io/pending_file.h"
 #include "lutlib/io/temporary_file.h"
 #include "tests/lutlib/io/scratch.h"
 
@@ -133,6 +134,67 @@ TEST(WriteFile, refuses_a_directory_and_a_missing_folder) {
 TEST(WriteFile, writes_devices_in_place) {
     write_file("/dev/null", "x");
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST(WriteFiles, replaces_all_or_none) {
+    const ScratchFolder folder;
+    const auto both = [&] {
+        write_files(std::array{FileToWrite{folder.file("new"), "1"},
+                               FileToWrite{folder.file("first"), "new"},
+                               FileToWrite{folder.file("second/file"), "new"}});
+    };
+    put(folder.file("first"), "old");
+    fs::create_directory(folder.file("second"));
+    both();
+    EXPECT_EQ(read_file(folder.file("first")), "new");
+    EXPECT_EQ(read_file(folder.file("second/file")), "new");
+    EXPECT_EQ(folder.count(), 3U);
+    // One that cannot be made at all.
+    put(folder.file("first"), "old");
+    fs::remove(folder.file("new"));
+    fs::remove_all(folder.file("second"));
+    EXPECT_THROW(both(), Error);
+    EXPECT_EQ(read_file(folder.file("first")), "old");
+    EXPECT_EQ(folder.count(), 1U);
+}
+
+TEST(WriteFiles, puts_back_what_it_replaced_when_a_later_one_cannot_be_moved) {
+    const ScratchFolder folder;
+    put(folder.file("first"), "old");
+    std::list<PendingFile> files;
+    for (const char* const name : {"first", "new", "third"}) {
+        files.emplace_back(folder.file(name));
+        put(files.back().path(), "new");
+    }
+    fs::create_directory(folder.file("third")); // meanwhile
+    EXPECT_THROW(commit_all(files), Error);
+    files.clear();
+    EXPECT_EQ(read_file(folder.file("first")), "old");
+    EXPECT_FALSE(fs::exists(folder.file("new")));
+    EXPECT_EQ(folder.count(), 2U);
+}
+
+TEST(PendingFile, removes_what_a_killed_one_for_the_same_target_left_and_nothing_that_is_at_work) {
+    const ScratchFolder folder;
+    const std::string path = folder.file("x.exr");
+    const PendingFile at_work(path);
+    put(at_work.path(), "mine");
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        const PendingFile left(path);
+        ::kill(::getpid(), SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_EQ(folder.count(), 2U);
+    {
+        PendingFile next(path);
+        EXPECT_EQ(folder.count(), 2U) << "the killed one's is gone, the new one's is there";
+        next.commit();
+    }
+    EXPECT_EQ(folder.count(), 2U);
+    EXPECT_EQ(read_file(at_work.path()), "mine");
 }
 
 TEST(PendingFile, is_removed_when_it_is_not_committed) {

@@ -1,4 +1,5 @@
-// How strangers' files are read: --no-sandbox and --max-memory, of every verb that reads any.
+// How strangers' files are read: --no-sandbox, --max-memory and --allow-outside, of every verb that
+// reads any.
 #pragma once
 
 #include "converter/verb.h"

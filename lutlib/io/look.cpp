@@ -9,6 +9,7 @@
 #include "lutlib/io/lut_picture.h"
 #include "lutlib/io/ocio.h"
 #include "lutlib/io/recipe_file.h"
+#include "lutlib/io/references.h"
 #include "lutlib/metrics/compare.h"
 #include "lutlib/metrics/samples.h"
 #include "lutlib/metrics/scale.h"
@@ -144,8 +145,8 @@ void Look::read_recipe() {
     if (recipe_->base.empty()) {
         return;
     }
-    Reading base = read_lut(base_path(*recipe_, path_),
-                            {.layout = options_.layout, .engine = options_.engine});
+    Reading base = decode_lut(read_reference(path_, recipe_->base), base_path(*recipe_, path_),
+                              {.layout = options_.layout, .engine = options_.engine});
     files_.push_back({base.lut.provenance, base.all_losses(), base.lut.keywords,
                       remarks_of(base.remarks, base.lut)});
     const auto given = encoding_named(base.lut.encodings.output);

@@ -1,8 +1,10 @@
 #include "lutlib/io/recipe_file.h"
 
+#include "lutlib/error.h"
 #include "lutlib/formats/all.h"
-
 #include "lutlib/io/file.h"
+#include "lutlib/io/references.h"
+#include "lutlib/io/terminal.h"
 
 #include <filesystem>
 #include <system_error>
@@ -14,6 +16,14 @@ namespace fs = std::filesystem;
 
 fs::path folder_of(const std::string& path) {
     return path == standard_stream ? fs::path() : fs::path(path).parent_path();
+}
+
+// Of the base, in the folder of the recipe at `path`.
+std::string relative_name(const std::string& path, const std::string& base_path) {
+    std::error_code unrelated;
+    const fs::path folder = fs::absolute(folder_of(path).empty() ? "." : folder_of(path));
+    const fs::path relative = fs::proximate(fs::absolute(base_path), folder, unrelated);
+    return (unrelated ? fs::absolute(base_path) : relative).generic_string();
 }
 
 } // namespace
@@ -33,19 +43,24 @@ bool is_recipe(std::string_view bytes) {
 }
 
 std::string base_path(const Recipe& recipe, const std::string& recipe_path) {
-    return recipe.base.empty() ? std::string()
-                               : (folder_of(recipe_path) / recipe.base).lexically_normal().string();
+    return recipe.base.empty() ? std::string() : referenced_path(recipe_path, recipe.base);
 }
 
-void save_recipe(Recipe recipe, const std::string& path, const std::string& base_path) {
-    recipe.base.clear();
-    if (!base_path.empty()) {
-        std::error_code unrelated;
-        const fs::path folder = fs::absolute(folder_of(path).empty() ? "." : folder_of(path));
-        const fs::path relative = fs::proximate(fs::absolute(base_path), folder, unrelated);
-        recipe.base = (unrelated ? fs::absolute(base_path) : relative).generic_string();
+std::string recipe_text(Recipe recipe, const std::string& path, const std::string& base_path) {
+    recipe.base = base_path.empty() ? std::string() : relative_name(path, base_path);
+    if (!is_utf8(recipe.base)) {
+        throw Error("a recipe can name its base only in UTF-8; rename that file or its folder",
+                    {base_path, 0, {}});
     }
-    write_file(path, to_json(recipe));
+    return to_json(recipe);
+}
+
+void save_recipe(const Recipe& recipe, const std::string& path, const std::string& base_path) {
+    write_file(path, recipe_text(recipe, path, base_path));
+}
+
+bool has_base_outside(const std::string& path, const std::string& base_path) {
+    return !base_path.empty() && leads_outside(path, relative_name(path, base_path));
 }
 
 } // namespace lutlib::io

@@ -11,9 +11,14 @@ namespace lutlib::io {
 /// Whether bytes begin as a recipe (a JSON object) does, and no LUT format.
 bool is_recipe(std::string_view bytes);
 
-/// Writes the recipe; `base_path`, where its base lies now, is written relative to the recipe's
-/// folder. Throws Error.
-void save_recipe(Recipe recipe, const std::string& path, const std::string& base_path);
+/// The bytes of the recipe's file at `path`; `base_path`, where its base lies now, is written
+/// relative to that file's folder. Throws Error where JSON cannot hold the name of the base.
+std::string recipe_text(Recipe recipe, const std::string& path, const std::string& base_path);
+/// Writes them. Throws Error.
+void save_recipe(const Recipe& recipe, const std::string& path, const std::string& base_path);
+
+/// Whether who opens such a file must allow its base to lie outside its folder (references.h).
+bool has_base_outside(const std::string& path, const std::string& base_path);
 
 /// Where a base that a recipe at `recipe_path` names lies.
 std::string base_path(const Recipe& recipe, const std::string& recipe_path);

@@ -85,6 +85,17 @@ std::string shown_text(std::string_view text, char kept) {
     return out;
 }
 
+bool is_utf8(std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t bytes = first_of(text).bytes;
+        if (bytes == 0) {
+            return false;
+        }
+        text.remove_prefix(bytes);
+    }
+    return true;
+}
+
 void open_standard_streams() {
     int lowest_free = 0;
     do {

@@ -11,6 +11,9 @@ namespace lutlib::io {
 /// stays as it is, such as '\n' of a text of several lines.
 std::string shown_text(std::string_view text, char kept = ' ');
 
+/// Whether all of it is UTF-8.
+bool is_utf8(std::string_view text);
+
 /// To be called before anything else: a file that is opened while one of the standard streams is
 /// closed would get that stream's number, and what is printed would go into it.
 void open_standard_streams();

@@ -71,9 +71,10 @@ TEST(Edit, keeps_a_recipe_with_its_base_that_bakes_to_the_same_lut) {
     run({"edit", look, "-o", folder.path("one.cube"), "--exposure", "0.5", "--vibrance", "0.3",
          "--save-recipe", recipe});
     EXPECT_EQ(json::parse(contents(recipe))["base"], "../a.cube");
-    run({"edit", "--recipe", recipe, "-o", folder.path("two.cube")});
+    run({"edit", "--recipe", recipe, "-o", folder.path("two.cube"), "--allow-outside"});
     EXPECT_EQ(contents(folder.path("one.cube")), contents(folder.path("two.cube")));
-    const Result baked = lutconv({"bake", recipe, "-o", folder.path("a.png"), "--measure"});
+    const Result baked =
+        lutconv({"bake", recipe, "-o", folder.path("a.png"), "--measure", "--allow-outside"});
     EXPECT_EQ(baked.exit_code, 0) << baked.err;
     EXPECT_NE(baked.out.find("dE2000: p99"), std::string::npos) << baked.out;
 }
@@ -112,13 +113,16 @@ TEST(Edit, knows_a_recipe_by_its_content_also_on_standard_input) {
     const std::string text = document.dump(2);
     const std::string plain = folder.write("recipe", text);
     for (const std::string& path : {std::string("-"), plain}) {
-        const Result edited = lutconv({"edit", path, "-o", out}, text);
+        const Result edited = lutconv({"edit", path, "-o", out, "--allow-outside"}, text);
         EXPECT_EQ(edited.exit_code, 0) << edited.err;
         EXPECT_TRUE(contents(out) == contents(folder.path("meant.cube")));
-        const Result report = lutconv({"report", path, "--sizes", "2", "-o", page}, text);
+        const Result report =
+            lutconv({"report", path, "--sizes", "2", "-o", page, "--allow-outside"}, text);
         EXPECT_EQ(report.exit_code, 0) << report.err;
     }
-    EXPECT_EQ(lutconv({"edit", "-", "-o", out, "--save-recipe", recipe}, text).exit_code, 0);
+    const Result saved =
+        lutconv({"edit", "-", "-o", out, "--save-recipe", recipe, "--allow-outside"}, text);
+    EXPECT_EQ(saved.exit_code, 0) << saved.err;
     EXPECT_EQ(json::parse(contents(recipe))["base"], "a.cube");
     EXPECT_EQ(lutconv({"edit", "-", "--recipe", plain, "-o", out}, text).exit_code, 3);
     EXPECT_EQ(lutconv({"edit", "-", "--recipe", "-", "-o", out}, text).exit_code, 3);

@@ -23,7 +23,7 @@ TEST(OddNames, that_are_no_utf8_do_not_break_json) {
              {"info", look},
              {"convert", look, "-o", out, "--title", "\xe9"},
              {"bake", look, "-o", picture},
-             {"edit", look, "-o", out, "--title", "\xe9", "--save-recipe", recipe},
+             {"edit", "identity", "-o", out, "--title", "\xe9", "--save-recipe", recipe},
              {"resample", look, "-o", out},
              {"compare", look, out},
              {"check", look},

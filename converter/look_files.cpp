@@ -2,7 +2,6 @@
 
 #include "converter/report.h"
 #include "lutlib/engine/layout.h"
-#include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/named.h"
 
@@ -129,10 +128,13 @@ WrittenLook written_as(const lutlib::FileFormat& format, io::Encoded file) {
     return {lut, std::move(file.losses), look.exact(), look.breaks()};
 }
 
-WrittenLook write_look(const lutlib::Lut& lut, const std::string& path) {
+WrittenLook write_look(const lutlib::Lut& lut, const std::string& path,
+                       std::span<const io::FileToWrite> others) {
     const lutlib::FileFormat& format = io::format_for_writing(path, lut);
     io::Encoded file = io::encode_lut(lut, format);
-    io::write_file(path, file.bytes);
+    std::vector<io::FileToWrite> files{{path, file.bytes}};
+    files.insert(files.end(), others.begin(), others.end());
+    io::write_files(files);
     for (const std::string& reader : file.readers) {
         complain(io::output_name(path), reader);
     }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "converter/verb.h"
+#include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/look.h"
 #include "lutlib/metrics/breaks.h"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,9 +52,10 @@ struct WrittenLook {
 /// What a file of this format and these losses holds.
 WrittenLook written_as(const lutlib::FileFormat& format, lutlib::io::Encoded file);
 
-/// Writes a LUT in the format of the path's extension, a .cube to standard output. Says on standard
-/// error who does not read the file.
-WrittenLook write_look(const lutlib::Lut& lut, const std::string& path);
+/// Writes a LUT in the format of the path's extension, a .cube to standard output, and `others` of
+/// the same run, all or none. Says on standard error who does not read the file.
+WrittenLook write_look(const lutlib::Lut& lut, const std::string& path,
+                       std::span<const lutlib::io::FileToWrite> others = {});
 
 /// Says on standard error what was lost, for verbs whose report does not.
 void tell_losses(const WrittenLook& written, const std::string& path);

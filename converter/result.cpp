@@ -86,7 +86,7 @@ std::string figures_of_file(const std::vector<lutlib::Loss>& losses,
 }
 
 void write_and_report(const Result& result, bool json, nlohmann::ordered_json extra) {
-    const WrittenLook written = write_look(result.lut, result.output);
+    const WrittenLook written = write_look(result.lut, result.output, result.others);
     const lutlib::Difference error = measure(
         result.exact, written.read,
         error_samples(result.lut.domain(), united(result.breaks, written.breaks)), result.encoding);

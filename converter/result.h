@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lutlib/format.h"
+#include "lutlib/io/file.h"
 #include "lutlib/lut.h"
 #include "lutlib/metrics/compare.h"
 
@@ -20,9 +21,10 @@ struct Result {
     std::string made_of; ///< "a.cube, then b.cube"
     /// What the LUT stands for, over its domain.
     lutlib::Transform exact;
-    lutlib::Encoding encoding;                   ///< of the result's code values
-    std::vector<std::string> notes;              ///< lines of text, what was lost
-    lutlib::Breaks breaks = lutlib::no_breaks(); ///< of `exact`
+    lutlib::Encoding encoding;                        ///< of the result's code values
+    std::vector<std::string> notes;                   ///< lines of text, what was lost
+    lutlib::Breaks breaks = lutlib::no_breaks();      ///< of `exact`
+    std::vector<lutlib::io::FileToWrite> others = {}; ///< written with the LUT or not at all
 };
 
 /// Writes the LUT, measures what the file then holds over the LUT's domain, and prints text or

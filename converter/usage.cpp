@@ -2,6 +2,7 @@
 
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
+#include "lutlib/io/output_names.h"
 
 #include <CLI/StringTools.hpp>
 #include <CLI/TypeTools.hpp>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace converter {
 namespace {
@@ -72,6 +74,12 @@ std::string standard_output_of(std::span<const std::string> outputs) {
     if (count > 1) {
         throw UsageError("only one output can go to standard output; name files for the others");
     }
+    std::vector<std::string> files;
+    std::copy_if(outputs.begin(), outputs.end(), std::back_inserter(files),
+                 [](const std::string& output) {
+                     return !output.empty() && output != lutlib::io::standard_stream;
+                 });
+    lutlib::io::require_distinct(files);
     return count > 0 ? std::string(lutlib::io::standard_stream) : std::string();
 }
 

@@ -21,7 +21,7 @@ void require_png_name(const std::string& path, const std::string& what);
 void require_one_standard_input(std::span<const std::string> inputs);
 
 /// `-` where one of these outputs is standard output, else empty: where print() may not print. Only
-/// one of them can be; unset outputs are empty.
+/// one of them can be, and no two the same file by any of its paths; unset outputs are empty.
 std::string standard_output_of(std::span<const std::string> outputs);
 
 } // namespace converter

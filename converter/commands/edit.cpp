@@ -139,6 +139,15 @@ std::string gamut_text(const lutlib::GamutShare& share, const lutlib::Recipe& re
         100 * share.outside, out.gamut->name, 100 * share.above, out.curve->name);
 }
 
+void tell_of_base(const std::string& recipe, const std::string& base) {
+    if (recipe != io::standard_stream && io::has_base_outside(recipe, base)) {
+        print(fmt::format("lutconv: {}: its base lies outside its folder: who opens it must add "
+                          "--allow-outside; save the recipe beside {} to avoid that\n",
+                          one_line(recipe), one_line(base)),
+              std::string(io::standard_stream));
+    }
+}
+
 int run(const Options& o, const Verb& verb) {
     o.config.check();
     if (o.output.empty() && o.save_recipe.empty()) {
@@ -156,10 +165,16 @@ int run(const Options& o, const Verb& verb) {
     const std::string shown = standard_output_of(std::array{o.output, o.save_recipe});
     std::string base;
     const lutlib::Recipe recipe = assemble(o, base);
+    std::string text;
+    std::vector<io::FileToWrite> recipe_file;
     if (!o.save_recipe.empty()) {
-        io::save_recipe(recipe, o.save_recipe, base);
+        text = io::recipe_text(recipe, o.save_recipe, base);
+        recipe_file.push_back({o.save_recipe, text});
+        tell_of_base(o.save_recipe, base);
     }
-    if (!o.output.empty()) {
+    if (o.output.empty()) {
+        io::write_files(recipe_file);
+    } else {
         const lutlib::Transform exact = exact_of(o, recipe);
         const lutlib::Lut lut = baked(o, recipe, exact);
         tell_unused(verb,
@@ -171,9 +186,15 @@ int run(const Options& o, const Verb& verb) {
             notes.push_back(gamut_text(share, recipe));
             extra["gamut"] = {{"outside", share.outside}, {"above", share.above}};
         }
-        write_and_report(
-            {lut, o.output, shown, made_of(o, recipe), exact, recipe.output_encoding(), notes},
-            o.json, extra);
+        write_and_report({.lut = lut,
+                          .output = o.output,
+                          .shown = shown,
+                          .made_of = made_of(o, recipe),
+                          .exact = exact,
+                          .encoding = recipe.output_encoding(),
+                          .notes = notes,
+                          .others = recipe_file},
+                         o.json, extra);
     }
     return ok;
 }

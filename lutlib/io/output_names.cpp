@@ -38,9 +38,14 @@ std::string needed_frame(const InputFile& input, const std::string& text) {
 
 // The same file by any of its paths.
 std::string whole_path(const std::string& path) {
+    constexpr int longest_chain = 40; // Linux's own limit
     std::error_code failed;
-    const fs::path whole = fs::weakly_canonical(path, failed);
-    return failed ? path : whole.string();
+    fs::path at = fs::weakly_canonical(fs::absolute(path), failed);
+    // A link to what is not there yet.
+    for (int i = 0; i < longest_chain && !failed && fs::is_symlink(at, failed); ++i) {
+        at = fs::weakly_canonical(at.parent_path() / fs::read_symlink(at, failed), failed);
+    }
+    return failed && failed != std::errc::no_such_file_or_directory ? path : at.string();
 }
 
 } // namespace
@@ -110,6 +115,20 @@ void require_distinct(std::span<const Route> routes) {
                              "' is read, and would be overwritten by what "
                              "comes of '" +
                              found->second->from.path + "'; write into another folder");
+        }
+    }
+}
+
+void require_distinct(std::span<const std::string> outputs) {
+    std::map<std::string, std::string> by_path;
+    for (const std::string& output : outputs) {
+        std::error_code failed;
+        const bool is_special = fs::exists(output, failed) && !fs::is_regular_file(output, failed);
+        const auto [at, is_new] = by_path.emplace(whole_path(output), output);
+        if (!is_new && !is_special) {
+            throw UsageError("two outputs would be written to '" + output +
+                             (at->second == output ? "'" : "', also called '" + at->second + "'") +
+                             "; give each a name of its own");
         }
     }
 }

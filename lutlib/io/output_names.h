@@ -47,6 +47,10 @@ struct Route {
 /// route reads. Throws UsageError.
 void require_distinct(std::span<const Route> routes);
 
+/// Refuses two names of one file, whatever each of them is. Devices and pipes take several outputs.
+/// Throws UsageError.
+void require_distinct(std::span<const std::string> outputs);
+
 /// Makes the folders of the files. Throws Error.
 void make_folders(std::span<const Route> routes);
 

@@ -79,6 +79,76 @@ TEST(Edit, keeps_a_recipe_with_its_base_that_bakes_to_the_same_lut) {
     EXPECT_NE(baked.out.find("dE2000: p99"), std::string::npos) << baked.out;
 }
 
+TEST(Edit, says_when_the_base_of_its_recipe_lies_where_opening_it_needs_a_word) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(5));
+    std::filesystem::create_directory(folder.path("recipes"));
+    const std::string inside = folder.path("a.json"), outside = folder.path("recipes/a.json");
+    EXPECT_EQ(lutconv({"edit", look, "--save-recipe", inside}).err, "");
+    const Result saved = lutconv({"edit", look, "--save-recipe", outside});
+    EXPECT_EQ(saved.exit_code, 0);
+    EXPECT_NE(saved.err.find("who opens it must add --allow-outside"), std::string::npos)
+        << saved.err;
+    EXPECT_EQ(lutconv({"info", inside}).exit_code, 0);
+    const Result refused = lutconv({"info", outside});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find("a.cube: it lies outside the folder of " + outside),
+              std::string::npos)
+        << refused.err;
+    EXPECT_EQ(lutconv({"info", outside, "--allow-outside"}).exit_code, 0);
+}
+
+TEST(Edit, writes_the_lut_and_the_recipe_or_neither) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(5)),
+                      recipe = folder.write("r.json", "as it was"), lut = folder.path("x.cube");
+    const auto edited = [&](const std::string& to, const std::string& recipe_to) {
+        return lutconv({"edit", look, "--exposure", "1", "-o", to, "--save-recipe", recipe_to});
+    };
+    for (const std::string& to : {folder.path("none/x.cube"), folder.path("x.unknown"),
+                                  std::string("/dev/full"), folder.path(".")}) {
+        EXPECT_NE(edited(to, recipe).exit_code, 0) << to;
+        EXPECT_EQ(contents(recipe), "as it was") << to;
+    }
+    EXPECT_EQ(edited(lut, folder.path("none/r.json")).exit_code, 2);
+    EXPECT_FALSE(std::filesystem::exists(lut));
+    EXPECT_EQ(edited(lut, recipe).exit_code, 0);
+    EXPECT_EQ(json::parse(contents(recipe))["base"], "a.cube");
+    EXPECT_EQ(folder.names().size(), 3U);
+}
+
+TEST(Outputs, of_one_name_are_refused_by_any_of_its_paths) {
+    const Folder folder;
+    const std::string look = folder.write("a.cube", saturated_cube(3));
+    const std::string file = folder.path("x.cube"), same = folder.path("./x.cube"),
+                      link = folder.path("link.cube");
+    std::filesystem::create_symlink("x.cube", link);
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"edit", look, "-o", file, "--save-recipe", file},
+             {"edit", look, "-o", file, "--save-recipe", same},
+             {"edit", look, "-o", file, "--save-recipe", link},
+             {"report", look, "-o", file, "--json", same},
+             {"report", look, "-o", file, "--csv", folder.path("y"), "--json", folder.path("y")}}) {
+        const Result result = lutconv(words);
+        EXPECT_EQ(result.exit_code, 3) << result.err;
+        EXPECT_NE(result.err.find("two outputs would be written to"), std::string::npos)
+            << result.err;
+    }
+    EXPECT_EQ(folder.names().size(), 2U);
+}
+
+TEST(Edit, refuses_to_name_a_base_that_json_cannot_name) {
+    const Folder folder;
+    const std::string look = folder.write("caf\xe9.cube", saturated_cube(3));
+    const Result result = lutconv(
+        {"edit", look, "-o", folder.path("x.cube"), "--save-recipe", folder.path("r.json")});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("caf\\xe9.cube: a recipe can name its base only in UTF-8"),
+              std::string::npos)
+        << result.err;
+    EXPECT_EQ(folder.names().size(), 1U);
+}
+
 TEST(Edit, refuses_bad_values_and_bad_recipes_with_the_reason) {
     const Folder folder;
     const auto refused = [&](std::vector<std::string> more, int code, const char* reason) {
@@ -124,7 +194,8 @@ TEST(Edit, knows_a_recipe_by_its_content_also_on_standard_input) {
         lutconv({"edit", "-", "-o", out, "--save-recipe", recipe, "--allow-outside"}, text);
     EXPECT_EQ(saved.exit_code, 0) << saved.err;
     EXPECT_EQ(json::parse(contents(recipe))["base"], "a.cube");
-    EXPECT_EQ(lutconv({"edit", "-", "--recipe", plain, "-o", out}, text).exit_code, 3);
+    EXPECT_EQ(
+        lutconv({"edit", "-", "--recipe", plain, "-o", out, "--allow-outside"}, text).exit_code, 3);
     EXPECT_EQ(lutconv({"edit", "-", "--recipe", "-", "-o", out}, text).exit_code, 3);
     const std::string cube = saturated_cube(5);
     EXPECT_EQ(lutconv({"edit", "-", "-o", out}, cube).exit_code, 0);

@@ -1,4 +1,5 @@
 #include "converter/command.h"
+#include "converter/listing_verbs.h"
 
 #include <array>
 
@@ -50,6 +51,14 @@ constexpr auto table = std::to_array<Command>({
     {.name = "encodings",
      .help = "The transfer curves and gamuts that options take",
      .declare = declare_encodings,
+     .reads_looks = false},
+    {.name = "operators",
+     .help = "The operators that edit and recipes take, with their ranges",
+     .declare = declare_operators,
+     .reads_looks = false},
+    {.name = "formats",
+     .help = "The LUT file formats, and whether each is read and written",
+     .declare = declare_formats,
      .reads_looks = false},
     {.name = "eval", .help = "Evaluate a LUT at colours", .declare = declare_eval},
     {.name = "identity",

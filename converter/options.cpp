@@ -2,6 +2,7 @@
 
 #include "converter/usage.h"
 
+#include "lutlib/engine/engine_names.h"
 #include "lutlib/named.h"
 
 #include <algorithm>
@@ -14,15 +15,14 @@ void EngineOption::declare(Verb& verb, const std::string& default_name) {
 }
 
 const lutlib::Engine& EngineOption::get() const {
-    return lutlib::require_named(lutlib::engines(), "engine", name_, lutlib::Letters::any_case);
+    return lutlib::require_engine(name_);
 }
 
 std::vector<const lutlib::Engine*> EngineOption::all() const {
     std::vector<const lutlib::Engine*> out;
     for (std::size_t at = 0; at <= name_.size();) {
         const std::size_t comma = std::min(name_.find(',', at), name_.size());
-        out.push_back(&lutlib::require_named(
-            lutlib::engines(), "engine", name_.substr(at, comma - at), lutlib::Letters::any_case));
+        out.push_back(&lutlib::require_engine(name_.substr(at, comma - at)));
         at = comma + 1;
     }
     return out;

@@ -1,5 +1,6 @@
 #include "converter/report.h"
 
+#include "converter/quiet.h"
 #include "lutlib/io/bake_report.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/terminal.h"
@@ -50,13 +51,23 @@ std::string json_text(const nlohmann::ordered_json& json) {
     return json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-void print(const std::string& text, const std::string& output) {
+namespace {
+
+void print_now(const std::string& text, const std::string& output) {
     output == lutlib::io::standard_stream ? lutlib::io::print_err(text)
                                           : lutlib::io::print_out(text);
 }
 
+} // namespace
+
+void print(const std::string& text, const std::string& output) {
+    if (!is_quiet() || text.starts_with("lutconv: ")) { // a warning
+        print_now(text, output);
+    }
+}
+
 void print(const nlohmann::ordered_json& json, const std::string& output) {
-    print(json_text(json), output);
+    print_now(json_text(json), output);
 }
 
 } // namespace converter

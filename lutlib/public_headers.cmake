@@ -13,6 +13,7 @@ set(lutlib_public_headers
     lutlib/color/transfer_curve.h
     lutlib/curve.h
     lutlib/engine/engine.h
+    lutlib/engine/engine_names.h
     lutlib/engine/layout.h
     lutlib/engine/recognise.h
     lutlib/engine/shader_code.h

@@ -1,5 +1,6 @@
 // lutconv encodings: the rows that every encoding's option takes, with their sources.
 #include "converter/command.h"
+#include "converter/listings.h"
 #include "converter/report.h"
 #include "lutlib/color/encoding.h"
 
@@ -11,8 +12,6 @@
 
 namespace converter {
 namespace {
-
-using nlohmann::ordered_json;
 
 std::string line(std::string_view name, std::string_view label, std::string_view source) {
     return fmt::format("  {:21} {:47} {}\n", name, label, source);
@@ -34,31 +33,6 @@ std::string as_text() {
     return out;
 }
 
-ordered_json as_json() {
-    ordered_json curves = ordered_json::array(), gamuts = curves, adaptations = curves;
-    for (const lutlib::TransferCurve* row : lutlib::transfer_curves()) {
-        curves.push_back({{"name", row->name},
-                          {"label", row->label},
-                          {"gamut", row->gamut->name},
-                          {"source", row->source}});
-    }
-    const auto xy = [](lutlib::Chromaticity c) { return ordered_json{c.x, c.y}; };
-    for (const lutlib::Gamut* row : lutlib::gamuts()) {
-        const lutlib::Primaries& p = row->primaries;
-        gamuts.push_back({{"name", row->name},
-                          {"label", row->label},
-                          {"red", xy(p.red)},
-                          {"green", xy(p.green)},
-                          {"blue", xy(p.blue)},
-                          {"white", xy(p.white)},
-                          {"source", row->source}});
-    }
-    for (const lutlib::Adaptation* row : lutlib::adaptations()) {
-        adaptations.push_back({{"name", row->name}, {"label", row->label}});
-    }
-    return {{"curves", curves}, {"gamuts", gamuts}, {"adaptations", adaptations}};
-}
-
 } // namespace
 
 Run declare_encodings(Verb& verb) {
@@ -66,7 +40,7 @@ Run declare_encodings(Verb& verb) {
     verb.add_flag("--json", *json, "print the rows as JSON, with chromaticities");
     return [json] {
         if (*json) {
-            print(as_json(), "");
+            print(encodings_json(), "");
         } else {
             print(as_text(), "");
         }

@@ -1,9 +1,9 @@
 // lutconv engines: the engines whose LUT pictures are known, with what each wants.
 #include "converter/command.h"
 #include "converter/engine_page.h"
+#include "converter/listings.h"
 #include "converter/report.h"
-#include "lutlib/engine/engine.h"
-#include "lutlib/named.h"
+#include "lutlib/engine/engine_names.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -26,31 +26,12 @@ std::string as_text(const Engine& e) {
                        list_of(e.bits), e.input, e.import, e.lookup_help);
 }
 
-nlohmann::ordered_json as_json(const Engine& e) {
-    return {{"name", e.name},
-            {"label", e.label},
-            {"layout", e.layout},
-            {"size", e.default_size},
-            {"sizes", e.sizes},
-            {"usual_sizes", e.usual_sizes},
-            {"bits", e.default_bits},
-            {"accepted_bits", e.bits},
-            {"srgb_tag", e.srgb_tag == lutlib::SrgbTag::present},
-            {"encoding", e.encoding},
-            {"input", e.input},
-            {"import", e.import},
-            {"lookup", e.lookup_help},
-            {"source", e.source}};
-}
-
 int run(bool json) {
-    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     std::string text;
     for (const Engine& engine : lutlib::engines()) {
-        rows.push_back(as_json(engine));
         text += as_text(engine);
     }
-    json ? print(rows, "") : print(text, "");
+    json ? print(engines_json(), "") : print(text, "");
     return ok;
 }
 
@@ -67,9 +48,7 @@ Run declare_engines(Verb& verb) {
         if (page->empty()) {
             return run(*json);
         }
-        print(engine_page(lutlib::require_named(lutlib::engines(), "engine", *page,
-                                                lutlib::Letters::any_case)),
-              "");
+        print(engine_page(lutlib::require_engine(*page)), "");
         return static_cast<int>(ok);
     };
 }

@@ -49,6 +49,8 @@ Runs runs_of(const std::string& verb, const std::string& look, const Folder& fol
         {"identity", {{"--size", "5", "-o", cube}}},
         {"engines", {{}, {"--json"}}},
         {"encodings", {{}}},
+        {"operators", {{}, {"--json"}}},
+        {"formats", {{}, {"--json"}}},
         {"shader", {{"--engine", "unity", "--language", "glsl", "-o", folder.path("x.glsl")}}},
         {"report", {{look, "--sizes", "2", "3", "-o", folder.path("report.html")}}},
     };

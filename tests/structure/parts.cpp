@@ -80,8 +80,11 @@ const std::vector<Part>& parts() {
         {"lutlib/io/oiio", {"lutlib", "lutlib/io", "lutlib/io/box"}},
         {"lutlib/plot", {"lutlib"}, no_big_library},
 
+        // Man pages and completions of any command line.
+        {"terminal", {"lutlib", "lutlib/io"}, no_big_library},
+
         // lutconv
-        {"converter", {"lutlib/*"}, no_big_library},
+        {"converter", {"lutlib/*", "terminal"}, no_big_library},
         {"converter/commands", {"converter", "lutlib/*"}, no_big_library},
 
         // lutpreview

@@ -1,0 +1,54 @@
+// lutconv operators: what recipes and edit are made of.
+#include "converter/listing_verbs.h"
+#include "converter/listings.h"
+#include "converter/report.h"
+#include "lutlib/ops/op.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <string>
+
+namespace converter {
+namespace {
+
+using lutlib::Parameter;
+using lutlib::ParameterKind;
+
+std::string range_text(const Parameter& p) {
+    if (p.kind == ParameterKind::toggle) {
+        return "on or off";
+    }
+    const std::string numbers =
+        fmt::format("{:g} to {:g}{}{}", p.min, p.max, p.unit.empty() ? "" : " ", p.unit);
+    return p.kind == ParameterKind::rgb ? numbers + ", or three"
+           : p.kind == ParameterKind::curve
+               ? fmt::format("curve of {} over {:g} to {:g} {}", numbers, p.axis.min, p.axis.max,
+                             p.axis.unit)
+               : numbers;
+}
+
+std::string as_text() {
+    std::string out;
+    for (const lutlib::Op* const op : lutlib::ops()) {
+        out += fmt::format("{:<22}{}\n", op->name, op->help);
+        for (const Parameter& p : op->parameters) {
+            out += fmt::format("  --{:<24}{}\n", p.flag, range_text(p));
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+Run declare_operators(Verb& verb) {
+    const auto json = std::make_shared<bool>(false);
+    verb.add_flag("--json", *json, "print the rows as JSON, with defaults and formulas");
+    return [json] {
+        *json ? print(operators_json(), "") : print(as_text(), "");
+        return static_cast<int>(ok);
+    };
+}
+
+} // namespace converter

@@ -1,0 +1,55 @@
+#include "converter/examples.h"
+
+#include "lutlib/named.h"
+
+namespace converter {
+namespace {
+
+struct Examples {
+    std::string_view name, lines;
+};
+
+constexpr Examples table[] = {
+    {"bake", "lutconv bake look.cube -o strip.png\n"
+             "lutconv bake look.cube -o strip.png --engine unreal --measure\n"
+             "lutconv bake looks --engine unity,unreal -o out/{name}.{engine}.png\n"},
+    {"verify", "lutconv verify strip.png --against look.cube --engine unreal\n"
+               "lutconv verify strip.png --against look.json --json\n"},
+    {"check", "lutconv check look.cube --strict\n"
+              "lutconv check broken.cube --repair --clamp -o repaired.cube\n"},
+    {"convert", "lutconv convert look.3dl -o look.cube\n"
+                "lutconv convert strip.png -o look.cube\n"
+                "lutconv convert wide.cube -o look.spi3d --strict\n"},
+    {"edit", "lutconv edit identity -o look.cube --saturation 1.3 --save-recipe look.json\n"
+             "lutconv edit their.cube -o warmer.cube --temperature 7200\n"},
+    {"resample", "lutconv resample look.cube -o small.cube --size 17\n"},
+    {"compose", "lutconv compose first.cube second.cube -o both.cube\n"},
+    {"invert", "lutconv invert look.cube -o undo.cube\n"},
+    {"blend", "lutconv blend a.cube b.cube --amount 0.3 -o mixed.cube\n"},
+    {"compare", "lutconv compare a.cube b.cube\n"
+                "lutconv compare look.cube identity --max-delta-e 2\n"},
+    {"apply", "lutconv apply look.cube picture.exr -o graded.exr --picture-encoding linear\n"
+              "lutconv apply look.cube shot.####.exr -o graded/{name}.{ext}\n"},
+    {"report", "lutconv report look.cube -o report.html\n"
+               "lutconv report --suite stiff -o stiff.html\n"},
+    {"engines", "lutconv engines\n"
+                "lutconv engines --page unreal\n"},
+    {"shader", "lutconv shader --engine unreal --language hlsl -o lut.hlsl\n"},
+    {"info", "lutconv info look.cube\n"},
+    {"encodings", "lutconv encodings\n"
+                  "lutconv encodings --json\n"},
+    {"operators", "lutconv operators\n"
+                  "lutconv operators --json\n"},
+    {"formats", "lutconv formats\n"},
+    {"eval", "lutconv eval look.cube 0.18 0.18 0.18\n"},
+    {"identity", "lutconv identity --size 33 -o identity.cube\n"},
+};
+
+} // namespace
+
+std::string_view examples_of(std::string_view verb) {
+    const Examples* const row = lutlib::find_named(table, verb);
+    return row ? row->lines : std::string_view();
+}
+
+} // namespace converter

@@ -24,6 +24,7 @@ struct Verdict {
     std::string scale;     ///< how its reading of the file differs by a factor, and why ours counts
     std::optional<lutlib::Verification> result{}; ///< unless the picture has no lattice
     std::optional<lutlib::FittedCheck> fitted{};
+    bool lattice = false; ///< the look is read between nodes
     bool passed = false;
 };
 

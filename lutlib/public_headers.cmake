@@ -68,5 +68,6 @@ set(lutlib_io_public_headers
     lutlib/io/picture_source.h
     lutlib/io/png.h
     lutlib/io/recipe_file.h
+    lutlib/io/references.h
     lutlib/io/sample_buffer.h
 )

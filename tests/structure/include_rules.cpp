@@ -120,7 +120,7 @@ std::string way_to(std::string_view forbidden, const std::string& file,
 Sources read_sources(const std::string& repository) {
     Sources out;
     for (const char* folder :
-         {"lutlib", "converter", "preview", "terminal", "examples", "tests"}) {
+         {"lutlib", "converter", "preview", "terminal", "python", "examples", "tests"}) {
         for (const auto& entry : fs::recursive_directory_iterator(fs::path(repository) / folder)) {
             const fs::path& path = entry.path();
             if (path.extension() != ".h" && path.extension() != ".cpp") {

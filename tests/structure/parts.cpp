@@ -87,6 +87,9 @@ const std::vector<Part>& parts() {
         {"converter", {"lutlib/*", "terminal"}, no_big_library},
         {"converter/commands", {"converter", "lutlib/*"}, no_big_library},
 
+        // Figures are lutconv's.
+        {"python", {"converter", "lutlib/*"}, no_big_library},
+
         // lutpreview
         {"preview/gpu/size.*", {}, no_screen},
         {"preview/gpu/types.*", {}, no_screen},

@@ -31,3 +31,5 @@ file(GLOB looks CONFIGURE_DEPENDS luts/*.cube luts/*.json)
 install(FILES ${looks} DESTINATION ${CMAKE_INSTALL_DATADIR}/lutlib/luts COMPONENT lutconv)
 install(FILES README.md CHANGELOG.md THIRD-PARTY.md LICENSE
     DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT lutconv)
+
+include(cmake/packages.cmake)

@@ -12,15 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-Names names_in(const std::string& folder) {
-    Names out;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        out.push_back(entry.path().filename().string());
-    }
-    std::sort(out.begin(), out.end());
-    return out;
-}
-
 class ManyLooks : public testing::Test {
   protected:
     ManyLooks() {

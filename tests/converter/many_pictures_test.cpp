@@ -52,15 +52,6 @@ void write_frames(const Folder& folder, int first, int last, int side = 16,
     }
 }
 
-Names names_in(const std::string& folder) {
-    Names out;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        out.push_back(entry.path().filename().string());
-    }
-    std::sort(out.begin(), out.end());
-    return out;
-}
-
 class ManyPictures : public testing::Test {
   protected:
     Result apply(const Names& words) const {

@@ -127,9 +127,9 @@ std::string Folder::write(const std::string& name, const std::string& bytes) con
     return path(name);
 }
 
-std::vector<std::string> Folder::names() const {
+std::vector<std::string> names_in(const std::string& folder) {
     std::vector<std::string> out;
-    for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         out.push_back(entry.path().filename().string());
     }
     std::sort(out.begin(), out.end());

@@ -25,6 +25,9 @@ Result lutconv_in_process(const std::vector<std::string>& arguments);
 /// The verbs as the program itself lists them, so that a new one is tested unasked.
 std::vector<std::string> verbs();
 
+/// Of what lies in a folder, in order.
+std::vector<std::string> names_in(const std::string& folder);
+
 /// A new empty folder, removed with the object.
 class Folder {
   public:
@@ -35,7 +38,7 @@ class Folder {
 
     std::string path(const std::string& name) const { return (path_ / name).string(); }
     std::string write(const std::string& name, const std::string& bytes) const;
-    std::vector<std::string> names() const;
+    std::vector<std::string> names() const { return names_in(path_.string()); }
 
   private:
     std::filesystem::path path_;

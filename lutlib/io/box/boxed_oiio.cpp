@@ -152,11 +152,7 @@ std::vector<std::string> BoxedOiio::write(const std::string& path, const std::st
     asked.put(options.depth);
     asked.put(std::uint8_t{options.alpha});
     asked.put(std::uint8_t{options.keep_color});
-    asked.put(std::uint64_t{options.text.size()});
-    for (const auto& [key, value] : options.text) {
-        asked.put(std::string_view(key));
-        asked.put(std::string_view(value));
-    }
+    asked.put_pairs(options.text);
     const auto* const boxed = dynamic_cast<const BoxedSource*>(options.keep);
     put_source(asked, options.keep, boxed ? boxed->packed : SharedBytes());
     Incoming answer = ask(asked, about);

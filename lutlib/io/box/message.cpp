@@ -97,6 +97,14 @@ void Outgoing::put_texts(std::span<const std::string> texts) {
     }
 }
 
+void Outgoing::put_pairs(std::span<const TextPair> pairs) {
+    put(std::uint64_t{pairs.size()});
+    for (const auto& [name, text] : pairs) {
+        put(std::string_view(name));
+        put(std::string_view(text));
+    }
+}
+
 void Outgoing::attach(int descriptor) {
     const int copy = ::fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
     if (copy < 0 || files_.size() == most_files) {
@@ -142,6 +150,15 @@ std::string Incoming::take_text() {
 std::vector<std::string> Incoming::take_texts() {
     std::vector<std::string> out(checked_count(take<std::uint64_t>(), sizeof(std::uint64_t)));
     std::generate(out.begin(), out.end(), [this] { return take_text(); });
+    return out;
+}
+
+std::vector<TextPair> Incoming::take_pairs() {
+    std::vector<TextPair> out(checked_count(take<std::uint64_t>(), 2 * sizeof(std::uint64_t)));
+    for (auto& [name, text] : out) {
+        name = take_text();
+        text = take_text();
+    }
     return out;
 }
 

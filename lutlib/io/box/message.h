@@ -14,12 +14,16 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace lutlib::io::box {
 
 template <class T>
 concept Plain = std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>;
+
+/// A name and what it says.
+using TextPair = std::pair<std::string, std::string>;
 
 /// A message that is being written.
 class Outgoing {
@@ -35,6 +39,7 @@ class Outgoing {
         append(values.data(), values.size_bytes());
     }
     void put_texts(std::span<const std::string> texts);
+    void put_pairs(std::span<const TextPair> pairs);
     /// A duplicate of an open file goes along; the other side takes it in the same place.
     void attach(int descriptor);
 
@@ -79,6 +84,7 @@ class Incoming {
         return out;
     }
     std::vector<std::string> take_texts();
+    std::vector<TextPair> take_pairs();
     /// The caller closes it.
     int take_file();
 

@@ -43,10 +43,7 @@ void write(const Oiio& library, Incoming& question, Outgoing& answer) {
     options.depth = question.take<Depth>();
     options.alpha = question.take_bool();
     options.keep_color = question.take_bool();
-    for (auto left = question.take<std::uint64_t>(); left > 0; --left) {
-        std::string key = question.take_text();
-        options.text.emplace_back(std::move(key), question.take_text());
-    }
+    options.text = question.take_pairs();
     const std::shared_ptr<const BoxedSource> boxed = take_source(question);
     std::shared_ptr<const PictureSource> keep = boxed;
     if (boxed && boxed->packed.descriptor() >= 0) {

@@ -9,11 +9,7 @@ void put_source(Outgoing& to, const PictureSource* source, const SharedBytes& pa
     }
     to.put(std::string_view(source->type));
     to.put(std::string_view(source->icc_profile));
-    to.put(std::uint64_t{source->text.size()});
-    for (const auto& [key, value] : source->text) {
-        to.put(std::string_view(key));
-        to.put(std::string_view(value));
-    }
+    to.put_pairs(source->text);
     to.put(std::int32_t{source->orientation});
     to.put(std::uint8_t{source->premultiplied});
     to.put_texts(source->remarks);
@@ -31,10 +27,7 @@ std::shared_ptr<const BoxedSource> take_source(Incoming& from) {
     const auto out = std::make_shared<BoxedSource>();
     out->type = from.take_text();
     out->icc_profile = from.take_text();
-    for (auto left = from.take<std::uint64_t>(); left > 0; --left) {
-        std::string key = from.take_text();
-        out->text.emplace_back(std::move(key), from.take_text());
-    }
+    out->text = from.take_pairs();
     out->orientation = from.take<std::int32_t>();
     out->premultiplied = from.take_bool();
     out->remarks = from.take_texts();

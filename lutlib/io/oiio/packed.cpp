@@ -121,11 +121,7 @@ std::string packed_source(const OiioSource& source) {
     to.put(std::string_view(source.icc_profile));
     to.put(std::uint8_t{source.premultiplied});
     to.put(std::int32_t{source.orientation});
-    to.put(std::uint64_t{source.text.size()});
-    for (const auto& [key, value] : source.text) {
-        to.put(std::string_view(key));
-        to.put(std::string_view(value));
-    }
+    to.put_pairs(source.text);
     to.put(std::uint64_t{source.picture.part});
     to.put(std::string_view(source.picture.layer));
     to.put(source.picture.at);
@@ -144,10 +140,7 @@ std::shared_ptr<const OiioSource> unpacked_source(std::string_view bytes) {
     out->icc_profile = from.take_text();
     out->premultiplied = from.take_bool();
     out->orientation = from.take<std::int32_t>();
-    for (auto left = from.take<std::uint64_t>(); left > 0; --left) {
-        std::string key = from.take_text();
-        out->text.emplace_back(std::move(key), from.take_text());
-    }
+    out->text = from.take_pairs();
     out->picture.part = from.take<std::uint64_t>();
     out->picture.layer = from.take_text();
     out->picture.at = from.take<std::array<int, 4>>();

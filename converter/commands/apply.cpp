@@ -14,6 +14,7 @@
 #include "converter/unused.h"
 #include "converter/usage.h"
 #include "lutlib/io/file.h"
+#include "lutlib/io/picture_types.h"
 #include "lutlib/named.h"
 
 #include <fmt/core.h>
@@ -64,11 +65,6 @@ void print_report(const Options& o, const io::Route& route, const Grading& gradi
     print(text, route.to);
 }
 
-bool is_picture(const std::string& extension) {
-    const auto known = io::picture_extensions();
-    return std::find(known.begin(), known.end(), extension) != known.end();
-}
-
 // From which pictures to which, whether this run makes them or not.
 std::vector<io::Route> routes_of(const io::Inputs& inputs, const io::OutputTemplate& output) {
     std::vector<io::Route> out;
@@ -110,7 +106,8 @@ int run(const Options& o, const Verb& verb) {
     inputs_named.push_back(o.lut);
     require_one_standard_input(inputs_named);
     const AlphaRule& alpha = lutlib::require_named(alpha_rules(), "alpha rule", o.alpha);
-    const io::Inputs inputs = io::find_inputs(o.pictures, o.many.frames(), is_picture);
+    const io::Inputs inputs =
+        io::find_inputs(o.pictures, o.many.frames(), io::is_picture_extension);
     const io::OutputTemplate output(o.output);
     std::vector<io::Route> routes = o.many.of_shard(routes_of(inputs, output));
     tell_remarks(inputs.remarks);

@@ -68,17 +68,6 @@ std::string output_name(const std::string& path) {
     return path == standard_stream ? "standard output" : path;
 }
 
-std::string extension_of(std::string_view path) {
-    const std::size_t slash = path.rfind('/');
-    const std::string_view file = slash == std::string_view::npos ? path : path.substr(slash + 1);
-    const std::size_t dot = file.rfind('.');
-    std::string out(dot == std::string_view::npos ? std::string_view{} : file.substr(dot + 1));
-    std::transform(out.begin(), out.end(), out.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return out;
-}
-
 FileInput::FileInput(const std::string& path)
     : name_(input_name(path)),
       file_(path == standard_stream ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {

@@ -3,6 +3,8 @@
 // is the old file or the whole new one.
 #pragma once
 
+#include "lutlib/io/extension.h"
+
 #include "lutlib/byte_source.h"
 #include "lutlib/io/descriptor.h"
 #include "lutlib/limits.h"
@@ -79,8 +81,5 @@ class StandardStreamsInstead {
 /// What messages call a path: itself, or "standard input" / "standard output" for `-`.
 std::string input_name(const std::string& path);
 std::string output_name(const std::string& path);
-
-/// The part after the last dot of the file name, in lower case and without the dot; else empty.
-std::string extension_of(std::string_view path);
 
 } // namespace lutlib::io

@@ -216,13 +216,6 @@ FloatImage decode_image(std::string_view bytes, const std::string& extension,
     return oiio().read(copy.path(), file, layer);
 }
 
-std::span<const std::string_view> picture_extensions() {
-    static constexpr auto table = std::to_array<std::string_view>(
-        {"png", "exr", "sxr", "tif", "tiff", "jpg", "jpeg", "dpx", "cin", "tga",  "webp", "hdr",
-         "bmp", "ppm", "pgm", "pnm", "pfm",  "jp2", "sgi",  "rgb", "psd", "heic", "avif"});
-    return table;
-}
-
 std::size_t bytes_in_work(const std::string& path) {
     // Floats of four channels, the codes read and those to write, and the file's bytes.
     constexpr std::size_t bytes_a_pixel = 48, png_header = 24;

@@ -50,9 +50,6 @@ struct FloatImage {
 /// What the file says that its values are; nothing where it does not, or says what no row has.
 std::optional<Encoding> encoding_of(const FloatImage& image);
 
-/// Extensions of pictures' files, in lower case: those of the usual types.
-std::span<const std::string_view> picture_extensions();
-
 /// About how many bytes a picture takes while it is read, graded and written, by its file's header;
 /// of one whose header cannot be read 0. Reading it says why.
 std::size_t bytes_in_work(const std::string& path);

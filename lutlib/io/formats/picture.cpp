@@ -147,7 +147,7 @@ Reading read_recognised(const FileFormat& /*format*/, std::string_view bytes,
 }
 
 int is_other_picture(std::string_view bytes) {
-    return io::begins_as_picture(bytes) ? recognised_score : 0;
+    return io::begins_as_picture(bytes) && !io::is_png(bytes) ? recognised_score : 0;
 }
 
 } // namespace

@@ -6,8 +6,8 @@
 #include "lutlib/io/oiio/kept.h"
 #include "lutlib/io/oiio/packed.h"
 #include "lutlib/io/oiio/packing.h"
-#include "lutlib/io/oiio/types.h"
 #include "lutlib/io/picture_channels.h"
+#include "lutlib/io/picture_types.h"
 #include "lutlib/limits.h"
 
 #include <OpenImageIO/imageio.h>
@@ -188,7 +188,7 @@ std::string head_of(const std::string& path) {
 
 // By the one reader that the bytes call for: OpenImageIO itself would try all that it has.
 std::unique_ptr<OIIO::ImageInput> opened(const std::string& path, const std::string& file) {
-    auto input = OIIO::ImageInput::create(std::string(type_of_bytes(head_of(path), file)));
+    auto input = OIIO::ImageInput::create(std::string(reader_of(head_of(path), file)));
     if (!input) {
         fail("cannot read a picture of this type", OIIO::geterror(), path, file);
     }
@@ -272,7 +272,7 @@ class Library final : public Oiio {
     bool writes(const std::string& path) const override {
         const auto output = OIIO::ImageOutput::create(path);
         OIIO::geterror(); // else it is printed when the program ends
-        return output && is_known_type(output->format_name());
+        return output && is_read_by(output->format_name());
     }
 
     std::vector<std::string> written_extensions() const override {
@@ -305,7 +305,7 @@ class Library final : public Oiio {
                                    const std::string& file, const FloatImage& image,
                                    const ImageWriteOptions& options) const override {
         const auto output = OIIO::ImageOutput::create(name);
-        if (!output || !is_known_type(output->format_name())) {
+        if (!output || !is_read_by(output->format_name())) {
             fail("cannot write a picture of this type", OIIO::geterror(), path, file);
         }
         if (const OiioSource* const keep = kept_whole(options.keep, output->format_name())) {

@@ -5,6 +5,7 @@
 #include "lutlib/io/alpha.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/orientation.h"
+#include "lutlib/io/samples.h"
 #include "lutlib/named.h"
 
 #include <fmt/core.h>
@@ -28,7 +29,7 @@ constexpr std::array<AlphaRule, 4> rules{{
 
 // Where a look keeps its encoding, the result goes back to the picture's; one that changes it, as
 // camera LUTs do, is left to say what comes out.
-lutlib::LookPlace place_of(const Grading& grading, const io::FloatImage& image) {
+lutlib::LookPlace place_of(const Grading& grading, const io::ImageInfo& image) {
     const lutlib::LookEncodings look = grading.look.encodings();
     lutlib::LookPlace place{look, encoding_of(image), {}, grading.converts, &grading.adaptation};
     if (grading.picture_encoding) {
@@ -87,12 +88,11 @@ void apply_exactly(const lutlib::Transform& look, float* rgba, std::size_t pixel
     }
 }
 
-Graded report_of(const lutlib::LookPlace& place, const io::FloatImage& image, io::Depth depth) {
+Graded report_of(const lutlib::LookPlace& place, const io::ImageInfo& image, io::Depth depth) {
     return {.width = image.width,
             .height = image.height,
             .has_alpha = image.alpha,
-            .counts = {.pixels = static_cast<std::size_t>(image.width) *
-                                 static_cast<std::size_t>(image.height)},
+            .counts = {.pixels = image.pixels()},
             .depth = &io::info_of(depth),
             .place = place};
 }
@@ -169,21 +169,51 @@ void grade_as_floats(const Grading& grading, io::FloatImage& image, const std::s
     }
 }
 
-// Whether integers can go through the look and into the new file as they are.
-bool stays_codes(const Grading& grading, const lutlib::LookPlace& place,
-                 const io::FloatImage& image, const std::string& output, io::Depth depth) {
-    const bool is_premultiplied = image.alpha && !grading.alpha.ignored &&
-                                  grading.alpha.premultiplied.value_or(image.premultiplied);
-    const bool turns = image.source->orientation > 1 && !io::holds_orientation(output);
-    return io::holds_codes(output) && depth == image.depth && !is_premultiplied && !turns &&
-           grading.strength == 1 && !place.applied().converts() && grading.pixels.keeps_codes();
+bool turns(const io::ImageInfo& image, const std::string& output) {
+    return image.source->orientation > 1 && !io::holds_orientation(output, *image.source);
 }
 
-std::string as_codes(const io::PictureCodes& codes, std::size_t pixels) {
+// Whether alpha, where there is any, can stay beside colours that are graded as they are stored.
+bool leaves_alpha(const Grading& grading, const io::SampleImage& image, const std::string& output) {
+    const bool is_straight = !grading.alpha.premultiplied.value_or(image.premultiplied) &&
+                             !io::stores_premultiplied(output, image.source.get());
+    return grading.alpha.ignored || is_straight || is_opaque(image);
+}
+
+// Whether samples can go through the look and into the new file as they are.
+bool stays_samples(const Grading& grading, const lutlib::LookPlace& place,
+                   const io::SampleImage& image, const std::string& output, io::Depth depth) {
+    return depth == image.depth && !turns(image, output) && grading.strength == 1 &&
+           !place.applied().converts() && grading.pixels.keeps(depth) &&
+           leaves_alpha(grading, image, output);
+}
+
+std::string as_samples(const io::SampleImage& image) {
     constexpr double megabyte = 1 << 20;
-    return fmt::format("floats: the {}-bit codes go through the look as they are, in place, and "
-                       "{:.1f} MB of floats are never made",
-                       codes.bits, static_cast<double>(pixels * 4 * sizeof(float)) / megabyte);
+    return fmt::format("floats: the {} samples go through the look as they are, and {:.1f} MB of "
+                       "floats are never made",
+                       io::info_of(image.depth).name,
+                       static_cast<double>(image.pixels() * 4 * sizeof(float)) / megabyte);
+}
+
+// Samples of the depth of the new file through the look.
+void grade_as_samples(const Grading& grading, io::SampleImage& image, const std::string& output,
+                      Graded& report) {
+    if (const std::optional<lutlib::Domain> domain = grading.look.clamps_to();
+        domain && !report.depth->integer) {
+        report.counts.outside_domain = pixels_outside(*domain, view_of(std::as_const(image)));
+    }
+    const bool inside = report.counts.outside_domain == 0;
+    if (inside) {
+        report.left_out = grading.pixels.left_out();
+    }
+    if (image.depth != io::Depth::float32) {
+        report.left_out.push_back(as_samples(image));
+    }
+    grade_samples(grading.pixels, inside, image, io::samples_for(output, image));
+    if (!grading.alpha.ignored) {
+        image.premultiplied = image.alpha && io::stores_premultiplied(output, image.source.get());
+    }
 }
 
 } // namespace
@@ -208,34 +238,28 @@ std::vector<io::Depth> require_depth(const std::string& depth, const std::string
 
 Graded grade_file(const Grading& grading, const std::string& picture, const std::string& output,
                   std::span<const io::Depth> held) {
-    io::PictureCodes codes;
-    io::FloatImage image = io::read_image(picture, grading.layer, &codes);
-    const std::shared_ptr<const io::PictureSource> source = image.source;
-    const lutlib::LookPlace place = place_of(grading, image);
+    io::SampleImage stored = io::read_samples(picture, grading.layer);
+    const std::shared_ptr<const io::PictureSource> source = stored.source;
+    const lutlib::LookPlace place = place_of(grading, stored);
     if (grading.strength != 1) {
         require_one_encoding(place);
     }
-    const io::Depth depth = choose_depth(grading.depth, output, held, image.depth);
-    Graded report = report_of(place, image, depth);
+    const io::Depth depth = choose_depth(grading.depth, output, held, stored.depth);
+    Graded report = report_of(place, stored, depth);
     report.remarks = source->remarks;
     const io::ImageWriteOptions options{.depth = depth,
-                                        .alpha = image.alpha,
+                                        .alpha = stored.alpha,
                                         .text = {{"Source", io::input_name(picture)}},
                                         .keep = source.get(),
                                         .keep_color = keeps_encoding(place)};
-    if (codes.bits > 0 && stays_codes(grading, place, image, output, depth)) {
-        grade_codes(grading.pixels, image, codes);
-        report.left_out = grading.pixels.left_out();
-        report.left_out.push_back(as_codes(codes, report.counts.pixels));
-        report.lost = io::write_codes(output, image, std::move(codes), options);
+    if (stays_samples(grading, place, stored, output, depth)) {
+        grade_as_samples(grading, stored, output, report);
+        report.lost = io::write_samples(output, std::move(stored), options);
         return report;
     }
-    if (codes.bits > 0) {
-        image.rgba = io::floats_of(codes, report.counts.pixels);
-        codes = {};
-    }
+    io::FloatImage image = floats_of(std::move(stored));
     grade_as_floats(grading, image, output, report);
-    if (source->orientation > 1 && !io::holds_orientation(output)) {
+    if (turns(image, output)) {
         image = upright(image, source->orientation);
         report.remarks.push_back("written upright, as the new file cannot say which way up it is");
         report.width = image.width;

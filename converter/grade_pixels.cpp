@@ -35,6 +35,20 @@ lutlib::PictureView view_of(io::FloatImage& image) {
                        static_cast<std::size_t>(image.height));
 }
 
+lutlib::Element element_of(io::Depth depth) {
+    switch (depth) {
+    case io::Depth::uint8:
+        return lutlib::Element::uint8;
+    case io::Depth::uint16:
+        return lutlib::Element::uint16;
+    case io::Depth::half:
+        return lutlib::Element::half;
+    case io::Depth::float32:
+        break;
+    }
+    return lutlib::Element::float32;
+}
+
 } // namespace
 
 struct LookOfPixels::Tables {
@@ -75,8 +89,8 @@ const LookOfPixels::Tables& LookOfPixels::tables() const {
     return *lazy_->tables;
 }
 
-bool LookOfPixels::keeps_codes() const {
-    return lazy_->look.is_table() && tables().keeps_codes;
+bool LookOfPixels::keeps(io::Depth depth) const {
+    return lazy_->look.is_table() && (!io::info_of(depth).integer || tables().keeps_codes);
 }
 
 const lutlib::Grading& LookOfPixels::table(bool inside) const {
@@ -88,12 +102,19 @@ std::vector<std::string> LookOfPixels::left_out() const {
     return lazy_->look.is_table() ? tables().left_out : std::vector<std::string>{};
 }
 
-void grade_codes(const LookOfPixels& look, const io::FloatImage& image, io::PictureCodes& codes) {
-    const auto view = interleaved(
-        codes.samples.data(), codes.bits == 8 ? lutlib::Element::uint8 : lutlib::Element::uint16,
-        static_cast<std::size_t>(codes.channels), static_cast<std::size_t>(image.width),
-        static_cast<std::size_t>(image.height));
-    grade(look.table(true), view, view);
+lutlib::ConstPictureView view_of(const io::SampleImage& image) {
+    return interleaved(image.samples.data(), element_of(image.depth), image.samples_a_pixel(),
+                       static_cast<std::size_t>(image.width),
+                       static_cast<std::size_t>(image.height));
+}
+
+void grade_samples(const LookOfPixels& look, bool inside, io::SampleImage& image,
+                   io::SampleBuffer&& graded) {
+    const lutlib::ConstPictureView in = view_of(image);
+    const auto out = interleaved(static_cast<void*>(graded.data()), in.element,
+                                 image.samples_a_pixel(), in.width, in.height);
+    grade(look.table(inside), in, out);
+    image.samples = std::move(graded);
 }
 
 void grade_floats(const LookOfPixels& look, bool inside, io::FloatImage& image) {

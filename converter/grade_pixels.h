@@ -19,8 +19,9 @@ class LookOfPixels {
   public:
     explicit LookOfPixels(const lutlib::io::Look& look);
 
-    /// Whether codes of 0..1 go through a table into such codes, so that integers need no floats.
-    bool keeps_codes() const;
+    /// Whether samples of this depth go through a table as they are: integers where codes of 0..1
+    /// become such codes.
+    bool keeps(lutlib::io::Depth depth) const;
 
     /// Needs a look that is a table. `inside`: no colour lies outside the look's domain.
     const lutlib::Grading& table(bool inside) const;
@@ -36,9 +37,12 @@ class LookOfPixels {
     std::shared_ptr<Lazy> lazy_;
 };
 
-/// Packed RGB or RGBA codes of `image`'s size, in place.
-void grade_codes(const LookOfPixels& look, const lutlib::io::FloatImage& image,
-                 lutlib::io::PictureCodes& codes);
+lutlib::ConstPictureView view_of(const lutlib::io::SampleImage& image);
+
+/// Into `graded`, which is as large as the image's samples and then stands for them. `inside`: no
+/// colour lies outside the look's domain.
+void grade_samples(const LookOfPixels& look, bool inside, lutlib::io::SampleImage& image,
+                   lutlib::io::SampleBuffer&& graded);
 
 /// RGBA floats, in place.
 void grade_floats(const LookOfPixels& look, bool inside, lutlib::io::FloatImage& image);

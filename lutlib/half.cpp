@@ -1,6 +1,7 @@
 #include "lutlib/half.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -23,6 +24,27 @@ std::uint16_t half_from(double value) {
     // both carry into the exponent, as they should.
     const int bits = ((exponent - least_exponent) << mantissa_bits) + mantissa;
     return static_cast<std::uint16_t>((std::signbit(held) ? sign_bit : 0) | bits);
+}
+
+std::uint16_t half_near(float value) {
+    // Of a float's bits: its sign, infinity, 65520 (which would round up to one), 2^-14 and .5.
+    constexpr std::uint32_t sign = 0x80000000, infinity = 0x7F800000, too_large = 0x477FF000,
+                            least_normal = 0x38800000, half_bits = 0x3F000000, lost_bits = 13;
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    const std::uint32_t magnitude = bits & ~sign;
+    std::uint32_t out = 0;
+    if (magnitude >= infinity) {
+        out = magnitude > infinity ? 0x7E00 : 0x7C00;
+    } else if (magnitude >= too_large) {
+        out = 0x7BFF;
+    } else if (magnitude < least_normal) {
+        // The sum's last bit is the least half's: the addition rounds.
+        out = std::bit_cast<std::uint32_t>(std::bit_cast<float>(magnitude) + 0.5F) - half_bits;
+    } else {
+        const std::uint32_t is_odd = magnitude >> lost_bits & 1;
+        out = (magnitude - ((127U - 15U) << 23U) + 0xFFF + is_odd) >> lost_bits;
+    }
+    return static_cast<std::uint16_t>(out | (bits & sign) >> 16U);
 }
 
 float float_from_half(std::uint16_t half) {

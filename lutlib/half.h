@@ -11,6 +11,9 @@ inline constexpr double largest_half = 65504;
 /// held to it; NaN is 0.
 std::uint16_t half_from(double value);
 
+/// The same of a picture's sample, quickly: infinities and NaN stay what they are.
+std::uint16_t half_near(float value);
+
 /// Exactly, with infinities, NaN and signed zeros.
 float float_from_half(std::uint16_t half);
 

@@ -59,6 +59,7 @@ set(lutlib_io_public_headers
     lutlib/io/box/box.h
     lutlib/io/cleanup.h
     lutlib/io/descriptor.h
+    lutlib/io/extension.h
     lutlib/io/file.h
     lutlib/io/formats.h
     lutlib/io/image.h
@@ -70,4 +71,5 @@ set(lutlib_io_public_headers
     lutlib/io/recipe_file.h
     lutlib/io/references.h
     lutlib/io/sample_buffer.h
+    lutlib/io/samples.h
 )

@@ -40,7 +40,10 @@ class Grading {
 void grade(const Grading& look, const ConstPictureView& in, const PictureView& out,
            int threads = 0);
 
-/// The same from the definitions, a pixel at a time: evaluate_exact() in double, rounded once.
+/// How many pixels have a colour outside the domain, NaN counted. On every core.
+std::size_t pixels_outside(const Domain& domain, const ConstPictureView& in);
+
+/// grade() from the definitions, a pixel at a time: evaluate_exact() in double, rounded once.
 void grade_plainly(const Lut& lut, Interpolation how, const ConstPictureView& in,
                    const PictureView& out);
 

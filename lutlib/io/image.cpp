@@ -1,18 +1,17 @@
 #include "lutlib/io/image.h"
 
-#include "lutlib/codes.h"
 #include "lutlib/error.h"
+#include "lutlib/io/box/shared_bytes.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/icc.h"
 #include "lutlib/io/oiio.h"
 #include "lutlib/io/pending_file.h"
+#include "lutlib/io/picture_types.h"
 #include "lutlib/io/png.h"
+#include "lutlib/io/samples.h"
 #include "lutlib/io/temporary_file.h"
 #include "lutlib/limits.h"
 #include "lutlib/named.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -28,29 +27,13 @@ constexpr std::array<DepthInfo, 4> table{{
     {Depth::float32, "float", false},
 }};
 
-constexpr std::size_t pixels_at_once = std::size_t{1} << 14;
-
 struct PngSource final : PictureSource {
     std::vector<PngChunk> chunks;
 };
 
-// Codes as values, of one row after the other on every core.
-template <class Code>
-void spread(std::span<const Code> codes, std::size_t channels, std::span<const float> values,
-            std::vector<float>& rgba) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rgba.size() / 4, pixels_at_once),
-                      [&](const tbb::blocked_range<std::size_t>& part) {
-                          for (std::size_t i = part.begin(); i < part.end(); ++i) {
-                              for (std::size_t c = 0; c < channels; ++c) {
-                                  rgba[i * 4 + c] = values[codes[i * channels + c]];
-                              }
-                          }
-                      });
-}
-
 // All but its pixels.
-FloatImage described(const PngPicture& codes) {
-    FloatImage out;
+SampleImage described(const PngPicture& codes) {
+    SampleImage out;
     out.width = codes.width;
     out.height = codes.height;
     out.alpha = codes.channels == 4;
@@ -67,47 +50,6 @@ std::shared_ptr<const PictureSource> source_of(PngPicture&& codes, std::string_v
     out->icc_profile = std::move(codes.icc_profile);
     out->text = std::move(codes.text);
     out->chunks = kept_chunks(bytes);
-    return out;
-}
-
-// CodeDepth::code() of a float without its call for each: halves go up.
-template <class Code>
-Code nearest_code(float value, float maximum) {
-    const float scaled = saturate(value) * maximum;
-    const int below = static_cast<int>(scaled);
-    return static_cast<Code>(below + (scaled - static_cast<float>(below) >= 0.5F ? 1 : 0));
-}
-
-template <class Code>
-void gather(std::span<const float> rgba, std::size_t channels, CodeDepth depth,
-            std::span<Code> codes) {
-    const auto maximum = static_cast<float>(depth.maximum());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rgba.size() / 4, pixels_at_once),
-                      [&](const tbb::blocked_range<std::size_t>& part) {
-                          for (std::size_t i = part.begin(); i < part.end(); ++i) {
-                              for (std::size_t c = 0; c < channels; ++c) {
-                                  codes[i * channels + c] =
-                                      nearest_code<Code>(rgba[i * 4 + c], maximum);
-                              }
-                          }
-                      });
-}
-
-PngPicture to_codes(const FloatImage& image, const ImageWriteOptions& options) {
-    PngPicture out;
-    out.width = image.width;
-    out.height = image.height;
-    out.channels = options.alpha ? 4 : 3;
-    out.bits = options.depth == Depth::uint8 ? 8 : 16;
-    out.text = options.text;
-    const auto channels = static_cast<std::size_t>(out.channels);
-    out.samples =
-        SampleBuffer(image.rgba.size() / 4 * channels * static_cast<std::size_t>(out.bits / 8));
-    if (out.bits == 8) {
-        gather(image.rgba, channels, {8}, out.samples.as<std::uint8_t>());
-    } else {
-        gather(image.rgba, channels, {16}, out.samples.as<std::uint16_t>());
-    }
     return out;
 }
 
@@ -141,23 +83,13 @@ std::vector<std::string> keep_in_png(PngPicture& png, const ImageWriteOptions& o
     return lost;
 }
 
-std::vector<std::string> write_picture(const std::string& path, PngPicture png,
-                                       const ImageWriteOptions& options) {
-    std::vector<std::string> lost;
-    if (options.keep) {
-        lost = keep_in_png(png, options);
-    }
-    write_file(path, write_png(png));
-    return lost;
-}
-
 bool is_png_name(const std::string& path) {
     return path == standard_stream || extension_of(path) == "png";
 }
 
 } // namespace
 
-std::optional<Encoding> encoding_of(const FloatImage& image) {
+std::optional<Encoding> encoding_of(const ImageInfo& image) {
     if (image.srgb_tag) {
         return srgb();
     }
@@ -194,22 +126,16 @@ const DepthInfo& info_of(Depth depth) {
                          [depth](const DepthInfo& row) { return row.depth == depth; });
 }
 
-FloatImage decode_image(std::string_view bytes, const std::string& extension,
-                        const std::string& file, const std::string& layer, PictureCodes* codes) {
+SampleImage decode_samples(std::string_view bytes, const std::string& extension,
+                           const std::string& file, const std::string& layer) {
     if (is_png(bytes)) {
         if (!layer.empty()) {
             throw UsageError("a PNG has no layers; leave out --layer", {file, 0, {}});
         }
         PngPicture picture = read_png_picture(bytes, file);
-        FloatImage out = described(picture);
-        PictureCodes own{picture.bits, picture.channels, std::move(picture.samples)};
+        SampleImage out = described(picture);
+        out.samples = std::move(picture.samples);
         out.source = source_of(std::move(picture), bytes);
-        if (codes) {
-            *codes = std::move(own);
-        } else {
-            out.rgba = floats_of(own, static_cast<std::size_t>(out.width) *
-                                          static_cast<std::size_t>(out.height));
-        }
         return out;
     }
     const TemporaryFile copy(bytes, file, extension);
@@ -231,29 +157,22 @@ std::size_t bytes_in_work(const std::string& path) {
     }
 }
 
-std::vector<float> floats_of(const PictureCodes& codes, std::size_t pixels) {
-    const CodeDepth depth{codes.bits};
-    std::vector<float> values(static_cast<std::size_t>(depth.maximum()) + 1);
-    for (int code = 0; code <= depth.maximum(); ++code) {
-        values[static_cast<std::size_t>(code)] = static_cast<float>(depth.value(code));
-    }
-    const auto channels = static_cast<std::size_t>(codes.channels);
-    std::vector<float> rgba(pixels * 4, 1.0F);
-    if (codes.bits == 16) {
-        spread(codes.samples.as<std::uint16_t>(), channels, values, rgba);
-    } else {
-        spread(codes.samples.as<std::uint8_t>(), channels, values, rgba);
-    }
-    return rgba;
-}
-
-FloatImage read_image(const std::string& path, const std::string& layer, PictureCodes* codes) {
+SampleImage read_samples(const std::string& path, const std::string& layer) {
     constexpr std::size_t enough_to_tell = 8;
     const auto head = head_of_regular_file(path, enough_to_tell);
     if (!head || is_png(*head)) {
-        return decode_image(read_file(path), extension_of(path), input_name(path), layer, codes);
+        return decode_samples(read_file(path), extension_of(path), input_name(path), layer);
     }
     return oiio().read(path, path, layer);
+}
+
+FloatImage decode_image(std::string_view bytes, const std::string& extension,
+                        const std::string& file, const std::string& layer) {
+    return floats_of(decode_samples(bytes, extension, file, layer));
+}
+
+FloatImage read_image(const std::string& path, const std::string& layer) {
+    return floats_of(read_samples(path, layer));
 }
 
 std::vector<Depth> depths_of(const std::string& path) {
@@ -302,36 +221,40 @@ bool stores_premultiplied(const std::string& path, const PictureSource* keep) {
     return is_tiff && keep && keep->type == "tiff" && keep->premultiplied;
 }
 
-bool holds_orientation(const std::string& path) {
-    constexpr std::array<std::string_view, 4> types{"jpg", "jpeg", "tif", "tiff"};
-    return std::find(types.begin(), types.end(), extension_of(path)) != types.end();
+bool holds_orientation(const std::string& path, const PictureSource& keep) {
+    const PictureType* const type = picture_type_of({}, path);
+    return type && (type->reader == "jpeg" || type->reader == "tiff" || type->reader == keep.type);
+}
+
+SampleBuffer samples_for(const std::string& path, const SampleImage& image) {
+    return is_png_name(path) ? SampleBuffer(image.bytes())
+                             : box::SharedBytes(image.bytes()).samples();
 }
 
 std::vector<std::string> write_image(const std::string& path, const FloatImage& image,
                                      const ImageWriteOptions& options) {
-    if (is_png_name(path)) {
-        return write_picture(path, to_codes(image, options), options);
+    return write_samples(path, samples_of(image, options.depth, options.alpha), options);
+}
+
+std::vector<std::string> write_samples(const std::string& path, SampleImage image,
+                                       const ImageWriteOptions& options) {
+    if (!is_png_name(path)) {
+        PendingFile pending(path);
+        std::vector<std::string> lost = oiio().write(pending.path(), path, path, image, options);
+        pending.commit();
+        return lost;
     }
-    PendingFile pending(path);
-    std::vector<std::string> lost = oiio().write(pending.path(), path, path, image, options);
-    pending.commit();
-    return lost;
-}
-
-bool holds_codes(const std::string& path) {
-    return is_png_name(path);
-}
-
-std::vector<std::string> write_codes(const std::string& path, const FloatImage& image,
-                                     PictureCodes codes, const ImageWriteOptions& options) {
     PngPicture png;
     png.width = image.width;
     png.height = image.height;
-    png.channels = codes.channels;
-    png.bits = codes.bits;
-    png.samples = std::move(codes.samples);
+    png.channels = image.alpha ? 4 : 3;
+    png.bits = static_cast<int>(bytes_of(image.depth) * 8);
+    png.samples = std::move(image.samples);
     png.text = options.text;
-    return write_picture(path, std::move(png), options);
+    std::vector<std::string> lost =
+        options.keep ? keep_in_png(png, options) : std::vector<std::string>{};
+    write_file(path, write_png(png));
+    return lost;
 }
 
 } // namespace lutlib::io

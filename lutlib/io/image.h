@@ -28,12 +28,14 @@ struct DepthInfo {
 std::span<const DepthInfo> depths();
 const DepthInfo& info_of(Depth depth);
 
-/// Rows from the top, four floats a pixel: red, green, blue, alpha, found by their names where the
-/// file type has names. Grey is repeated; a file without alpha gets 1. Alpha is as stored: neither
-/// multiplied in nor divided out.
-struct FloatImage {
+/// Of a sample.
+constexpr std::size_t bytes_of(Depth depth) {
+    return depth == Depth::uint8 ? 1 : depth == Depth::float32 ? 4 : 2;
+}
+
+/// What a file says of its picture.
+struct ImageInfo {
     int width = 0, height = 0;
-    std::vector<float> rgba;
     int channels = 4;             ///< of the picture: 1 grey, 3 colours, and 1 for alpha
     bool alpha = false;           ///< the file stores alpha
     bool premultiplied = false;   ///< its colours are stored multiplied by alpha, as in EXR
@@ -45,36 +47,48 @@ struct FloatImage {
     std::optional<std::array<float, 8>> chromaticities{};
     /// What else its file holds.
     std::shared_ptr<const PictureSource> source{};
+
+    std::size_t pixels() const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
+};
+
+/// Rows from the top, four floats a pixel: red, green, blue, alpha, found by their names where the
+/// file type has names. Grey is repeated; a file without alpha gets 1. Alpha is as stored: neither
+/// multiplied in nor divided out.
+struct FloatImage : ImageInfo {
+    std::vector<float> rgba;
+};
+
+/// The same as the file stores it: samples of `depth`, 3 a pixel, or 4 with alpha, in the machine's
+/// order of bytes.
+struct SampleImage : ImageInfo {
+    SampleBuffer samples{};
+
+    std::size_t samples_a_pixel() const { return alpha ? 4 : 3; }
+    /// What `samples` hold at least.
+    std::size_t bytes() const { return pixels() * samples_a_pixel() * bytes_of(depth); }
 };
 
 /// What the file says that its values are; nothing where it does not, or says what no row has.
-std::optional<Encoding> encoding_of(const FloatImage& image);
+std::optional<Encoding> encoding_of(const ImageInfo& image);
 
 /// About how many bytes a picture takes while it is read, graded and written, by its file's header;
 /// of one whose header cannot be read 0. Reading it says why.
 std::size_t bytes_in_work(const std::string& path);
 
-/// A picture's codes as a PNG has them, without gaps; bytes, or pairs in the machine's order.
-struct PictureCodes {
-    int bits = 0;           ///< 8 or 16; 0: there are none
-    int channels = 3;       ///< 3 RGB or 4 RGBA
-    SampleBuffer samples{}; ///< at least what the picture's size needs
-};
-
 /// `-` reads standard input. `layer` names one of several pictures in the file
-/// (picture_channels.h). Throws Error for what is no readable picture within limits.h. The codes of
-/// a PNG go into `codes` where that is given, and rgba stays empty.
-FloatImage read_image(const std::string& path, const std::string& layer = {},
-                      PictureCodes* codes = nullptr);
-/// What rgba would hold of the codes of so many pixels.
-std::vector<float> floats_of(const PictureCodes& codes, std::size_t pixels);
+/// (picture_channels.h). Throws Error for what is no readable picture within limits.h.
+SampleImage read_samples(const std::string& path, const std::string& layer = {});
+SampleImage decode_samples(std::string_view bytes, const std::string& extension,
+                           const std::string& file, const std::string& layer = {});
+FloatImage read_image(const std::string& path, const std::string& layer = {});
 FloatImage decode_image(std::string_view bytes, const std::string& extension,
-                        const std::string& file, const std::string& layer = {},
-                        PictureCodes* codes = nullptr);
+                        const std::string& file, const std::string& layer = {});
 
 struct ImageWriteOptions {
-    Depth depth = Depth::half; ///< one of depths_of()
-    bool alpha = false;
+    Depth depth = Depth::half; ///< one of depths_of(), of the file that write_image() makes
+    bool alpha = false;        ///< whether that has alpha
     std::vector<std::pair<std::string, std::string>> text; ///< kept in PNG files
     /// Written beside the picture as far as the file type holds it; null: nothing.
     const PictureSource* keep = nullptr;
@@ -93,8 +107,9 @@ Depth nearest_depth(Depth depth, std::span<const Depth> held);
 /// (EXR), or leaves the choice and `keep`, a file of the same type, has chosen so.
 bool stores_premultiplied(const std::string& path, const PictureSource* keep);
 
-/// Whether a file of this name says which way up it is; others have to be written upright.
-bool holds_orientation(const std::string& path);
+/// Whether a file of this name says which way up a picture is, as those do that `keep` is of;
+/// others have to be written upright.
+bool holds_orientation(const std::string& path, const PictureSource& keep);
 
 /// Writes atomically; the file type is the extension's. Integer samples are clamped to 0..1 (NaN to
 /// 0) and rounded to nearest. `-` writes a PNG to standard output. The answer is what of
@@ -102,10 +117,12 @@ bool holds_orientation(const std::string& path);
 std::vector<std::string> write_image(const std::string& path, const FloatImage& image,
                                      const ImageWriteOptions& options);
 
-/// Whether write_codes() writes files of this name.
-bool holds_codes(const std::string& path);
-/// The same of codes, of the size of `image`, into a PNG of their depth and channels.
-std::vector<std::string> write_codes(const std::string& path, const FloatImage& image,
-                                     PictureCodes codes, const ImageWriteOptions& options);
+/// Memory for samples like those of `image` on their way to `path`, from where another process can
+/// take them without a copy.
+SampleBuffer samples_for(const std::string& path, const SampleImage& image);
+
+/// write_image() of samples as they are; their depth is one of depths_of().
+std::vector<std::string> write_samples(const std::string& path, SampleImage image,
+                                       const ImageWriteOptions& options);
 
 } // namespace lutlib::io

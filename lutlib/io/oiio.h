@@ -13,13 +13,14 @@ class Oiio {
   public:
     virtual ~Oiio() = default;
 
-    /// Is told how many samples are going to be decoded, before they are.
-    using Announce = std::function<void(std::size_t samples)>;
+    /// Gives the memory that a picture of so many bytes is decoded into; is asked once, before.
+    using Allocate = std::function<SampleBuffer(std::size_t bytes)>;
 
     virtual std::string version() const = 0;
     /// `file` names the picture at `path` in errors. Its type is told by its bytes.
-    virtual FloatImage read(const std::string& path, const std::string& file,
-                            const std::string& layer = {}, const Announce& announce = {}) const = 0;
+    virtual SampleImage read(const std::string& path, const std::string& file,
+                             const std::string& layer = {},
+                             const Allocate& allocate = {}) const = 0;
     /// Pixels of all parts, and their bytes in the file's own types, by its header; zeros where it
     /// cannot be read.
     struct Size {
@@ -35,9 +36,9 @@ class Oiio {
     virtual Depth written_depth(const std::string& path, const std::string& name,
                                 const std::string& file, Depth depth) const = 0;
     /// Writes a picture of the extension of `name` to `path`. `file` as above; the answer as of
-    /// write_image().
+    /// write_samples().
     virtual std::vector<std::string> write(const std::string& path, const std::string& name,
-                                           const std::string& file, const FloatImage& image,
+                                           const std::string& file, const SampleImage& image,
                                            const ImageWriteOptions& options) const = 0;
     /// What has been kept of a picture that read() read, as bytes; empty: nothing but its base.
     virtual std::string packed(const PictureSource& source) const = 0;

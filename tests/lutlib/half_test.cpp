@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace lutlib {
 namespace {
@@ -51,6 +53,34 @@ TEST(Half, rounds_to_the_nearest_and_ties_to_even_between_all_neighbours) {
         ASSERT_EQ(half_from(std::nextafter(middle, high)), half + 1);
         ASSERT_EQ(half_from(-middle), even | sign);
     }
+}
+
+TEST(Half, near_a_picture_s_sample_is_the_same_quickly) {
+    std::mt19937 random(1);
+    const auto expect_same = [](float value) {
+        const bool is_large = std::abs(value) > 65504;
+        const float held = is_large ? std::copysign(65504.0F, value) : value;
+        ASSERT_EQ(half_near(value), half_from(static_cast<double>(held))) << value;
+    };
+    for (int i = 0; i < 1'000'000; ++i) {
+        const auto value = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+        if (std::isfinite(value)) {
+            expect_same(value);
+        }
+    }
+    for (int half = 0; half < largest; ++half) {
+        const float low = float_from_half(static_cast<std::uint16_t>(half));
+        const float high = float_from_half(static_cast<std::uint16_t>(half + 1));
+        const float middle = low + (high - low) / 2;
+        for (const float value :
+             {low, middle, std::nextafter(middle, low), std::nextafter(middle, high), -middle}) {
+            expect_same(value);
+        }
+    }
+    constexpr float endless = std::numeric_limits<float>::infinity();
+    EXPECT_EQ(float_from_half(half_near(endless)), endless);
+    EXPECT_EQ(float_from_half(half_near(-endless)), -endless);
+    EXPECT_TRUE(std::isnan(float_from_half(half_near(std::nanf("")))));
 }
 
 TEST(Half, holds_what_is_too_large_and_takes_nan_for_0) {

@@ -56,8 +56,8 @@ void write_all(const std::string& path, std::span<const std::byte> bytes, const 
 }
 
 // A reader's work on a picture of ours, not on a file of so many bytes.
-About about_picture(const std::string& file, const FloatImage& image) {
-    return {file, image.rgba.size() * sizeof(float) / 8};
+About about_picture(const std::string& file, const SampleImage& image) {
+    return {file, image.pixels() * 2};
 }
 
 } // namespace
@@ -107,8 +107,8 @@ Oiio::Size BoxedOiio::size(const std::string& path) const {
     return ask(asked, about).take<Size>();
 }
 
-FloatImage BoxedOiio::read(const std::string& path, const std::string& file,
-                           const std::string& layer, const Announce&) const {
+SampleImage BoxedOiio::read(const std::string& path, const std::string& file,
+                            const std::string& layer, const Allocate&) const {
     const Descriptor copy(new_memory_file());
     const About about{file, copy_into(copy.get(), path, file)};
     Outgoing asked = question(OiioCall::read, about);
@@ -116,7 +116,7 @@ FloatImage BoxedOiio::read(const std::string& path, const std::string& file,
     asked.put(std::string_view(layer));
     asked.attach(copy.get());
     Incoming answer = ask(asked, about);
-    FloatImage out = take_image(answer);
+    SampleImage out = take_image(answer, Sharing::ended);
     out.source = take_source(answer);
     return out;
 }
@@ -142,15 +142,13 @@ Depth BoxedOiio::written_depth(const std::string&, const std::string& name, cons
 }
 
 std::vector<std::string> BoxedOiio::write(const std::string& path, const std::string& name,
-                                          const std::string& file, const FloatImage& image,
+                                          const std::string& file, const SampleImage& image,
                                           const ImageWriteOptions& options) const {
     const About about = about_picture(file, image);
     Outgoing asked = question(OiioCall::write, about);
     asked.put(std::string_view(name));
     asked.put(std::string_view(file));
     put(asked, image);
-    asked.put(options.depth);
-    asked.put(std::uint8_t{options.alpha});
     asked.put(std::uint8_t{options.keep_color});
     asked.put_pairs(options.text);
     const auto* const boxed = dynamic_cast<const BoxedSource*>(options.keep);

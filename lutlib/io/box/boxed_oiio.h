@@ -18,14 +18,14 @@ class BoxedOiio final : public Oiio {
 
     std::string version() const override;
     Size size(const std::string& path) const override;
-    FloatImage read(const std::string& path, const std::string& file, const std::string& layer = {},
-                    const Announce& announce = {}) const override;
+    SampleImage read(const std::string& path, const std::string& file,
+                     const std::string& layer = {}, const Allocate& allocate = {}) const override;
     bool writes(const std::string& path) const override;
     std::vector<std::string> written_extensions() const override;
     Depth written_depth(const std::string& path, const std::string& name, const std::string& file,
                         Depth depth) const override;
     std::vector<std::string> write(const std::string& path, const std::string& name,
-                                   const std::string& file, const FloatImage& image,
+                                   const std::string& file, const SampleImage& image,
                                    const ImageWriteOptions& options) const override;
     std::string packed(const PictureSource& source) const override;
     std::shared_ptr<const PictureSource> unpacked(std::string_view bytes) const override;

@@ -27,10 +27,11 @@ SharedBytes shared(std::string_view bytes) {
 void read(const Oiio& library, Incoming& question, Outgoing& answer) {
     const std::string file = question.take_text(), layer = question.take_text();
     const Descriptor opened(question.take_file());
-    const FloatImage image =
-        library.read(path_of(opened.get()), file, layer, [](std::size_t samples) {
-            constexpr std::size_t samples_a_second = 1 << 22;
-            limit_computing(static_cast<unsigned>(1 + samples / samples_a_second));
+    const SampleImage image =
+        library.read(path_of(opened.get()), file, layer, [](std::size_t bytes) {
+            constexpr std::size_t bytes_a_second = 1 << 22;
+            limit_computing(static_cast<unsigned>(1 + bytes / bytes_a_second));
+            return SharedBytes(bytes).samples();
         });
     put(answer, image);
     put_source(answer, image.source.get(), shared(library.packed(*image.source)));
@@ -38,10 +39,8 @@ void read(const Oiio& library, Incoming& question, Outgoing& answer) {
 
 void write(const Oiio& library, Incoming& question, Outgoing& answer) {
     const std::string name = question.take_text(), file = question.take_text();
-    const FloatImage image = take_image(question);
+    const SampleImage image = take_image(question, Sharing::both);
     ImageWriteOptions options;
-    options.depth = question.take<Depth>();
-    options.alpha = question.take_bool();
     options.keep_color = question.take_bool();
     options.text = question.take_pairs();
     const std::shared_ptr<const BoxedSource> boxed = take_source(question);

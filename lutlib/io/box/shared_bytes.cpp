@@ -2,6 +2,7 @@
 
 #include "lutlib/error.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -19,7 +20,7 @@ namespace {
 } // namespace
 
 struct SharedBytes::Mapping {
-    explicit Mapping(int descriptor) : file(descriptor) {
+    Mapping(int descriptor, Sharing with) : file(descriptor), sharing(with) {
         struct stat info {};
         if (::fstat(file.get(), &info) != 0) {
             fail("cannot look at shared memory");
@@ -28,8 +29,8 @@ struct SharedBytes::Mapping {
         if (size == 0) {
             return;
         }
-        void* const mapped =
-            ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, file.get(), 0);
+        const int kind = sharing == Sharing::both ? MAP_SHARED : MAP_PRIVATE;
+        void* const mapped = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, kind, file.get(), 0);
         if (mapped == MAP_FAILED) {
             fail("cannot map shared memory");
         }
@@ -44,6 +45,7 @@ struct SharedBytes::Mapping {
     Mapping& operator=(const Mapping&) = delete;
 
     Descriptor file;
+    Sharing sharing;
     std::byte* data = nullptr;
     std::size_t size = 0;
 };
@@ -69,12 +71,28 @@ SharedBytes::SharedBytes(std::size_t size) {
         fail("cannot make shared memory");
     }
     seal_size(descriptor);
-    mapping_ = std::make_shared<Mapping>(descriptor);
+    mapping_ = std::make_shared<Mapping>(descriptor, Sharing::both);
 }
 
-SharedBytes SharedBytes::adopt(int descriptor) {
+SharedBytes SharedBytes::adopt(int descriptor, Sharing sharing) {
     seal_size(descriptor);
-    return SharedBytes(std::make_shared<Mapping>(descriptor));
+    if (sharing == Sharing::both) {
+        return SharedBytes(std::make_shared<Mapping>(descriptor, sharing));
+    }
+    if (::fcntl(descriptor, F_ADD_SEALS, F_SEAL_WRITE) == 0) {
+        return SharedBytes(std::make_shared<Mapping>(descriptor, sharing));
+    }
+    const SharedBytes theirs(std::make_shared<Mapping>(descriptor, Sharing::both)),
+        out(theirs.bytes().size());
+    std::copy_n(theirs.bytes().data(), theirs.bytes().size(), out.bytes().data());
+    return out;
+}
+
+SampleBuffer SharedBytes::samples() const {
+    if (!mapping_) {
+        return {};
+    }
+    return {mapping_, bytes(), mapping_->sharing == Sharing::both ? descriptor() : -1};
 }
 
 std::span<std::byte> SharedBytes::bytes() const {

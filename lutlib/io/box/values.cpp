@@ -105,7 +105,7 @@ Reading take_reading(Incoming& from) {
     return out;
 }
 
-void put(Outgoing& to, const FloatImage& image) {
+void put(Outgoing& to, const SampleImage& image) {
     to.put(std::int32_t{image.width});
     to.put(std::int32_t{image.height});
     to.put(std::int32_t{image.channels});
@@ -117,14 +117,17 @@ void put(Outgoing& to, const FloatImage& image) {
     to.put(std::uint8_t{image.holds_light});
     to.put(std::uint8_t{image.chromaticities.has_value()});
     to.put(image.chromaticities.value_or(std::array<float, 8>{}));
-    const auto pixels = std::as_bytes(std::span(image.rgba));
-    const SharedBytes shared(pixels.size());
-    std::copy(pixels.begin(), pixels.end(), shared.bytes().begin());
+    if (image.samples.descriptor() >= 0) {
+        to.attach(image.samples.descriptor());
+        return;
+    }
+    const SharedBytes shared(image.bytes());
+    std::copy_n(image.samples.data(), image.bytes(), shared.bytes().data());
     to.attach(shared.descriptor());
 }
 
-FloatImage take_image(Incoming& from) {
-    FloatImage out;
+SampleImage take_image(Incoming& from, Sharing sharing) {
+    SampleImage out;
     out.width = from.take<std::int32_t>();
     out.height = from.take<std::int32_t>();
     out.channels = from.take<std::int32_t>();
@@ -139,18 +142,14 @@ FloatImage take_image(Incoming& from) {
     if (has_chromaticities) {
         out.chromaticities = chromaticities;
     }
-    const SharedBytes shared = SharedBytes::adopt(from.take_file());
+    const SharedBytes shared = SharedBytes::adopt(from.take_file(), sharing);
     const bool has_sides = out.width > 0 && out.height > 0 && out.width <= limits::max_image_side &&
                            out.height <= limits::max_image_side;
-    const std::size_t floats =
-        has_sides ? 4 * static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height)
-                  : 0;
-    if (floats == 0 || shared.bytes().size() != floats * sizeof(float) || out.channels < 1 ||
-        out.channels > 4 || out.depth > Depth::float32) {
+    if (!has_sides || out.channels < 1 || out.channels > 4 || out.depth > Depth::float32 ||
+        shared.bytes().size() != out.bytes()) {
         throw Error("a boxed reader's picture makes no sense");
     }
-    const auto* const values = reinterpret_cast<const float*>(shared.bytes().data());
-    out.rgba.assign(values, values + floats);
+    out.samples = shared.samples();
     return out;
 }
 

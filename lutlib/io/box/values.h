@@ -4,6 +4,7 @@
 #include "lutlib/format.h"
 #include "lutlib/io/box/confine.h"
 #include "lutlib/io/box/message.h"
+#include "lutlib/io/box/shared_bytes.h"
 #include "lutlib/io/image.h"
 
 namespace lutlib::io::box {
@@ -15,10 +16,10 @@ Lut take_lut(Incoming& from);
 void put(Outgoing& to, const Reading& reading);
 Reading take_reading(Incoming& from);
 
-/// Its pixels travel as shared memory; its source does not.
-void put(Outgoing& to, const FloatImage& image);
+/// Its pixels travel as shared memory, without a copy where they lie in such; its source does not.
+void put(Outgoing& to, const SampleImage& image);
 /// Throws Error for sides outside limits.h, and for pixels that are not as many.
-FloatImage take_image(Incoming& from);
+SampleImage take_image(Incoming& from, Sharing sharing);
 
 void put(Outgoing& to, const Held& held);
 Held take_held(Incoming& from);

@@ -126,9 +126,15 @@ std::vector<std::string> OiioSource::beyond_text() const {
     return out;
 }
 
-const OiioSource* kept_whole(const PictureSource* keep, std::string_view type) {
+const OiioSource* kept_whole(const PictureSource* keep, std::string_view type,
+                             const ImageInfo& image) {
     const auto* const source = dynamic_cast<const OiioSource*>(keep);
-    return source && source->type == type && !source->picture.grey() ? source : nullptr;
+    if (!source || source->type != type || source->picture.grey() ||
+        source->picture.has_alpha() != image.alpha) {
+        return nullptr;
+    }
+    const OIIO::ImageSpec& spec = source->picture_spec();
+    return spec.width == image.width && spec.height == image.height ? source : nullptr;
 }
 
 std::vector<OIIO::ImageSpec> specs_of(const OiioSource& keep, OIIO::TypeDesc type,
@@ -158,34 +164,32 @@ std::vector<OIIO::ImageSpec> specs_of(const OiioSource& keep, OIIO::TypeDesc typ
 }
 
 std::vector<std::byte> pixels_of(const OiioSource& keep, const OIIO::ImageSpec& spec,
-                                 const FloatImage& image) {
-    const std::size_t count = image.rgba.size() / 4;
-    const std::size_t stride = offset_of(spec, spec.nchannels);
-    std::vector<std::byte> out(count * stride);
+                                 const SampleImage& image) {
     const KeptPart& part = keep.parts[keep.picture.part];
+    const auto& at = keep.picture.at;
+    const auto in_order = [&](int c) { return c < 0 || at[static_cast<std::size_t>(c)] == c; };
+    const bool is_whole = part.pixels.empty() && in_order(0) && in_order(1) && in_order(2) &&
+                          (at[3] < 0 || at[3] == 3);
+    if (is_whole) {
+        return {};
+    }
+    const std::size_t count = image.pixels(), size = bytes_of(image.depth);
+    const std::size_t own_stride = image.samples_a_pixel() * size;
+    const std::size_t stride = offset_of(spec, spec.nchannels);
     const std::size_t kept_stride = offset_of(part.spec, part.spec.nchannels);
-    std::vector<float> values(count);
-    std::vector<std::byte> converted;
+    std::vector<std::byte> out(count * stride);
     for (int c = 0; c < spec.nchannels; ++c) {
-        const OIIO::TypeDesc type = spec.channelformat(c);
-        const std::size_t size = type.size(), to = offset_of(spec, c);
-        const auto* const place = std::find(keep.picture.at.begin(), keep.picture.at.end(), c);
-        if (place == keep.picture.at.end()) {
-            const std::size_t from = offset_of(part.spec, c);
-            for (std::size_t i = 0; i < count; ++i) {
-                std::copy_n(&part.pixels[i * kept_stride + from], size, &out[i * stride + to]);
-            }
-            continue;
-        }
-        const auto component = static_cast<std::size_t>(place - keep.picture.at.begin());
+        const auto* const place = std::find(at.begin(), at.end(), c);
+        const bool is_own = place != at.end();
+        const std::byte* from =
+            is_own ? image.samples.data() + static_cast<std::size_t>(place - at.begin()) * size
+                   : part.pixels.data() + offset_of(part.spec, c);
+        std::byte* to = &out[offset_of(spec, c)];
+        const std::size_t bytes = spec.channelformat(c).size();
         for (std::size_t i = 0; i < count; ++i) {
-            values[i] = image.rgba[4 * i + component];
-        }
-        converted.resize(count * size);
-        OIIO::convert_pixel_values(OIIO::TypeDesc::FLOAT, values.data(), type, converted.data(),
-                                   static_cast<int>(count));
-        for (std::size_t i = 0; i < count; ++i) {
-            std::copy_n(&converted[i * size], size, &out[i * stride + to]);
+            std::memcpy(to, from, bytes);
+            from += is_own ? own_stride : kept_stride;
+            to += stride;
         }
     }
     return out;

@@ -28,16 +28,18 @@ struct OiioSource final : PictureSource {
     std::vector<std::string> beyond_text() const override;
 };
 
-/// Whether the parts of `keep` go into a file of this type as they are: it is of the same type, and
-/// the picture has its three channels there. Else null.
-const OiioSource* kept_whole(const PictureSource* keep, std::string_view type);
+/// Whether the parts of `keep` go into a file of this type as they are, beside `image`: it is of
+/// the same type and size, and the picture has its own channels there. Else null.
+const OiioSource* kept_whole(const PictureSource* keep, std::string_view type,
+                             const ImageInfo& image);
 
 /// The parts to write: those of `keep`, the picture's with channels of `type`.
 std::vector<OIIO::ImageSpec> specs_of(const OiioSource& keep, OIIO::TypeDesc type, bool keep_color);
 
-/// The picture's part as specs_of() says, with the picture's colours in their channels.
+/// The picture's part as specs_of() says of its depth, with the picture's samples in their
+/// channels; empty where they are all of it as they are.
 std::vector<std::byte> pixels_of(const OiioSource& keep, const OIIO::ImageSpec& spec,
-                                 const FloatImage& image);
+                                 const SampleImage& image);
 
 /// Gives `spec`, of a file of another type, what `keep` says and that type holds; the answer is
 /// what it does not.

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -83,19 +84,30 @@ void check_size(const OIIO::ImageSpec& spec, const std::string& file) {
     }
 }
 
-// The channels [first, last) of a part, a picture's among them, to their places.
-void spread(FloatImage& image, std::span<const float> samples, const PictureChannels& from,
-            int first, int last) {
-    const auto stride = static_cast<std::size_t>(last - first);
-    const std::size_t pixels = samples.size() / stride;
-    image.rgba.assign(pixels * 4, 1.0F);
-    for (std::size_t c = 0; c < 4; ++c) {
-        if (from.at[c] < 0) {
-            continue;
-        }
-        const auto at = static_cast<std::size_t>(from.at[c] - first);
-        for (std::size_t i = 0; i < pixels; ++i) {
-            image.rgba[i * 4 + c] = samples[i * stride + at];
+// Some channels of a part, a pixel's one after the other.
+struct Channels {
+    const std::byte* first = nullptr;
+    std::size_t stride = 0;           ///< bytes from a pixel to the next
+    std::vector<std::size_t> offset;  ///< of each channel in a pixel
+    std::vector<OIIO::TypeDesc> type; ///< of each channel
+};
+
+// Those that the picture has, to their places, as `image.depth`; grey three times.
+void gather(const Channels& all, const PictureChannels& picture, int first, SampleImage& image) {
+    const std::size_t size = bytes_of(image.depth), channels = image.samples_a_pixel();
+    const OIIO::TypeDesc wanted = type_of(image.depth);
+    for (std::size_t c = 0; c < channels; ++c) {
+        const auto at = static_cast<std::size_t>(picture.at[c] - first);
+        const std::byte* from = all.first + all.offset[at];
+        std::byte* to = image.samples.data() + c * size;
+        for (std::size_t i = 0; i < image.pixels(); ++i) {
+            if (all.type[at] == wanted) {
+                std::memcpy(to, from, size);
+            } else {
+                OIIO::convert_pixel_values(all.type[at], from, wanted, to, 1);
+            }
+            from += all.stride;
+            to += channels * size;
         }
     }
 }
@@ -125,9 +137,13 @@ std::vector<PicturePart> named_parts(const std::vector<OIIO::ImageSpec>& specs,
     return out;
 }
 
-// How the file stores a picture's colours.
+// How the file stores a picture's colours; where it stores them in several ways, as floats.
 Depth picture_depth(const OIIO::ImageSpec& spec, const PictureChannels& picture) {
-    return depth_of(spec.channelformat(picture.at[0]));
+    const Depth first = depth_of(spec.channelformat(picture.at[0]));
+    const bool are_alike = std::all_of(picture.at.begin(), picture.at.end(), [&](int c) {
+        return c < 0 || depth_of(spec.channelformat(c)) == first;
+    });
+    return are_alike ? first : Depth::float32;
 }
 
 bool is_premultiplied(const OIIO::ImageSpec& spec, std::string_view type) {
@@ -135,14 +151,16 @@ bool is_premultiplied(const OIIO::ImageSpec& spec, std::string_view type) {
            (type == "tiff" && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0);
 }
 
-// Texts and numbers of a part, and its pixels where the picture's are not all of them.
-std::shared_ptr<OiioSource> source_of(OIIO::ImageInput& input, std::vector<OIIO::ImageSpec> specs,
-                                      const PictureChannels& picture, const std::string& path,
-                                      const std::string& file) {
+bool has_others(const OIIO::ImageSpec& spec, const PictureChannels& picture) {
+    return spec.nchannels > (picture.has_alpha() ? 4 : 3);
+}
+
+// Texts and numbers of a file.
+std::shared_ptr<OiioSource> source_of(OIIO::ImageInput& input, const OIIO::ImageSpec& spec,
+                                      const PictureChannels& picture) {
     auto out = std::make_shared<OiioSource>();
     out->type = input.format_name();
     out->picture = picture;
-    const OIIO::ImageSpec& spec = specs[picture.part];
     out->orientation = spec.get_int_attribute("Orientation", 1);
     if (const auto* const icc = spec.find_attribute("ICCProfile")) {
         out->icc_profile.assign(static_cast<const char*>(icc->data()), icc->type().size());
@@ -154,28 +172,75 @@ std::shared_ptr<OiioSource> source_of(OIIO::ImageInput& input, std::vector<OIIO:
             out->text.emplace_back(name, attribute.get_string());
         }
     }
+    return out;
+}
+
+// Its parts, each with its pixels where the picture's are not all of them.
+std::vector<KeptPart> kept_parts(OIIO::ImageInput& input, std::vector<OIIO::ImageSpec> specs,
+                                 const PictureChannels& picture, const std::string& path,
+                                 const std::string& file) {
+    std::vector<KeptPart> out;
     std::size_t bytes = 0;
     for (std::size_t i = 0; i < specs.size(); ++i) {
-        KeptPart part{specs[i], {}};
-        const int own = picture.has_alpha() ? 4 : 3;
-        if (i != picture.part || specs[i].nchannels > own) {
-            bytes += specs[i].image_bytes(true);
-            check_size(specs[i], file);
+        KeptPart part{std::move(specs[i]), {}};
+        if (i != picture.part || has_others(part.spec, picture)) {
+            const std::size_t own = part.spec.image_bytes(true);
+            check_size(part.spec, file);
+            bytes += own;
             if (bytes > limits::max_file_bytes) {
                 throw Error("its other channels and parts are larger than " +
                                 std::to_string(limits::max_file_bytes >> 20) + " MB",
                             {file, 0, {}});
             }
-            part.pixels.resize(specs[i].image_bytes(true));
-            if (!input.read_image(static_cast<int>(i), 0, 0, specs[i].nchannels,
+            part.pixels.resize(own);
+            if (!input.read_image(static_cast<int>(i), 0, 0, part.spec.nchannels,
                                   OIIO::TypeDesc::UNKNOWN, part.pixels.data()) ||
                 input.has_error()) {
                 fail("cannot read the other channels", input.geterror(), path, file);
             }
         }
-        out->parts.push_back(std::move(part));
+        out.push_back(std::move(part));
     }
     return out;
+}
+
+// The picture out of a part that has been read whole.
+void gather(const KeptPart& part, const PictureChannels& picture, SampleImage& image) {
+    Channels all{part.pixels.data(), 0, {}, {}};
+    for (int c = 0; c < part.spec.nchannels; ++c) {
+        all.offset.push_back(all.stride);
+        all.type.push_back(part.spec.channelformat(c));
+        all.stride += all.type.back().size();
+    }
+    gather(all, picture, 0, image);
+}
+
+// The picture alone.
+void decode(OIIO::ImageInput& input, const PictureChannels& picture, const std::string& path,
+            const std::string& file, SampleImage& image) {
+    const auto [least, most] =
+        std::minmax_element(picture.at.begin(), picture.at.end() - (image.alpha ? 0 : 1));
+    const int first = *least, last = *most + 1;
+    const auto count = static_cast<std::size_t>(last - first);
+    const std::size_t size = bytes_of(image.depth);
+    const bool is_in_place = picture.at[1] == first + 1 && picture.at[2] == first + 2 &&
+                             (!image.alpha || picture.at[3] == first + 3);
+    SampleBuffer apart = is_in_place ? SampleBuffer() : SampleBuffer(image.pixels() * count * size);
+    std::byte* const to = is_in_place ? image.samples.data() : apart.data();
+    const bool is_read =
+        input.read_image(static_cast<int>(picture.part), 0, first, last, type_of(image.depth), to);
+    // Of a file that ends early some readers tell so only here. WebP's complains whenever it goes
+    // back to the first frame, which it has decoded by then.
+    if (!is_read || (input.has_error() && std::string_view(input.format_name()) != "webp")) {
+        fail("cannot read the pixels", input.geterror(), path, file);
+    }
+    if (!is_in_place) {
+        Channels all{apart.data(), count * size, {}, {count, type_of(image.depth)}};
+        for (std::size_t c = 0; c < count; ++c) {
+            all.offset.push_back(c * size);
+        }
+        gather(all, picture, first, image);
+    }
 }
 
 std::string head_of(const std::string& path) {
@@ -207,8 +272,8 @@ class Library final : public Oiio {
 
     std::string version() const override { return OIIO_VERSION_STRING; }
 
-    FloatImage read(const std::string& path, const std::string& file, const std::string& layer,
-                    const Announce& announce) const override {
+    SampleImage read(const std::string& path, const std::string& file, const std::string& layer,
+                     const Allocate& allocate) const override {
         const auto input = opened(path, file);
         check_size(input->spec(), file);
         const std::string_view type = input->format_name();
@@ -220,7 +285,7 @@ class Library final : public Oiio {
         check_size(spec, file);
         check_packing(spec, type, std::filesystem::file_size(path), file);
 
-        FloatImage image;
+        SampleImage image;
         image.width = spec.width;
         image.height = spec.height;
         image.alpha = picture.has_alpha();
@@ -233,28 +298,18 @@ class Library final : public Oiio {
                               chromaticities.data())) {
             image.chromaticities = chromaticities;
         }
-        const auto [least, most] =
-            std::minmax_element(picture.at.begin(), picture.at.end() - (image.alpha ? 0 : 1));
-        const int first = *least, last = *most + 1;
         // Not filled before it is read: of a file that ends early most is never touched.
-        const std::size_t count = static_cast<std::size_t>(spec.width) *
-                                  static_cast<std::size_t>(spec.height) *
-                                  static_cast<std::size_t>(last - first);
-        const auto samples = std::make_unique_for_overwrite<float[]>(count);
-        if (announce) {
-            announce(count);
-        }
-        // Of a file that ends early some readers tell so only here. WebP's complains whenever it
-        // goes back to the first frame, which it has decoded by then.
-        const bool is_read = input->read_image(static_cast<int>(picture.part), 0, first, last,
-                                               OIIO::TypeDesc::FLOAT, samples.get());
-        if (!is_read || (input->has_error() && type != "webp")) {
-            fail("cannot read the pixels", input->geterror(), path, file);
-        }
-        spread(image, {samples.get(), count}, picture, first, last);
-        const auto source = source_of(*input, specs, picture, path, file);
+        image.samples = allocate ? allocate(image.bytes()) : SampleBuffer(image.bytes());
+        const auto source = source_of(*input, spec, picture);
         source->premultiplied = image.premultiplied;
         source->remarks = channel_remarks(picture, pictures, parts);
+        if (!has_others(spec, picture)) {
+            decode(*input, picture, path, file, image);
+        }
+        source->parts = kept_parts(*input, specs, picture, path, file);
+        if (has_others(spec, picture)) {
+            gather(source->parts[picture.part], picture, image);
+        }
         image.source = source;
         input->close();
         return image;
@@ -293,28 +348,29 @@ class Library final : public Oiio {
     Depth written_depth(const std::string& path, const std::string& name, const std::string& file,
                         Depth depth) const override {
         // Large enough for every type; JPEG 2000 wants several resolutions.
-        FloatImage image;
+        SampleImage image;
         image.width = image.height = 64;
-        image.rgba.assign(64 * 64 * 4, 0.0F);
-        write(path, name, file, image, {.depth = depth, .alpha = false, .text = {}});
+        image.depth = depth;
+        image.samples = SampleBuffer(image.bytes());
+        std::memset(image.samples.data(), 0, image.bytes());
+        write(path, name, file, image, {.text = {}});
         // What the library says of a file that it writes is not always what it then wrote.
         return depth_of(opened(path, file)->spec().format);
     }
 
     std::vector<std::string> write(const std::string& path, const std::string& name,
-                                   const std::string& file, const FloatImage& image,
+                                   const std::string& file, const SampleImage& image,
                                    const ImageWriteOptions& options) const override {
         const auto output = OIIO::ImageOutput::create(name);
         if (!output || !is_read_by(output->format_name())) {
             fail("cannot write a picture of this type", OIIO::geterror(), path, file);
         }
-        if (const OiioSource* const keep = kept_whole(options.keep, output->format_name())) {
+        if (const OiioSource* const keep = kept_whole(options.keep, output->format_name(), image)) {
             write_parts(*output, *keep, path, file, image, options);
             return {};
         }
-        const std::size_t channels = options.alpha ? 4 : 3;
-        OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(channels),
-                             type_of(options.depth));
+        OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.samples_a_pixel()),
+                             type_of(image.depth));
         if (!image.premultiplied) {
             spec.attribute("oiio:UnassociatedAlpha", 1);
         }
@@ -322,7 +378,7 @@ class Library final : public Oiio {
             spec.attribute(key, value);
         }
         std::vector<std::string> lost;
-        if (options.alpha && !output->supports("alpha")) {
+        if (image.alpha && !output->supports("alpha")) {
             lost.emplace_back("the alpha");
         }
         if (options.keep) {
@@ -333,9 +389,7 @@ class Library final : public Oiio {
         if (!output->open(path, spec)) {
             fail("cannot write the picture", output->geterror(), path, file);
         }
-        const auto stride = static_cast<OIIO::stride_t>(4 * sizeof(float));
-        if (!output->write_image(OIIO::TypeDesc::FLOAT, image.rgba.data(), stride) ||
-            !output->close()) {
+        if (!output->write_image(type_of(image.depth), image.samples.data()) || !output->close()) {
             fail("cannot write the pixels", output->geterror(), path, file);
         }
         return lost;
@@ -354,11 +408,11 @@ class Library final : public Oiio {
     // All parts of a file of the same type, the picture's with other colours.
     static void write_parts(OIIO::ImageOutput& output, const OiioSource& keep,
                             const std::string& path, const std::string& file,
-                            const FloatImage& image, const ImageWriteOptions& options) {
+                            const SampleImage& image, const ImageWriteOptions& options) {
         std::vector<OIIO::ImageSpec> specs =
-            specs_of(keep, type_of(options.depth), options.keep_color);
+            specs_of(keep, type_of(image.depth), options.keep_color);
         OIIO::ImageSpec& own = specs[keep.picture.part];
-        if (options.alpha && !image.premultiplied) {
+        if (image.alpha && !image.premultiplied) {
             own.attribute("oiio:UnassociatedAlpha", 1);
         } else {
             own.erase_attribute("oiio:UnassociatedAlpha");
@@ -377,9 +431,13 @@ class Library final : public Oiio {
             if (!is_open) {
                 fail("cannot write the picture", output.geterror(), path, file);
             }
-            const std::vector<std::byte> pixels =
-                i == keep.picture.part ? pixels_of(keep, specs[i], image) : keep.parts[i].pixels;
-            if (!output.write_image(OIIO::TypeDesc::UNKNOWN, pixels.data())) {
+            const bool is_picture = i == keep.picture.part;
+            const std::vector<std::byte> merged =
+                is_picture ? pixels_of(keep, specs[i], image) : std::vector<std::byte>{};
+            const std::byte* const pixels = !is_picture      ? keep.parts[i].pixels.data()
+                                            : merged.empty() ? image.samples.data()
+                                                             : merged.data();
+            if (!output.write_image(OIIO::TypeDesc::UNKNOWN, pixels)) {
                 fail("cannot write the pixels", output.geterror(), path, file);
             }
         }

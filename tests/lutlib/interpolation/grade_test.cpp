@@ -152,6 +152,31 @@ void fill(Picture& picture, const Domain& domain) {
     });
 }
 
+TEST(Grade, counts_the_pixels_outside_a_domain_of_every_element_wherever_they_lie) {
+    for (const Domain& domain : {Domain{}, odd_domain, Domain{{-9e4F, 0, 0}, {9e4F, 1, 70000}}}) {
+        for (const ElementInfo& info : elements()) {
+            for (const Layout& layout : layouts) {
+                Picture picture(layout, info.element, 53, 29);
+                fill(picture, domain);
+                const PictureView& view = picture.view();
+                std::size_t wanted = 0;
+                for (std::size_t y = 0; y < view.height; ++y) {
+                    for (std::size_t x = 0; x < view.width; ++x) {
+                        bool is_inside = true;
+                        for (std::size_t c = 0; c < 3; ++c) {
+                            const double value = sample_value(info.element, view.at(c, x, y));
+                            is_inside = is_inside && value >= static_cast<double>(domain.min[c]) &&
+                                        value <= static_cast<double>(domain.max[c]);
+                        }
+                        wanted += !is_inside;
+                    }
+                }
+                EXPECT_EQ(pixels_outside(domain, view), wanted) << info.name << ' ' << layout.name;
+            }
+        }
+    }
+}
+
 // The double oracle's answers to a picture's colours.
 struct Exact {
     const Lut& lut;

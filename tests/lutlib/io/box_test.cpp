@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <fstream>
 #include <sys/prctl.h>
 #include <thread>
@@ -43,8 +44,16 @@ class Box : public testing::Test {
 };
 
 TEST_F(Box, hands_over_pictures) {
-    const FloatImage image = boxed_.read(write("a picture"), "picture");
-    EXPECT_EQ(image.rgba, (std::vector<float>{0, 0.25F, 0.5F, 1}));
+    const SampleImage image = boxed_.read(write("a picture"), "picture");
+    const auto samples = image.samples.as<float>();
+    EXPECT_EQ(std::vector(samples.begin(), samples.end()), (std::vector<float>{0, 0.25F, 0.5F, 1}));
+}
+
+TEST_F(Box, hands_over_pictures_that_their_reader_can_change_no_more) {
+    const SampleImage image = boxed_.read(write("keep hold"), "picture");
+    const float first = image.samples.as<float>()[0];
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_EQ(image.samples.as<float>()[0], first);
 }
 
 TEST_F(Box, tells_a_crash_as_an_error_of_the_file_and_reads_the_next_one) {

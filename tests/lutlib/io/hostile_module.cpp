@@ -3,6 +3,8 @@
 #include "lutlib/error.h"
 #include "lutlib/io/oiio.h"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
@@ -10,7 +12,9 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <sys/mman.h>
 #include <sys/socket.h>
+#include <thread>
 #include <unistd.h>
 
 namespace lutlib::io {
@@ -71,13 +75,24 @@ void leave() {
     std::exit(0);
 }
 
+// Answers with memory that a thread goes on writing to.
+void change_for_ever(const SampleBuffer& picture) {
+    void* const again = ::mmap(nullptr, picture.size(), PROT_READ | PROT_WRITE, MAP_SHARED,
+                               picture.descriptor(), 0);
+    std::thread([first = static_cast<volatile float*>(again)] {
+        for (;;) {
+            *first = *first + 1;
+        }
+    }).detach();
+}
+
 class Hostile final : public Oiio {
   public:
     std::string version() const override { return "1"; }
 
     Size size(const std::string&) const override { return {}; }
-    FloatImage read(const std::string& path, const std::string&, const std::string&,
-                    const Announce&) const override {
+    SampleImage read(const std::string& path, const std::string&, const std::string&,
+                     const Allocate& allocate) const override {
         static const std::map<std::string, void (*)()> deeds{{"crash", crash},
                                                              {"abort", std::abort},
                                                              {"run for ever", run_for_ever},
@@ -94,10 +109,17 @@ class Hostile final : public Oiio {
         if (const auto found = deeds.find(deed); found != deeds.end()) {
             found->second();
         }
-        FloatImage out;
-        out.width = deed == "lie" ? 1000 : 1;
-        out.height = 1;
-        out.rgba = {0, 0.25F, 0.5F, 1};
+        SampleImage out;
+        out.width = out.height = 1;
+        out.alpha = true;
+        out.samples = allocate(out.bytes());
+        constexpr std::array<float, 4> picture{0, 0.25F, 0.5F, 1};
+        std::copy(picture.begin(), picture.end(), out.samples.as<float>().begin());
+        if (deed == "lie") {
+            out.width = 1000;
+        } else if (deed == "keep hold") {
+            change_for_ever(out.samples);
+        }
         out.source = std::make_shared<PictureSource>();
         return out;
     }
@@ -109,7 +131,7 @@ class Hostile final : public Oiio {
         return depth;
     }
     std::vector<std::string> write(const std::string&, const std::string&, const std::string&,
-                                   const FloatImage&, const ImageWriteOptions&) const override {
+                                   const SampleImage&, const ImageWriteOptions&) const override {
         return {};
     }
     std::string packed(const PictureSource&) const override { return {}; }

@@ -20,8 +20,12 @@ vec3 color_at(ivec2 at) {
     return texelFetch(source, clamp(at, ivec2(0), size - 1), 0).rgb;
 }
 
+float luma_of(vec3 color) {
+    return dot(color, vec3(0.299, 0.587, 0.114));
+}
+
 float luma_at(ivec2 at) {
-    return dot(color_at(at), vec3(0.299, 0.587, 0.114));
+    return luma_of(color_at(at));
 }
 
 // Follows the border between the rows at and at + across until its mean brightness departs from
@@ -41,7 +45,7 @@ void walk(ivec2 at, ivec2 across, ivec2 along, float mean, float gradient, out i
 
 vec3 antialiased(ivec2 at) {
     vec3 own = color_at(at);
-    float m = luma_at(at);
+    float m = luma_of(own);
     float n = luma_at(at + ivec2(0, -1)), s = luma_at(at + ivec2(0, 1));
     float w = luma_at(at + ivec2(-1, 0)), e = luma_at(at + ivec2(1, 0));
     float brightest = max(m, max(max(n, s), max(w, e)));

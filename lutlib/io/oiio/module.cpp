@@ -3,12 +3,12 @@
 #include "lutlib/io/oiio.h"
 
 #include "lutlib/error.h"
-#include "lutlib/io/oiio/kept.h"
+#include "lutlib/io/oiio/decode.h"
+#include "lutlib/io/oiio/depths.h"
 #include "lutlib/io/oiio/packed.h"
 #include "lutlib/io/oiio/packing.h"
 #include "lutlib/io/picture_channels.h"
 #include "lutlib/io/picture_types.h"
-#include "lutlib/limits.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -24,93 +24,6 @@
 
 namespace lutlib::io {
 namespace {
-
-OIIO::TypeDesc type_of(Depth depth) {
-    switch (depth) {
-    case Depth::uint8:
-        return OIIO::TypeDesc::UINT8;
-    case Depth::uint16:
-        return OIIO::TypeDesc::UINT16;
-    case Depth::half:
-        return OIIO::TypeDesc::HALF;
-    case Depth::float32:
-        break;
-    }
-    return OIIO::TypeDesc::FLOAT;
-}
-
-Depth depth_of(const OIIO::TypeDesc& type) {
-    switch (type.basetype) {
-    case OIIO::TypeDesc::UINT8:
-    case OIIO::TypeDesc::INT8:
-        return Depth::uint8;
-    case OIIO::TypeDesc::UINT16:
-    case OIIO::TypeDesc::INT16:
-        return Depth::uint16;
-    case OIIO::TypeDesc::HALF:
-        return Depth::half;
-    default:
-        return Depth::float32;
-    }
-}
-
-// OpenImageIO's text, whose lines may be many, after `message`.
-[[noreturn]] void fail(const std::string& message, std::string reason, const std::string& path,
-                       const std::string& file) {
-    for (std::size_t at = reason.find(path); at != std::string::npos; at = reason.find(path, at)) {
-        reason.replace(at, path.size(), file);
-        at += file.size();
-    }
-    std::replace(reason.begin(), reason.end(), '\n', ' ');
-    throw Error(message + ": OpenImageIO: " + (reason.empty() ? "no reason given" : reason),
-                {file, 0, {}});
-}
-
-void check_size(const OIIO::ImageSpec& spec, const std::string& file) {
-    const auto pixels = static_cast<std::size_t>(std::max(spec.width, 0)) *
-                        static_cast<std::size_t>(std::max(spec.height, 0));
-    if (pixels == 0 || spec.width > limits::max_image_side ||
-        spec.height > limits::max_image_side || pixels > limits::max_image_pixels ||
-        spec.depth > 1) {
-        throw Error("a picture of " + std::to_string(spec.width) + "x" +
-                        std::to_string(spec.height) + "x" + std::to_string(spec.depth) +
-                        " pixels is outside the limits of " +
-                        std::to_string(limits::max_image_side) + " a side and " +
-                        std::to_string(limits::max_image_pixels) + " in all",
-                    {file, 0, {}});
-    }
-    if (spec.nchannels < 1) {
-        throw Error("the picture has no channels", {file, 0, {}});
-    }
-}
-
-// Some channels of a part, a pixel's one after the other.
-struct Channels {
-    const std::byte* first = nullptr;
-    std::size_t stride = 0;           ///< bytes from a pixel to the next
-    std::vector<std::size_t> offset;  ///< of each channel in a pixel
-    std::vector<OIIO::TypeDesc> type; ///< of each channel
-};
-
-// Those that the picture has, to their places, as `image.depth`; grey three times.
-void gather(const Channels& all, const PictureChannels& picture, int first, SampleImage& image) {
-    const std::size_t size = bytes_of(image.depth), channels = image.samples_a_pixel();
-    const OIIO::TypeDesc wanted = type_of(image.depth);
-    for (std::size_t c = 0; c < channels; ++c) {
-        const auto at = static_cast<std::size_t>(picture.at[c] - first);
-        const std::byte* from = all.first + all.offset[at];
-        std::byte* to = image.samples.data() + c * size;
-        for (std::size_t i = 0; i < image.pixels(); ++i) {
-            if (all.type[at] == wanted) {
-                std::memcpy(to, from, size);
-            } else {
-                OIIO::convert_pixel_values(all.type[at], from, wanted, to, 1);
-            }
-            from += all.stride;
-            to += channels * size;
-        }
-    }
-}
 
 // Pages and frames beyond these are not looked at.
 constexpr int most_parts = 256;
@@ -137,22 +50,9 @@ std::vector<PicturePart> named_parts(const std::vector<OIIO::ImageSpec>& specs,
     return out;
 }
 
-// How the file stores a picture's colours; where it stores them in several ways, as floats.
-Depth picture_depth(const OIIO::ImageSpec& spec, const PictureChannels& picture) {
-    const Depth first = depth_of(spec.channelformat(picture.at[0]));
-    const bool are_alike = std::all_of(picture.at.begin(), picture.at.end(), [&](int c) {
-        return c < 0 || depth_of(spec.channelformat(c)) == first;
-    });
-    return are_alike ? first : Depth::float32;
-}
-
 bool is_premultiplied(const OIIO::ImageSpec& spec, std::string_view type) {
     return type == "openexr" ||
            (type == "tiff" && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0);
-}
-
-bool has_others(const OIIO::ImageSpec& spec, const PictureChannels& picture) {
-    return spec.nchannels > (picture.has_alpha() ? 4 : 3);
 }
 
 // Texts and numbers of a file.
@@ -173,74 +73,6 @@ std::shared_ptr<OiioSource> source_of(OIIO::ImageInput& input, const OIIO::Image
         }
     }
     return out;
-}
-
-// Its parts, each with its pixels where the picture's are not all of them.
-std::vector<KeptPart> kept_parts(OIIO::ImageInput& input, std::vector<OIIO::ImageSpec> specs,
-                                 const PictureChannels& picture, const std::string& path,
-                                 const std::string& file) {
-    std::vector<KeptPart> out;
-    std::size_t bytes = 0;
-    for (std::size_t i = 0; i < specs.size(); ++i) {
-        KeptPart part{std::move(specs[i]), {}};
-        if (i != picture.part || has_others(part.spec, picture)) {
-            const std::size_t own = part.spec.image_bytes(true);
-            check_size(part.spec, file);
-            bytes += own;
-            if (bytes > limits::max_file_bytes) {
-                throw Error("its other channels and parts are larger than " +
-                                std::to_string(limits::max_file_bytes >> 20) + " MB",
-                            {file, 0, {}});
-            }
-            part.pixels.resize(own);
-            if (!input.read_image(static_cast<int>(i), 0, 0, part.spec.nchannels,
-                                  OIIO::TypeDesc::UNKNOWN, part.pixels.data()) ||
-                input.has_error()) {
-                fail("cannot read the other channels", input.geterror(), path, file);
-            }
-        }
-        out.push_back(std::move(part));
-    }
-    return out;
-}
-
-// The picture out of a part that has been read whole.
-void gather(const KeptPart& part, const PictureChannels& picture, SampleImage& image) {
-    Channels all{part.pixels.data(), 0, {}, {}};
-    for (int c = 0; c < part.spec.nchannels; ++c) {
-        all.offset.push_back(all.stride);
-        all.type.push_back(part.spec.channelformat(c));
-        all.stride += all.type.back().size();
-    }
-    gather(all, picture, 0, image);
-}
-
-// The picture alone.
-void decode(OIIO::ImageInput& input, const PictureChannels& picture, const std::string& path,
-            const std::string& file, SampleImage& image) {
-    const auto [least, most] =
-        std::minmax_element(picture.at.begin(), picture.at.end() - (image.alpha ? 0 : 1));
-    const int first = *least, last = *most + 1;
-    const auto count = static_cast<std::size_t>(last - first);
-    const std::size_t size = bytes_of(image.depth);
-    const bool is_in_place = picture.at[1] == first + 1 && picture.at[2] == first + 2 &&
-                             (!image.alpha || picture.at[3] == first + 3);
-    SampleBuffer apart = is_in_place ? SampleBuffer() : SampleBuffer(image.pixels() * count * size);
-    std::byte* const to = is_in_place ? image.samples.data() : apart.data();
-    const bool is_read =
-        input.read_image(static_cast<int>(picture.part), 0, first, last, type_of(image.depth), to);
-    // Of a file that ends early some readers tell so only here. WebP's complains whenever it goes
-    // back to the first frame, which it has decoded by then.
-    if (!is_read || (input.has_error() && std::string_view(input.format_name()) != "webp")) {
-        fail("cannot read the pixels", input.geterror(), path, file);
-    }
-    if (!is_in_place) {
-        Channels all{apart.data(), count * size, {}, {count, type_of(image.depth)}};
-        for (std::size_t c = 0; c < count; ++c) {
-            all.offset.push_back(c * size);
-        }
-        gather(all, picture, first, image);
-    }
 }
 
 std::string head_of(const std::string& path) {

@@ -1,8 +1,10 @@
 // Looks for the tests of files: smooth as real ones are, of every shape that a Lut can have.
 #pragma once
 
+#include "lutlib/interpolation/interpolation.h"
 #include "lutlib/lut.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -85,6 +87,23 @@ inline std::vector<Rgb> colors_in(const Domain& domain, int count = 5000, float 
             c[k] = domain.min[k] + position(random) * (domain.max[k] - domain.min[k]);
         }
         out.push_back(c);
+    }
+    return out;
+}
+
+/// Of any channel, between colours of the same place.
+inline double largest_difference(const std::vector<Rgb>& a, const std::vector<Rgb>& b) {
+    double worst = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        worst = std::max(worst, largest_magnitude(to_double(a[i]) - to_double(b[i])));
+    }
+    return worst;
+}
+
+inline std::vector<Rgb> evaluated(const Lut& lut, const std::vector<Rgb>& in) {
+    std::vector<Rgb> out;
+    for (const Rgb& c : in) {
+        out.push_back(evaluate(lut, c));
     }
     return out;
 }

@@ -47,7 +47,7 @@ class Planner {
         for (BloomTap& tap : taps) {
             tap.weight *= 1 - keep;
         }
-        BloomStep step{source, 0, 0.5f, std::move(taps), own, keep};
+        BloomStep step{source, 0, 0.5F, std::move(taps), own, keep};
         return add(std::move(step), extent(own));
     }
 
@@ -78,10 +78,10 @@ class Planner {
     static std::vector<BloomTap> texel_taps(const std::vector<BloomTap>& taps) {
         std::map<std::pair<float, float>, float> weights;
         for (const BloomTap& tap : taps) {
-            const float x = std::floor(tap.x - 0.5f), y = std::floor(tap.y - 0.5f);
-            const float fx = tap.x - 0.5f - x, fy = tap.y - 0.5f - y;
-            for (const auto& [dx, wx] : {std::pair{0.5f, 1 - fx}, std::pair{1.5f, fx}}) {
-                for (const auto& [dy, wy] : {std::pair{0.5f, 1 - fy}, std::pair{1.5f, fy}}) {
+            const float x = std::floor(tap.x - 0.5F), y = std::floor(tap.y - 0.5F);
+            const float fx = tap.x - 0.5F - x, fy = tap.y - 0.5F - y;
+            for (const auto& [dx, wx] : {std::pair{0.5F, 1 - fx}, std::pair{1.5F, fx}}) {
+                for (const auto& [dy, wy] : {std::pair{0.5F, 1 - fy}, std::pair{1.5F, fy}}) {
                     if (wx * wy > 0) {
                         weights[{y + dy, x + dx}] += wx * wy * tap.weight;
                     }
@@ -110,13 +110,13 @@ std::vector<BloomTap> corners(float distance, float weight) {
 // [1 3 3 1] / 8 along each axis: unlike the mean of 2x2 it keeps the centre of mass of a source
 // wherever it sits, so that a slow pan does not jitter. Adds the variance 3/4 in source texels.
 std::vector<BloomTap> cubic_down() {
-    return corners(0.75f, 0.25f);
+    return corners(0.75F, 0.25F);
 }
 
 // Variance, in target texels of the picture, of k halvings by cubic_down() and one bilinear
 // enlargement: (4^k - 1) / 4 + 4^k / 6.
 float pyramid_variance(int k) {
-    const float area = std::ldexp(1.0f, 2 * k);
+    const float area = std::ldexp(1.0F, 2 * k);
     return (area - 1) / 4 + area / 6;
 }
 
@@ -128,12 +128,12 @@ struct Gaussian {
 // still so wide that samples of it sum up evenly.
 BloomPlan gaussians_plan(BloomExtent picture, const BloomSettings& settings,
                          std::span<const Gaussian> gaussians) {
-    constexpr float least_sigma = 1.5f;
+    constexpr float least_sigma = 1.5F;
     Planner planner(picture, settings);
     int level = 0, image = BloomPlan::picture_image;
     const float scale = settings.radius * static_cast<float>(picture.height) / nominal_height;
     for (const Gaussian& gaussian : gaussians) {
-        const float sigma = std::max(gaussian.sigma * scale, 0.1f);
+        const float sigma = std::max(gaussian.sigma * scale, 0.1F);
         const auto sigma_on = [&](int k) {
             const float left = sigma * sigma - pyramid_variance(k);
             return left > 0 ? std::ldexp(std::sqrt(left), -k) : 0;
@@ -142,20 +142,20 @@ BloomPlan gaussians_plan(BloomExtent picture, const BloomSettings& settings,
             image = planner.halve(image, cubic_down());
             ++level;
         }
-        const int blurred = planner.blur(image, std::max(sigma_on(level), 0.05f));
-        planner.finish(blurred, std::ldexp(1.0f, -level), {{0, 0, gaussian.weight}});
+        const int blurred = planner.blur(image, std::max(sigma_on(level), 0.05F));
+        planner.finish(blurred, std::ldexp(1.0F, -level), {{0, 0, gaussian.weight}});
     }
     return planner.take();
 }
 
 // The eye's veiling glare as a sum: .8843 delta + .1 g(6.2) + .012 g(24.9) + .0027 g(81) +
 // .001 g(263). The delta is what strength leaves.
-constexpr float glare_share = 0.1157f;
+constexpr float glare_share = 0.1157F;
 BloomPlan glare_plan(BloomExtent picture, const BloomSettings& settings) {
-    constexpr std::array<Gaussian, 4> glare{{{6.2f, 0.1f / glare_share},
-                                             {24.9f, 0.012f / glare_share},
-                                             {81, 0.0027f / glare_share},
-                                             {263, 0.001f / glare_share}}};
+    constexpr std::array<Gaussian, 4> glare{{{6.2F, 0.1F / glare_share},
+                                             {24.9F, 0.012F / glare_share},
+                                             {81, 0.0027F / glare_share},
+                                             {263, 0.001F / glare_share}}};
     return gaussians_plan(picture, settings, glare);
 }
 
@@ -165,28 +165,28 @@ BloomPlan gaussian_plan(BloomExtent picture, const BloomSettings& settings) {
     const float sigma =
         one[0].sigma * settings.radius * static_cast<float>(picture.height) / nominal_height;
     const int half = planner.halve(BloomPlan::picture_image, cubic_down());
-    const float left = std::max(sigma * sigma - pyramid_variance(1), 0.01f);
-    planner.finish(planner.blur(half, std::sqrt(left) / 2), 0.5f, {{0, 0, 1}});
+    const float left = std::max(sigma * sigma - pyramid_variance(1), 0.01F);
+    planner.finish(planner.blur(half, std::sqrt(left) / 2), 0.5F, {{0, 0, 1}});
     return planner.take();
 }
 
 // How often a picture halves until it is about `lines` high, at least once.
 int halvings(BloomExtent picture, const BloomSettings& settings, float lines) {
     const float ratio = settings.radius * static_cast<float>(picture.height) / lines;
-    return std::clamp(static_cast<int>(std::lround(std::log2(std::max(ratio, 1.0f)))), 1, 8);
+    return std::clamp(static_cast<int>(std::lround(std::log2(std::max(ratio, 1.0F)))), 1, 8);
 }
 
 // Bjorge 2015, "Bandwidth-efficient rendering".
 BloomPlan dual_kawase_plan(BloomExtent picture, const BloomSettings& settings) {
-    std::vector<BloomTap> down{{0, 0, 4.0f / 8}}, up;
-    for (const BloomTap& tap : corners(1, 1.0f / 8)) {
+    std::vector<BloomTap> down{{0, 0, 4.0F / 8}}, up;
+    for (const BloomTap& tap : corners(1, 1.0F / 8)) {
         down.push_back(tap);
     }
-    for (const BloomTap& tap : corners(0.5f, 2.0f / 12)) {
+    for (const BloomTap& tap : corners(0.5F, 2.0F / 12)) {
         up.push_back(tap);
     }
     for (const auto& [x, y] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
-        up.push_back({static_cast<float>(x), static_cast<float>(y), 1.0f / 12});
+        up.push_back({static_cast<float>(x), static_cast<float>(y), 1.0F / 12});
     }
 
     Planner planner(picture, settings);
@@ -198,7 +198,7 @@ BloomPlan dual_kawase_plan(BloomExtent picture, const BloomSettings& settings) {
     for (std::size_t i = levels.size() - 1; i > 0; --i) {
         image = planner.enlarge(image, up, levels[i - 1], 0);
     }
-    planner.finish(image, 0.5f, up);
+    planner.finish(image, 0.5F, up);
     return planner.take();
 }
 
@@ -207,10 +207,10 @@ BloomPlan dual_kawase_plan(BloomExtent picture, const BloomSettings& settings) {
 // keeps single bright texels from flickering and costs the conservation of energy.
 std::vector<BloomTap> jimenez_down() {
     std::vector<BloomTap> taps;
-    for (const BloomTap& tap : corners(1, 0.5f / 4)) {
+    for (const BloomTap& tap : corners(1, 0.5F / 4)) {
         taps.push_back(tap);
     }
-    for (const BloomTap& centre : corners(1, 0.125f)) {
+    for (const BloomTap& centre : corners(1, 0.125F)) {
         for (const BloomTap& tap : corners(1, centre.weight / 4)) {
             taps.push_back({centre.x + tap.x, centre.y + tap.y, tap.weight});
         }
@@ -231,7 +231,7 @@ std::vector<BloomTap> merged(const std::vector<BloomTap>& taps) {
 }
 
 BloomPlan jimenez_plan(BloomExtent picture, const BloomSettings& settings) {
-    constexpr float scatter = 0.7f;
+    constexpr float scatter = 0.7F;
     std::vector<BloomTap> tent;
     for (const int y : {-1, 0, 1}) {
         for (const int x : {-1, 0, 1}) {
@@ -250,7 +250,7 @@ BloomPlan jimenez_plan(BloomExtent picture, const BloomSettings& settings) {
     for (std::size_t i = levels.size() - 1; i > 0; --i) {
         image = planner.enlarge(image, tent, levels[i - 1], 1 - scatter);
     }
-    planner.finish(image, 0.5f, tent);
+    planner.finish(image, 0.5F, tent);
     return planner.take();
 }
 
@@ -260,9 +260,9 @@ BloomPlan no_plan(BloomExtent, const BloomSettings&) {
 
 constexpr std::array<Bloom, 5> table{{
     {"glare", "sum of Gaussians, the eye's veiling glare", true, glare_share, glare_plan},
-    {"dual-kawase", "dual Kawase", true, 0.12f, dual_kawase_plan},
-    {"jimenez", "Jimenez, 13 taps down and a tent up", false, 0.12f, jimenez_plan},
-    {"gaussian", "one separable Gaussian", true, 0.12f, gaussian_plan},
+    {"dual-kawase", "dual Kawase", true, 0.12F, dual_kawase_plan},
+    {"jimenez", "Jimenez, 13 taps down and a tent up", false, 0.12F, jimenez_plan},
+    {"gaussian", "one separable Gaussian", true, 0.12F, gaussian_plan},
     {"none", "no bloom", true, 0, no_plan},
 }};
 
@@ -281,7 +281,7 @@ BloomPlan bloom_plan(const Bloom& bloom, BloomExtent picture, const BloomSetting
     if (full.strength < 0) {
         full.strength = bloom.strength;
     }
-    full.strength = std::min(full.strength, 1.0f);
+    full.strength = std::min(full.strength, 1.0F);
     return full.strength > 0 ? bloom.plan(picture, full) : BloomPlan{};
 }
 
@@ -299,12 +299,12 @@ double bloom_share(double brightness, double threshold, double knee) {
 }
 
 double bloom_onset(const BloomSettings& settings) {
-    return std::max(0.0f, settings.threshold - std::min(settings.knee, settings.threshold));
+    return std::max(0.0F, settings.threshold - std::min(settings.knee, settings.threshold));
 }
 
 std::vector<BloomTap> gaussian_taps(float sigma) {
     constexpr int most = 2 * (BloomPlan::max_taps - 1);
-    const int radius = std::clamp(static_cast<int>(std::ceil(3.5f * sigma)), 1, most);
+    const int radius = std::clamp(static_cast<int>(std::ceil(3.5F * sigma)), 1, most);
     std::vector<double> weights;
     double total = 0;
     for (int i = 0; i <= radius; ++i) {

@@ -29,7 +29,7 @@ Texels float_volume(const lutlib::Lut3D& cube) {
     const auto n = static_cast<std::uint32_t>(cube.size);
     Texels out{{Format::rgba32f, n, n, n}, {}};
     for (const lutlib::Rgb& node : cube.nodes) {
-        for (const float value : {node.r, node.g, node.b, 1.0f}) {
+        for (const float value : {node.r, node.g, node.b, 1.0F}) {
             append(out.bytes, value);
         }
     }
@@ -43,7 +43,7 @@ Texels filtered_volume(const lutlib::Lut3D& cube) {
     });
     Texels out{{unit ? Format::rgba16 : Format::rgba16f, n, n, n}, {}};
     for (const lutlib::Rgb& node : cube.nodes) {
-        for (const float value : {node.r, node.g, node.b, 1.0f}) {
+        for (const float value : {node.r, node.g, node.b, 1.0F}) {
             append(out.bytes, unit ? lutlib::CodeDepth{16}.code(value) : lutlib::half_from(value));
         }
     }
@@ -56,7 +56,7 @@ Texels shaper_texels(const lutlib::Lut1D& shaper) {
     const std::uint32_t height = (size + width - 1) / width;
     Texels out{{Format::rgba32f, width, height}, {}};
     for (const lutlib::Rgb& entry : shaper.entries) {
-        for (const float value : {entry.r, entry.g, entry.b, 1.0f}) {
+        for (const float value : {entry.r, entry.g, entry.b, 1.0F}) {
             append(out.bytes, value);
         }
     }

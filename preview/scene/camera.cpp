@@ -37,9 +37,9 @@ Camera camera_of(const Orbit& orbit, float aspect) {
             glm::rotate(glm::mat4(1), glm::radians(-orbit.roll), glm::vec3{0, 0, 1}) * camera.view;
     }
 
-    constexpr float framed_aspect = 16.0f / 9;
-    const float half = glm::radians(std::clamp(orbit.field_of_view, 0.01f, 170.0f)) / 2;
-    const float focal = std::min(1.0f, aspect / framed_aspect) / std::tan(half);
+    constexpr float framed_aspect = 16.0F / 9;
+    const float half = glm::radians(std::clamp(orbit.field_of_view, 0.01F, 170.0F)) / 2;
+    const float focal = std::min(1.0F, aspect / framed_aspect) / std::tan(half);
     camera.projection = glm::mat4{0};
     camera.projection[0][0] = focal / aspect;
     camera.projection[1][1] = -focal;

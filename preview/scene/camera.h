@@ -15,7 +15,7 @@ struct Orbit {
     float azimuth = 0;
     float elevation = 15;
     float field_of_view = 40; ///< vertical at 16:9 and wider; narrower pictures keep the width
-    float near_plane = 0.1f;  ///< the far plane is at infinity
+    float near_plane = 0.1F;  ///< the far plane is at infinity
     float roll = 0;           ///< turns the camera about its axis, its top to the left
     glm::vec2 pan{0};         ///< carries target and camera to the camera's right and upwards
 };

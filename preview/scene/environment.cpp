@@ -11,13 +11,13 @@ namespace preview {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
-constexpr float cosine_sharpness = 2.133f, cosine_amplitude = 1.170f;
+constexpr float cosine_sharpness = 2.133F, cosine_amplitude = 1.170F;
 
 // Share of the zenith in the irradiance of a surface whose normal has the height y, for the
 // gradient below at roughness 0; a fit, within 0.03 of the integral.
 float zenith_share(float y) {
-    const float h = std::clamp(0.5f + 0.5f * y, 0.0f, 1.0f);
-    return 0.9f * h * (0.6f + 0.4f * h);
+    const float h = std::clamp(0.5F + 0.5F * y, 0.0F, 1.0F);
+    return 0.9F * h * (0.6F + 0.4F * h);
 }
 
 } // namespace
@@ -33,11 +33,11 @@ bool Environment::is_black() const {
 
 glm::vec3 radiance(const Environment& environment, glm::vec3 direction, float roughness) {
     const float y = direction.y;
-    const float width = 0.25f + 0.75f * roughness;
+    const float width = 0.25F + 0.75F * roughness;
     const float share = std::abs(y) / std::sqrt(y * y + width * width);
     glm::vec3 sum =
         glm::mix(environment.horizon, y > 0 ? environment.zenith : environment.ground, share);
-    const float alpha = std::max(roughness * roughness, 0.002f);
+    const float alpha = std::max(roughness * roughness, 0.002F);
     const float blur = 1 / (2 * alpha * alpha);
     for (int i = 0; i < environment.soft_box_count; ++i) {
         const SoftBox& box = environment.soft_boxes[i];

@@ -20,7 +20,7 @@ Mesh tube_along(float tube, int segments, int sides, Centre centre, Axis axis) {
     Mesh mesh;
     for (int i = 0; i <= segments; ++i) {
         const float t = static_cast<float>(i) / static_cast<float>(segments);
-        const float step = 1e-3f;
+        const float step = 1e-3F;
         const glm::vec3 tangent = glm::normalize(centre(t + step) - centre(t - step));
         const glm::vec3 across = glm::normalize(glm::cross(axis(t), tangent));
         const glm::vec3 up = glm::cross(tangent, across);
@@ -157,7 +157,7 @@ Mesh box(glm::vec3 half, float radius, int steps) {
     const int cells = static_cast<int>(stops.size()) - 1;
     for (int face = 0; face < 6; ++face) {
         const int w = face / 2, u = (w + 1) % 3, v = (w + 2) % 3;
-        const float sign = face % 2 == 0 ? 1.0f : -1.0f;
+        const float sign = face % 2 == 0 ? 1.0F : -1.0F;
         const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
         for (const Stop& a : stops) {
             for (const Stop& b : stops) {

@@ -20,8 +20,8 @@
 namespace preview {
 
 struct Material {
-    glm::vec3 albedo{0.5f}; ///< 0..1; a metal's reflectance at normal incidence
-    float roughness = 0.5f; ///< perceptual, 0..1; alpha = roughness^2
+    glm::vec3 albedo{0.5F}; ///< 0..1; a metal's reflectance at normal incidence
+    float roughness = 0.5F; ///< perceptual, 0..1; alpha = roughness^2
     float metalness = 0;    ///< 0..1
     glm::vec3 emission{0};  ///< radiance, >= 0
     MaterialDetail detail{};
@@ -44,7 +44,7 @@ struct PointLight {
     bool casts_shadow = false;
     glm::vec3 aim{0};
     float shadow_angle = 60; ///< full angle of the square shadow frustum, 1..170 degrees, or more
-    float shadow_near = 0.1f, shadow_far = 20;
+    float shadow_near = 0.1F, shadow_far = 20;
     std::string name; ///< for people
     bool is_on = true;
     /// A spot shines along `axis`, fully up to the half angle `inner_angle`, not at all from

@@ -18,13 +18,13 @@ struct Moving {
     std::uint32_t knot, spark, spark_light;
 };
 
-constexpr glm::vec3 spark_rest{1.02f, 1.62f, -0.35f};
-constexpr glm::vec3 knot_rest{0.22f, 0.74f, -0.75f};
+constexpr glm::vec3 spark_rest{1.02F, 1.62F, -0.35F};
+constexpr glm::vec3 knot_rest{0.22F, 0.74F, -0.75F};
 
 glm::mat4 knot_transform(double seconds) {
     const auto degrees = static_cast<float>(std::fmod(seconds * 24, 360.0));
     glm::mat4 m = turned(at(knot_rest), 78, {1, 0, 0});
-    return turned(m, degrees, {0, 1, 0}) * at({0, 0, 0}, glm::vec3{0.36f});
+    return turned(m, degrees, {0, 1, 0}) * at({0, 0, 0}, glm::vec3{0.36F});
 }
 
 glm::vec3 spark_position(double seconds) {
@@ -38,47 +38,47 @@ void add_cove(SceneBuilder& build) {
     std::vector<glm::vec2> profile{{8, 0}};
     for (int i = 0; i <= 16; ++i) {
         const float angle = std::numbers::pi_v<float> / 2 * static_cast<float>(i) / 16;
-        profile.push_back({-1.6f - 1.4f * std::sin(angle), 1.4f * (1 - std::cos(angle))});
+        profile.push_back({-1.6F - 1.4F * std::sin(angle), 1.4F * (1 - std::cos(angle))});
     }
     profile.push_back({-3, 7});
-    const auto paper = build.material({linear_of(0x545c6a), 0.55f, 0, {}});
+    const auto paper = build.material({linear_of(0x545c6a), 0.55F, 0, {}});
     build.place(build.mesh(extrude(profile, 11)), paper, glm::mat4{1}, false);
 }
 
 void add_color_checker(SceneBuilder& build) {
-    constexpr float pitch = 0.2f;
-    glm::mat4 card = turned(at({-1.42f, 0.52f, -0.12f}), 24, {0, 1, 0});
+    constexpr float pitch = 0.2F;
+    glm::mat4 card = turned(at({-1.42F, 0.52F, -0.12F}), 24, {0, 1, 0});
     card = turned(card, -7, {1, 0, 0});
-    const auto board = build.mesh(box({pitch * 3.2f, pitch * 2.2f, 0.02f}, 0.015f));
-    build.place(board, build.material({linear_of(0x18181a), 0.55f, 0, {}}), card);
-    const auto patch = build.mesh(box({pitch * 0.43f, pitch * 0.43f, 0.012f}, 0.004f, 1));
+    const auto board = build.mesh(box({pitch * 3.2F, pitch * 2.2F, 0.02F}, 0.015F));
+    build.place(board, build.material({linear_of(0x18181a), 0.55F, 0, {}}), card);
+    const auto patch = build.mesh(box({pitch * 0.43F, pitch * 0.43F, 0.012F}, 0.004F, 1));
     for (std::size_t i = 0; i < color_checker.size(); ++i) {
         const auto column = static_cast<float>(i % 6), row = static_cast<float>(i / 6);
-        const glm::vec3 place{(column - 2.5f) * pitch, (1.5f - row) * pitch, 0.02f};
-        build.place(patch, build.material({linear_of(color_checker[i]), 0.9f, 0, {}}),
+        const glm::vec3 place{(column - 2.5F) * pitch, (1.5F - row) * pitch, 0.02F};
+        build.place(patch, build.material({linear_of(color_checker[i]), 0.9F, 0, {}}),
                     card * at(place), false);
     }
-    const auto foot = build.mesh(box({0.5f, 0.035f, 0.12f}, 0.02f, 2));
-    build.place(foot, build.material({linear_of(0x18181a), 0.4f, 0, {}}),
-                turned(at({-1.42f, 0.035f, -0.12f}), 24, {0, 1, 0}));
+    const auto foot = build.mesh(box({0.5F, 0.035F, 0.12F}, 0.02F, 2));
+    build.place(foot, build.material({linear_of(0x18181a), 0.4F, 0, {}}),
+                turned(at({-1.42F, 0.035F, -0.12F}), 24, {0, 1, 0}));
 }
 
 void add_ramps(SceneBuilder& build) {
     constexpr int greys = 12;
-    const auto tile = build.mesh(box({0.094f, 0.02f, 0.075f}, 0.006f, 2));
+    const auto tile = build.mesh(box({0.094F, 0.02F, 0.075F}, 0.006F, 2));
     const auto row = [&](std::size_t i, std::size_t count, float z, float width) {
-        const float x = (static_cast<float>(i) - 0.5f * static_cast<float>(count - 1)) * width;
-        return at({x - 0.12f, 0.02f, z}, {width / 0.2f, 1, 1});
+        const float x = (static_cast<float>(i) - 0.5F * static_cast<float>(count - 1)) * width;
+        return at({x - 0.12F, 0.02F, z}, {width / 0.2F, 1, 1});
     };
     for (std::size_t i = 0; i < greys; ++i) {
         // Even steps of display code, black to white.
         const auto code = static_cast<std::uint32_t>(255.0 * static_cast<double>(i) / (greys - 1));
-        const auto grey = build.material({linear_of(code * 0x010101u), 0.85f, 0, {}});
-        build.place(tile, grey, row(i, greys, 1.42f, 0.2f));
+        const auto grey = build.material({linear_of(code * 0x010101u), 0.85F, 0, {}});
+        build.place(tile, grey, row(i, greys, 1.42F, 0.2F));
     }
     for (std::size_t i = 0; i < skin_tones.size(); ++i) {
-        build.place(tile, build.material({linear_of(skin_tones[i]), 0.55f, 0, {}}),
-                    row(i, skin_tones.size(), 1.2f, 0.24f));
+        build.place(tile, build.material({linear_of(skin_tones[i]), 0.55F, 0, {}}),
+                    row(i, skin_tones.size(), 1.2F, 0.24F));
     }
 }
 
@@ -87,56 +87,56 @@ void add_balls(SceneBuilder& build) {
     constexpr int steps = 5;
     for (int i = 0; i < steps; ++i) {
         const float t = static_cast<float>(i) / (steps - 1);
-        const float roughness = 0.08f + 0.62f * t;
-        const auto metal = build.material({{1.0f, 0.71f, 0.29f}, roughness, 1, {}});
+        const float roughness = 0.08F + 0.62F * t;
+        const auto metal = build.material({{1.0F, 0.71F, 0.29F}, roughness, 1, {}});
         const auto plastic = build.material({linear_of(0xb01e2e), roughness, 0, {}});
         build.place(ball, metal,
-                    at({-0.62f + 0.42f * static_cast<float>(i), 0.17f, 0.32f}, glm::vec3{0.17f}));
+                    at({-0.62F + 0.42F * static_cast<float>(i), 0.17F, 0.32F}, glm::vec3{0.17F}));
         build.place(ball, plastic,
-                    at({-0.44f + 0.42f * static_cast<float>(i), 0.12f, 0.76f}, glm::vec3{0.12f}));
+                    at({-0.44F + 0.42F * static_cast<float>(i), 0.12F, 0.76F}, glm::vec3{0.12F}));
     }
 }
 
 void add_blocks(SceneBuilder& build) {
-    const auto block = build.mesh(box(glm::vec3{0.17f}, 0.025f, 3));
+    const auto block = build.mesh(box(glm::vec3{0.17F}, 0.025F, 3));
     struct Placed {
         std::uint32_t colour;
         glm::vec3 position;
         float degrees;
     };
     constexpr Placed blocks[]{
-        {0xe01818, {1.32f, 0.17f, 0.02f}, 14}, {0x18b028, {1.72f, 0.17f, -0.06f}, -6},
-        {0x1830e0, {2.12f, 0.17f, 0.0f}, 20},  {0x10b8c8, {1.52f, 0.51f, -0.03f}, -10},
-        {0xd020a8, {1.92f, 0.51f, -0.02f}, 8}, {0xf0d010, {1.71f, 0.85f, -0.02f}, 30},
+        {0xe01818, {1.32F, 0.17F, 0.02F}, 14}, {0x18b028, {1.72F, 0.17F, -0.06F}, -6},
+        {0x1830e0, {2.12F, 0.17F, 0.0F}, 20},  {0x10b8c8, {1.52F, 0.51F, -0.03F}, -10},
+        {0xd020a8, {1.92F, 0.51F, -0.02F}, 8}, {0xf0d010, {1.71F, 0.85F, -0.02F}, 30},
     };
     for (const Placed& it : blocks) {
-        build.place(block, build.material({linear_of(it.colour), 0.38f, 0, {}}),
+        build.place(block, build.material({linear_of(it.colour), 0.38F, 0, {}}),
                     turned(at(it.position), it.degrees, {0, 1, 0}));
     }
 }
 
 Moving add_stage(SceneBuilder& build) {
     const auto plinth = build.mesh(cylinder(96));
-    build.place(plinth, build.material({linear_of(0x2a2c31), 0.3f, 0, {}}),
-                at({knot_rest.x, 0.06f, knot_rest.z}, {0.62f, 0.06f, 0.62f}));
+    build.place(plinth, build.material({linear_of(0x2a2c31), 0.3F, 0, {}}),
+                at({knot_rest.x, 0.06F, knot_rest.z}, {0.62F, 0.06F, 0.62F}));
     Moving moving{};
-    const auto copper = build.material({{0.955f, 0.54f, 0.40f}, 0.19f, 1, {}});
+    const auto copper = build.material({{0.955F, 0.54F, 0.40F}, 0.19F, 1, {}});
     moving.knot =
-        build.place(build.mesh(torus_knot(2, 3, 0.42f, 0.2f, 320, 28)), copper, knot_transform(0));
+        build.place(build.mesh(torus_knot(2, 3, 0.42F, 0.2F, 320, 28)), copper, knot_transform(0));
 
-    const auto ring = build.mesh(torus(0.027f, 128, 16));
-    const auto cyan = build.material({{0, 0, 0}, 1, 0, glm::vec3{0.35f, 3.4f, 4.6f}});
+    const auto ring = build.mesh(torus(0.027F, 128, 16));
+    const auto cyan = build.material({{0, 0, 0}, 1, 0, glm::vec3{0.35F, 3.4F, 4.6F}});
     build.place(ring, cyan,
-                turned(at({knot_rest.x, 0.98f, -1.35f}), 90, {1, 0, 0}) *
-                    at({0, 0, 0}, glm::vec3{0.86f}),
+                turned(at({knot_rest.x, 0.98F, -1.35F}), 90, {1, 0, 0}) *
+                    at({0, 0, 0}, glm::vec3{0.86F}),
                 false);
-    const auto rod = build.mesh(box({0.02f, 0.62f, 0.02f}, 0.02f, 4));
-    const auto magenta = build.material({{0, 0, 0}, 1, 0, glm::vec3{5.2f, 0.55f, 2.6f}});
-    build.place(rod, magenta, turned(at({2.35f, 0.66f, -1.0f}), -14, {0, 0, 1}), false);
+    const auto rod = build.mesh(box({0.02F, 0.62F, 0.02F}, 0.02F, 4));
+    const auto magenta = build.material({{0, 0, 0}, 1, 0, glm::vec3{5.2F, 0.55F, 2.6F}});
+    build.place(rod, magenta, turned(at({2.35F, 0.66F, -1.0F}), -14, {0, 0, 1}), false);
 
     const auto hot = build.material({{0, 0, 0}, 1, 0, glm::vec3{2600, 2300, 1900}});
     moving.spark =
-        build.place(build.mesh(sphere(12, 24)), hot, at(spark_rest, glm::vec3{0.011f}), false);
+        build.place(build.mesh(sphere(12, 24)), hot, at(spark_rest, glm::vec3{0.011F}), false);
     return moving;
 }
 
@@ -148,7 +148,7 @@ Moving add_still_life(SceneBuilder& build) {
     add_ramps(build);
     add_balls(build);
     add_blocks(build);
-    build.scene.orbit = {{0.26f, 0.62f, -0.1f}, 6.3f, -5, 13, 27, 0.1f};
+    build.scene.orbit = {{0.26F, 0.62F, -0.1F}, 6.3F, -5, 13, 27, 0.1F};
     return moving;
 }
 
@@ -167,38 +167,38 @@ const Moving& moving_parts() {
 Scene studio_scene() {
     SceneBuilder build;
     add_still_life(build);
-    build.light({{-2.6f, 3.9f, 3.2f}, {104, 91, 73}, true, {0.2f, 0.3f, -0.2f}, 62, 1, 16, "key"});
-    build.scene.lights.back().thickness = 0.3f; // a soft box
+    build.light({{-2.6F, 3.9F, 3.2F}, {104, 91, 73}, true, {0.2F, 0.3F, -0.2F}, 62, 1, 16, "key"});
+    build.scene.lights.back().thickness = 0.3F; // a soft box
     build.light(
-        {spark_rest, {3.4f, 2.9f, 2.2f}, true, {}, PointLight::all_round, 0.05f, 8, "spark"});
+        {spark_rest, {3.4F, 2.9F, 2.2F}, true, {}, PointLight::all_round, 0.05F, 8, "spark"});
     PointLight ring;
-    ring.position = {knot_rest.x, 0.98f, -1.35f};
-    ring.intensity = {0.22f, 1.9f, 2.5f};
+    ring.position = {knot_rest.x, 0.98F, -1.35F};
+    ring.intensity = {0.22F, 1.9F, 2.5F};
     ring.casts_shadow = true;
     ring.shape = PointLight::Shape::ring;
-    ring.extent = {0, 0, 0.86f};
-    ring.thickness = 0.023f;
+    ring.extent = {0, 0, 0.86F};
+    ring.thickness = 0.023F;
     ring.shadow_angle = PointLight::all_round;
     ring.shadow_far = 8;
     ring.name = "ring";
     build.light(ring);
     PointLight rod;
-    rod.position = {2.35f, 0.66f, -1.0f};
-    rod.intensity = {2.6f, 0.26f, 1.3f};
+    rod.position = {2.35F, 0.66F, -1.0F};
+    rod.intensity = {2.6F, 0.26F, 1.3F};
     rod.casts_shadow = true;
     rod.shape = PointLight::Shape::rod;
-    rod.extent = glm::vec3(turned(glm::mat4{1}, -14, {0, 0, 1}) * glm::vec4(0, 0.62f, 0, 0));
-    rod.thickness = 0.02f;
+    rod.extent = glm::vec3(turned(glm::mat4{1}, -14, {0, 0, 1}) * glm::vec4(0, 0.62F, 0, 0));
+    rod.thickness = 0.02F;
     rod.shadow_angle = PointLight::all_round;
     rod.shadow_far = 8;
     rod.name = "rod";
     build.light(rod);
-    build.scene.environment.zenith = {0.095f, 0.108f, 0.140f};
-    build.scene.environment.horizon = {0.070f, 0.077f, 0.098f};
-    build.scene.environment.ground = {0.036f, 0.035f, 0.038f};
-    build.soft_box({-0.7f, 0.65f, 0.55f}, 26, {3.4f, 3.0f, 2.5f});
-    build.soft_box({0.9f, 0.35f, 0.25f}, 40, {1.1f, 1.4f, 2.1f});
-    build.soft_box({0.1f, 0.9f, -0.5f}, 24, {1.0f, 1.05f, 1.2f});
+    build.scene.environment.zenith = {0.095F, 0.108F, 0.140F};
+    build.scene.environment.horizon = {0.070F, 0.077F, 0.098F};
+    build.scene.environment.ground = {0.036F, 0.035F, 0.038F};
+    build.soft_box({-0.7F, 0.65F, 0.55F}, 26, {3.4F, 3.0F, 2.5F});
+    build.soft_box({0.9F, 0.35F, 0.25F}, 40, {1.1F, 1.4F, 2.1F});
+    build.soft_box({0.1F, 0.9F, -0.5F}, 24, {1.0F, 1.05F, 1.2F});
     build.scene.occlusion = 1;
     return std::move(build.scene);
 }
@@ -209,12 +209,12 @@ Scene plain_scene() {
     // No highlight reaches the brightness at which bloom begins.
     for (Material& material : build.scene.materials) {
         material.emission = glm::vec3{0};
-        material.roughness = std::max(material.roughness, 0.65f);
+        material.roughness = std::max(material.roughness, 0.65F);
     }
-    build.light({{-2.6f, 3.9f, 3.2f}, {44, 41, 38}, false, {}, 60, 0.1f, 20, "key"});
-    build.scene.environment.zenith = {0.20f, 0.21f, 0.23f};
-    build.scene.environment.horizon = {0.11f, 0.11f, 0.12f};
-    build.scene.environment.ground = {0.05f, 0.05f, 0.05f};
+    build.light({{-2.6F, 3.9F, 3.2F}, {44, 41, 38}, false, {}, 60, 0.1F, 20, "key"});
+    build.scene.environment.zenith = {0.20F, 0.21F, 0.23F};
+    build.scene.environment.horizon = {0.11F, 0.11F, 0.12F};
+    build.scene.environment.ground = {0.05F, 0.05F, 0.05F};
     return std::move(build.scene);
 }
 
@@ -222,7 +222,7 @@ void animate_studio(Scene& scene, double seconds) {
     const Moving& moving = moving_parts();
     scene.objects[moving.knot].transform = knot_transform(seconds);
     const glm::vec3 spark = spark_position(seconds);
-    scene.objects[moving.spark].transform = at(spark, glm::vec3{0.011f});
+    scene.objects[moving.spark].transform = at(spark, glm::vec3{0.011F});
     if (moving.spark_light < scene.lights.size()) {
         scene.lights[moving.spark_light].position = spark;
     }

@@ -45,7 +45,7 @@ BloomPlan plan_for(const Bloom& bloom, const Image& image,
 }
 
 // Kernels that reach 5 sigma within a picture of 768 lines with light in its middle.
-constexpr BloomSettings small_radius{-1, 1, 0.5f, 0.4f};
+constexpr BloomSettings small_radius{-1, 1, 0.5F, 0.4F};
 
 class EveryBloom : public testing::TestWithParam<const Bloom*> {};
 
@@ -54,7 +54,7 @@ TEST_P(EveryBloom, conserves_energy_where_it_says_so) {
         GTEST_SKIP() << "does not claim to";
     }
     const Image image = padded_lights(768);
-    for (const float threshold : {0.0f, 1.0f}) {
+    for (const float threshold : {0.0F, 1.0F}) {
         BloomSettings settings = small_radius;
         settings.threshold = threshold;
         const Image out = reference::with_bloom(plan_for(*GetParam(), image, settings), image);
@@ -103,7 +103,7 @@ TEST_P(EveryBloom, does_not_shift_in_odd_sizes) {
     for (const int place : {60, 61, 62, 63}) {
         Image image(135, 67 + 64);
         image.at(place, 61) = {100, 100, 100};
-        const BloomPlan plan = plan_for(*GetParam(), image, {-1, 0, 0, 0.3f});
+        const BloomPlan plan = plan_for(*GetParam(), image, {-1, 0, 0, 0.3F});
         if (plan.empty()) {
             return;
         }
@@ -123,8 +123,8 @@ TEST_P(EveryBloom, does_not_shift_in_odd_sizes) {
 
 TEST_P(EveryBloom, has_a_plan_that_the_shaders_can_hold) {
     for (const BloomExtent size : {BloomExtent{1, 1}, {135, 67}, {1920, 1080}, {7680, 4320}}) {
-        for (const float radius : {0.1f, 1.0f, 4.0f}) {
-            const BloomPlan plan = bloom_plan(*GetParam(), size, {-1, 1, 0.5f, radius});
+        for (const float radius : {0.1F, 1.0F, 4.0F}) {
+            const BloomPlan plan = bloom_plan(*GetParam(), size, {-1, 1, 0.5F, radius});
             ASSERT_LE(plan.layers.size(), std::size_t{BloomPlan::max_layers});
             for (const BloomStep& step : plan.steps) {
                 ASSERT_LE(step.taps.size(), std::size_t{BloomPlan::max_taps});

@@ -19,8 +19,8 @@ inline std::vector<lutlib::Rgb> test_colors(int lattice_size) {
         lutlib::sample_colors(lattice_size, {1024, 20000, lattice_size <= 17});
     constexpr float inf = std::numeric_limits<float>::infinity();
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-    const float odd[]{0,          1, 0.5f,  -0.0f, -1,  -1e30f, 1e-30f,
-                      1.0000001f, 7, 65504, 1e30f, inf, -inf,   nan};
+    const float odd[]{0,          1, 0.5F,  -0.0F, -1,  -1e30F, 1e-30F,
+                      1.0000001F, 7, 65504, 1e30F, inf, -inf,   nan};
     for (const float r : odd) {
         for (const float g : odd) {
             for (const float b : odd) {

@@ -34,7 +34,7 @@ TEST_P(EveryTonemapOnGpu, equals_its_twin_in_double) {
     }
     FinishSettings settings;
     settings.tonemap = GetParam();
-    for (const float exposure : {0.0f, -2.5f}) {
+    for (const float exposure : {0.0F, -2.5F}) {
         settings.exposure = exposure;
         const std::vector<Rgb> got = finished(lights, nullptr, settings);
         double worst = 0;
@@ -138,7 +138,7 @@ TEST_P(EveryBloomOnGpu, conserves_energy_in_half_floats_where_it_says_so) {
     for (int i = 0; i < 12; ++i) {
         picture.at(250 + i, 240) = {3, 2, 5};
     }
-    const BloomPlan plan = bloom_plan(*GetParam(), {512, 512}, {0.5f, 1, 0.5f, 0.35f});
+    const BloomPlan plan = bloom_plan(*GetParam(), {512, 512}, {0.5F, 1, 0.5F, 0.35F});
     const std::vector<RgbD> got = run(picture, plan, Format::rgba16f, -15);
     RgbD before, after;
     for (std::size_t i = 0; i < got.size(); ++i) {
@@ -168,7 +168,7 @@ TEST_F(PassTest, differences_are_ciede2000_and_their_figures_those_of_the_pictur
     lutlib::Lut look;
     look.cube = lutlib::identity_cube(9);
     for (Rgb& node : look.cube->nodes) {
-        node = {0.9f * node.r + 0.05f * node.b, node.g * node.g, 0.1f + 0.8f * node.b};
+        node = {0.9F * node.r + 0.05F * node.b, node.g * node.g, 0.1F + 0.8F * node.b};
     }
     const std::vector<Rgb> colors = lutlib::sample_colors(8, {256, 4000, true});
     const gpu::Image image = image_of(colors);
@@ -203,7 +203,7 @@ TEST_F(PassTest, differences_are_ciede2000_and_their_figures_those_of_the_pictur
 }
 
 TEST_F(PassTest, sides_and_halves_show_the_look_they_are_named_for) {
-    std::vector<Rgb> colors(std::size_t{64} * 36, Rgb{0.25f, 0.5f, 0.75f});
+    std::vector<Rgb> colors(std::size_t{64} * 36, Rgb{0.25F, 0.5F, 0.75F});
     const gpu::Image image = image_of(colors, 64);
     lutlib::Lut black;
     black.cube = lutlib::identity_cube(2);
@@ -214,7 +214,7 @@ TEST_F(PassTest, sides_and_halves_show_the_look_they_are_named_for) {
     for (const Compare& compare : compares) {
         FinishSettings settings;
         settings.compare = &compare;
-        settings.split = 0.25f;
+        settings.split = 0.25F;
         settings.format = Format::rgba32f;
         Graph graph;
         const ImageHandle source = graph.import("colours", image, image.desc());

@@ -39,13 +39,13 @@ lutlib::Lut1D shaper_of(int size, lutlib::Domain domain) {
     lutlib::Lut1D shaper{domain, {}};
     for (int i = 0; i < size; ++i) {
         const float x = static_cast<float>(i) / static_cast<float>(size - 1);
-        shaper.entries.push_back({std::sqrt(x), x * x, 1.2f * x - 0.1f});
+        shaper.entries.push_back({std::sqrt(x), x * x, 1.2F * x - 0.1F});
     }
     return shaper;
 }
 
 std::vector<std::pair<std::string, Lut>> table_looks() {
-    const lutlib::Domain wide{{-0.5f, -0.25f, 0}, {4, 2, 1.5f}}, log{{0, 0, 0}, {16, 16, 16}};
+    const lutlib::Domain wide{{-0.5F, -0.25F, 0}, {4, 2, 1.5F}}, log{{0, 0, 0}, {16, 16, 16}};
     std::vector<std::pair<std::string, Lut>> looks(6);
     looks[0].first = "cube";
     looks[0].second.cube = cube_of(17, {});
@@ -96,7 +96,7 @@ void expect_codes_near(const std::vector<std::uint8_t>& got, const std::vector<R
     int worst = 0;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
-            const float clamped = std::clamp(wanted[i][c], 0.0f, 1.0f);
+            const float clamped = std::clamp(wanted[i][c], 0.0F, 1.0F);
             const int code = static_cast<int>(std::lround(clamped * 255));
             worst = std::max(worst, std::abs(code - int{got[4 * i + c]}));
         }

@@ -17,23 +17,23 @@ namespace preview {
 namespace {
 
 /// A vase with corners at its foot and rim, up the outside and down the inside.
-constexpr glm::vec2 vase[]{{0, 0},        {0.5f, 0},     {0.5f, 0},     {0.9f, 0.6f},
-                           {0.4f, 1.5f},  {0.45f, 1.6f}, {0.45f, 1.6f}, {0.35f, 1.6f},
-                           {0.35f, 1.6f}, {0.7f, 0.6f},  {0, 0.1f}};
+constexpr glm::vec2 vase[]{{0, 0},        {0.5F, 0},     {0.5F, 0},     {0.9F, 0.6F},
+                           {0.4F, 1.5F},  {0.45F, 1.6F}, {0.45F, 1.6F}, {0.35F, 1.6F},
+                           {0.35F, 1.6F}, {0.7F, 0.6F},  {0, 0.1F}};
 
 /// A sheet that hangs from a rail.
 Mesh sheet() {
     return surface(12, 8, [](glm::vec2 at) {
-        return glm::vec3{at.x, 0.1f * std::sin(9 * at.x), at.y};
+        return glm::vec3{at.x, 0.1F * std::sin(9 * at.x), at.y};
     });
 }
 
 std::vector<Mesh> every_generator() {
     std::vector<Mesh> meshes{sphere(16, 24),
-                             torus(0.3f, 32, 12),
-                             torus_knot(2, 3, 0.42f, 0.2f, 128, 16),
-                             box({1, 2, 0.5f}, 0.1f),
-                             box({1, 2, 0.5f}, 0),
+                             torus(0.3F, 32, 12),
+                             torus_knot(2, 3, 0.42F, 0.2F, 128, 16),
+                             box({1, 2, 0.5F}, 0.1F),
+                             box({1, 2, 0.5F}, 0),
                              cylinder(24),
                              plane(),
                              lathe(smoothed(vase, 6), 24),
@@ -50,7 +50,7 @@ TEST(Mesh, faces_wind_counter_clockwise_about_their_outward_normals) {
             const Vertex& c = mesh.vertices.at(mesh.indices[i + 2]);
             const glm::vec3 face = glm::cross(b.position - a.position, c.position - a.position);
             // The triangles at a pole have no area.
-            if (glm::length(face) > 1e-7f) {
+            if (glm::length(face) > 1e-7F) {
                 ASSERT_GT(glm::dot(face, a.normal + b.normal + c.normal), 0) << mesh.name;
             }
         }
@@ -74,7 +74,7 @@ TEST(Mesh, pictures_on_shapes_are_upright_and_not_mirrored) {
             // Seen from the front, u grows to the right and v downwards: clockwise turns are
             // positive.
             const float area = turn(1).x * turn(2).y - turn(1).y * turn(2).x;
-            if (glm::length(glm::cross(edge(1), edge(2))) > 1e-7f) {
+            if (glm::length(glm::cross(edge(1), edge(2))) > 1e-7F) {
                 ASSERT_LT(area, 0) << mesh.name;
                 const glm::vec3 along = edge(1) * turn(2).y - edge(2) * turn(1).y;
                 EXPECT_LT(glm::dot(along, glm::vec3{mesh.details[corner[0]].tangent}), 0)
@@ -100,18 +100,18 @@ TEST(Mesh, closed_shapes_enclose_their_volume) {
     constexpr double pi = 3.14159265358979;
     // Inscribed facets lose a little: the tolerance is the loss at these tessellations.
     EXPECT_NEAR(enclosed_volume(sphere(64, 128)), 4 * pi / 3, 0.01);
-    EXPECT_NEAR(enclosed_volume(torus(0.3f, 128, 64)), 2 * pi * pi * 0.09, 0.01);
+    EXPECT_NEAR(enclosed_volume(torus(0.3F, 128, 64)), 2 * pi * pi * 0.09, 0.01);
     EXPECT_NEAR(enclosed_volume(cylinder(256)), 2 * pi, 0.01);
-    EXPECT_NEAR(enclosed_volume(box({1, 2, 0.5f}, 0)), 8, 1e-5);
+    EXPECT_NEAR(enclosed_volume(box({1, 2, 0.5F}, 0)), 8, 1e-5);
     constexpr glm::vec2 cone[]{{0, 0}, {1, 0}, {1, 0}, {0, 3}};
     EXPECT_NEAR(enclosed_volume(lathe(cone, 256)), pi, 0.01);
-    const double rounded = enclosed_volume(box({1, 2, 0.5f}, 0.1f, 16));
+    const double rounded = enclosed_volume(box({1, 2, 0.5F}, 0.1F, 16));
     EXPECT_LT(rounded, 8);
     EXPECT_GT(rounded, 7.8);
 }
 
 TEST(Camera, puts_the_target_in_the_middle_and_up_on_top) {
-    const Orbit orbit{{1, 2, 3}, 4, 30, 20, 40, 0.1f};
+    const Orbit orbit{{1, 2, 3}, 4, 30, 20, 40, 0.1F};
     const Camera camera = camera_of(orbit, 2);
     const auto project = [&](glm::vec3 p) {
         const glm::vec4 clip = camera.projection * camera.view * glm::vec4{p, 1};
@@ -121,7 +121,7 @@ TEST(Camera, puts_the_target_in_the_middle_and_up_on_top) {
     EXPECT_NEAR(centre.x, 0, 1e-5);
     EXPECT_NEAR(centre.y, 0, 1e-5);
     EXPECT_NEAR(centre.z, 1 - orbit.near_plane / orbit.distance, 1e-5);
-    EXPECT_LT(project(orbit.target + glm::vec3{0, 0.1f, 0}).y, 0);
+    EXPECT_LT(project(orbit.target + glm::vec3{0, 0.1F, 0}).y, 0);
     EXPECT_NEAR(glm::length(camera.position - orbit.target), orbit.distance, 1e-4);
 }
 
@@ -180,8 +180,8 @@ TEST(Floor, is_put_under_what_has_none) {
 }
 
 TEST(Camera, survives_any_orbit) {
-    for (const float wild : {0.0f, 90.0f, -90.0f, 1e6f, -1e6f}) {
-        const Camera camera = camera_of({{0, 0, 0}, wild, wild, wild, wild, 0.1f}, 1);
+    for (const float wild : {0.0F, 90.0F, -90.0F, 1e6F, -1e6F}) {
+        const Camera camera = camera_of({{0, 0, 0}, wild, wild, wild, wild, 0.1F}, 1);
         const glm::vec4 clip = camera.projection * camera.view * glm::vec4{0, 0, 0, 1};
         EXPECT_TRUE(std::isfinite(clip.x + clip.y + clip.z + clip.w)) << wild;
     }
@@ -256,8 +256,8 @@ TEST(Scenes, sample_has_everything_and_plain_has_neither_caster_nor_emitter) {
 
 TEST(Noise, repeats_without_a_seam_and_stays_in_0_to_1) {
     for (int i = 0; i <= 40; ++i) {
-        const float y = 0.1f * static_cast<float>(i);
-        for (const float x : {0.0f, 0.3f, 2.7f}) {
+        const float y = 0.1F * static_cast<float>(i);
+        for (const float x : {0.0F, 0.3F, 2.7F}) {
             const float here = layered_noise({x, y}, {3, 4}, 3, 5);
             EXPECT_GE(here, 0);
             EXPECT_LE(here, 1);
@@ -270,10 +270,10 @@ TEST(Noise, repeats_without_a_seam_and_stays_in_0_to_1) {
 TEST(Swatches, lab_of_white_and_of_middle_grey_is_as_cie_has_it) {
     for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(linear_of_lab({100, 0, 0})[c], 1, 1e-5);
-        EXPECT_NEAR(linear_of_lab({49.4961f, 0, 0})[c], 0.18, 1e-5); // 116 cbrt(.18) - 16
+        EXPECT_NEAR(linear_of_lab({49.4961F, 0, 0})[c], 0.18, 1e-5); // 116 cbrt(.18) - 16
     }
     // Rec.709's red under D65.
-    const glm::vec3 red = linear_of_lab({53.2408f, 80.0925f, 67.2032f});
+    const glm::vec3 red = linear_of_lab({53.2408F, 80.0925F, 67.2032F});
     EXPECT_NEAR(red.r, 1, 2e-3);
     EXPECT_NEAR(red.g, 0, 2e-3);
     EXPECT_NEAR(red.b, 0, 2e-3);
@@ -306,7 +306,7 @@ glm::dvec3 integrated_irradiance(const Environment& environment, glm::vec3 norma
 }
 
 TEST(Environment, irradiance_is_the_integral_of_radiance) {
-    const glm::vec3 normals[]{{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {0.6f, 0.8f, 0}, {0, -0.6f, 0.8f}};
+    const glm::vec3 normals[]{{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {0.6F, 0.8F, 0}, {0, -0.6F, 0.8F}};
     for (const SceneInfo& info : scenes()) {
         const Environment environment = info.make().environment;
         std::vector<glm::dvec3> exact;
@@ -335,14 +335,14 @@ TEST(Environment, blur_keeps_the_light_of_a_soft_box) {
         double sum = 0;
         constexpr int steps = 4000;
         for (int i = 0; i < steps; ++i) {
-            const float z = -1 + 2 * (static_cast<float>(i) + 0.5f) / steps;
+            const float z = -1 + 2 * (static_cast<float>(i) + 0.5F) / steps;
             sum += radiance(environment, {std::sqrt(1 - z * z), 0, z}, roughness).r;
         }
         return sum / steps;
     };
     // Gaussians wider than the sphere wrap: 1 - e^(-2s) of the light is left.
-    EXPECT_NEAR(total(0.2f) / total(0), 1, 1e-3);
-    EXPECT_NEAR(total(0.5f) / total(0), 1, 1e-3);
+    EXPECT_NEAR(total(0.2F) / total(0), 1, 1e-3);
+    EXPECT_NEAR(total(0.5F) / total(0), 1, 1e-3);
 }
 
 } // namespace

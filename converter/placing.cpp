@@ -30,7 +30,8 @@ void PlacingOptions::declare(Verb& verb) {
                                   "file says"));
     verb.add_option("--look-output", output_, "what its results are, in the same way");
     verb.add_option("--adaptation", adaptation_,
-                    "between the whites of different gamuts: bradford (default) or cat02");
+                    "between the whites of different gamuts: " +
+                        lutlib::names_of(lutlib::adaptations()) + " (default: the first)");
     verb.add_flag("--no-convert", no_convert_,
                   "never convert, even where the look is made for other encodings");
 }

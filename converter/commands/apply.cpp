@@ -173,8 +173,9 @@ Run declare_apply(Verb& verb) {
             "folder, or names with {name}, {ext}, {frame} or #### in them")
         .required();
     verb.add_option("--depth", o->depth,
-                    "uint8, uint16, half or float, as far as the file type holds it (default: the "
-                    "nearest to the picture's own)");
+                    lutlib::names_of(io::depths()) +
+                        ", as far as the file type holds it (default: the nearest to the "
+                        "picture's own)");
     o->interpolation.declare(verb, "of the LUT's cube");
     verb.add_option("--strength", o->strength,
                     "how much of the look: 0 leaves the picture as it is, 1 grades it in full; "

@@ -215,7 +215,8 @@ Run declare_edit(Verb& verb) {
     verb.add_option("--output-encoding", o->output_encoding,
                     "encoding of the result (default: as the input)");
     verb.add_option("--adaptation", o->adaptation,
-                    "between the whites of different gamuts: bradford (default) or cat02");
+                    "between the whites of different gamuts: " +
+                        lutlib::names_of(lutlib::adaptations()) + " (default: the first)");
     o->config.declare(verb);
     o->sampling.declare(verb, true);
     verb.add_flag("--json", o->json, "print the results as JSON");

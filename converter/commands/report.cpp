@@ -126,7 +126,7 @@ int run(const Options& o, const Verb& verb) {
     }
     const std::string shown = standard_output_of(std::array{o.output, o.json, o.csv});
     const bool of_look = o.suite.empty();
-    const std::string why_not = "it is about a look, and the suite is none";
+    const std::string why_not = "it is about a look, and the suite has no look";
     tell_unused(verb, {{"--max-delta-e", of_look, why_not},
                        {"--input-encoding", of_look, why_not},
                        {"--output-encoding", of_look, why_not},

@@ -82,8 +82,8 @@ int lustre_depth(int size) {
 std::vector<std::string> readers_of_mesh(const Lut3D& cube) {
     std::vector<std::string> out;
     if (!even_step(cube.size)) {
-        out.push_back("three.js refuses it, for no mesh line of " + std::to_string(cube.size) +
-                      " nodes has even whole steps; sizes 17, 33 and 65 have");
+        out.push_back("three.js refuses it: a mesh line of " + std::to_string(cube.size) +
+                      " nodes has no even whole steps; use 17, 33 or 65 nodes");
     }
     int largest = 0;
     for (const Rgb& node : cube.nodes) {

@@ -170,8 +170,10 @@ Finding noise(const Health& h) {
 
 Finding lattice_error(const Health& h, const LatticeError& e) {
     if (!e.measured) {
-        return {
-            Severity::note, 0, "not measured: some values are no numbers; repair them first", {}};
+        return {Severity::note,
+                0,
+                "not measured: some values are not numbers; repair them first (--repair)",
+                {}};
     }
     if (!(e.code.max > 0)) {
         return {Severity::good, 0, "none: the lattice keeps what is there", {}};
@@ -266,7 +268,7 @@ Finding cut_off(const Health& h) {
 }
 
 constexpr std::array<HealthCheck, 17> table{{
-    {"non-finite", "values", "values that are no numbers", non_finite},
+    {"non-finite", "values", "values that are not numbers", non_finite},
     {"spikes", "values", "single nodes that stand out", spikes},
     {"range", "beyond 0..1", "the outputs' range", range},
     {"1d-table", "fall", "a 1D table that is not monotonic", table_falls},

@@ -40,7 +40,8 @@ std::optional<std::string> PngStream::next() {
         return std::nullopt;
     }
     if (!is_png(out)) {
-        throw Error("behind " + std::to_string(count_) + " PNG files stands what is none",
+        throw Error("expected a PNG file after " + std::to_string(count_) +
+                        " PNG files, found other bytes; send whole PNG files only",
                     {name_, 0, {}});
     }
     for (std::string_view chunk; chunk != "IEND";) {

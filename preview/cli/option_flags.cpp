@@ -68,7 +68,7 @@ void declare(CLI::App& app, const ChoiceRow<S>& row, S& settings) {
                    const Option& found = lutlib::require_named(options, row.kind, name);
                    row.choose(settings, static_cast<std::size_t>(&found - options.data()));
                },
-               std::string(row.help))
+               fmt::format("{}: {}", row.help, lutlib::names_of(row.options())))
             ->type_name("NAME");
     if (row.chosen != nullptr) {
         option->default_str(std::string(row.options()[row.chosen(settings)].name));

@@ -206,8 +206,7 @@ constexpr ChoiceRow<Options> choices[] = {
      .label = "What .exr holds",
      .kind = "content of .exr",
      .title = "Contents of .exr and .hdr",
-     .help = "light or picture: what .exr and .hdr hold; by default light, of a picture that holds "
-             "codes the picture",
+     .help = "What .exr and .hdr hold, by default light, of a picture that holds codes the picture",
      .options =
          [] {
              return std::vector<Option>{
@@ -219,21 +218,21 @@ constexpr ChoiceRow<Options> choices[] = {
      .label = "Place of the looks",
      .kind = "place of a look",
      .title = "Places of the looks",
-     .help = "auto, before or after: on which side of the tone map the looks stand, see --list",
+     .help = "On which side of the tone map the looks stand",
      .options = [] { return options_of(look_at_rows()); },
      .choose = [](O& o, std::size_t i) { choose(o.look_at, look_at_rows(), i); }},
     {.flag = "raster",
      .label = "Rasteriser",
      .kind = "rasteriser",
      .title = "Rasterisers",
-     .help = "Rasteriser: hardware or compute (see --list)",
+     .help = "Rasteriser",
      .options = [] { return options_of(rasters()); },
      .choose = [](O& o, std::size_t i) { choose(o.raster, rasters(), i); }},
     {.flag = "debug-view",
      .label = "View",
      .kind = "debug view",
      .title = "Views",
-     .help = "Show an intermediate, from --list",
+     .help = "Show an intermediate",
      .options = view_options,
      .choose =
          [](O& o, std::size_t i) {
@@ -245,27 +244,24 @@ constexpr ChoiceRow<Options> choices[] = {
      .label = "Scope",
      .kind = "scope",
      .title = "Scopes",
-     .help = "Show the finished picture on this instrument, from --list",
+     .help = "Show the finished picture on this instrument",
      .options = [] { return options_of(scope_rows()); },
      .choose = [](O& o, std::size_t i) { choose(o.frame.scope, scope_rows(), i); }},
     {.flag = "scope-side",
      .label = "Side of the scope",
      .kind = "side of a scope",
      .title = "Sides of a scope",
-     .help = "what the scope measures: shown, a or b",
+     .help = "What the scope measures",
      .options = [] { return options_of(scope_side_rows()); },
      .choose = [](O& o, std::size_t i) { choose(o.frame.scope_side, scope_side_rows(), i); }},
     {.flag = "scope-scale",
      .label = "Scale of the scope",
      .kind = "scale of a scope",
      .title = "Scales of a scope",
-     .help = "log or linear: how counts become brightness or height; by default its own",
-     .options =
-         [] {
-             return std::vector<Option>{{"log", "by the logarithm of the counts"},
-                                        {"linear", "in proportion to the counts"}};
-         },
-     .choose = [](O& o, std::size_t i) { o.frame.scope_logarithmic = i == 0; }},
+     .help = "How counts become brightness or height",
+     .options = [] { return options_of(scope_scales); },
+     .choose = [](O& o,
+                  std::size_t i) { o.frame.scope_logarithmic = scope_scales[i].logarithmic; }},
 };
 
 } // namespace

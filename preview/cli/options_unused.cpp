@@ -224,7 +224,7 @@ std::vector<std::string> unused_options(const Options& options, const KnownInput
         {joined(flags_of(camera_numbers()), picture_flags("occlusion")), input.scene != nullptr,
          "a picture is shown"},
         {picture_flags("bloom"), input.has_codes || settings.bloom != bloom_named("none"),
-         "the bloom is none"},
+         "there is no bloom (--bloom none)"},
         {joined(bloom_flags(), {"--tonemap"}), !input.has_codes,
          "the picture is display-encoded already"},
     };

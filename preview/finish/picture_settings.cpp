@@ -85,11 +85,12 @@ constexpr NumberRow<S> numbers[] = {
 
 constexpr ChoiceRow<S> choices[] = {
     choice_of<S, &S::tonemap, tonemaps>("tonemap", "Tone map", "tone map", "Tone maps",
-                                        "Tone map, from --list; some scenes have their own"),
-    choice_of<S, &S::bloom, blooms>("bloom", "Bloom", "bloom", "Blooms", "Bloom, from --list; some scenes have their own"),
+                                        "Tone map; some scenes have their own"),
+    choice_of<S, &S::bloom, blooms>("bloom", "Bloom", "bloom", "Blooms",
+                                    "Bloom; some scenes have their own"),
     choice_of<S, &S::compare, compare_rows>(
         "compare", "Compare", "comparison", "Comparisons",
-        "a, b, split, side or diff; by default a, or split when --b is given"),
+        "What is shown of the looks; by default a, or split when --b is given"),
 };
 
 } // namespace

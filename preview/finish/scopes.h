@@ -89,6 +89,18 @@ inline constexpr std::array<ScopeSide, 3> scope_sides{{
 }};
 inline constexpr const ScopeSide& scope_side_shown = scope_sides[0];
 
+/// How counts become brightness or height.
+struct ScopeScale {
+    std::string_view name;
+    std::string_view label;
+    std::optional<bool> logarithmic; ///< empty: as the scope's row says
+};
+inline constexpr std::array<ScopeScale, 3> scope_scales{{
+    {"own", "each scope's own", std::nullopt},
+    {"log", "by the logarithm of the counts", true},
+    {"linear", "in proportion to the counts", false},
+}};
+
 /// The side's columns of a finished picture of that size, without the split line; a count of 0
 /// where nothing of the side is shown, or where a heat map is.
 ColumnRange scope_range(const ScopeSide& side, const Compare& compare, float split,

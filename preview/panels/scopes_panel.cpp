@@ -10,15 +10,6 @@ namespace preview::panels {
 
 namespace {
 
-struct ScaleRow {
-    const char* name;
-    const char* label;
-    std::optional<bool> logarithmic;
-};
-constexpr ScaleRow scales[] = {{"own", "each scope's own", std::nullopt},
-                               {"log", "by the logarithm of the counts", true},
-                               {"linear", "in proportion to the counts", false}};
-
 /// Widths in a strip: a vectorscope is square, the others share what it leaves.
 std::array<float, scopes.size()> widths_in(const ScopeChoice& choice, const Rect& area) {
     std::array<float, scopes.size()> widths{};
@@ -78,11 +69,11 @@ void scopes_panel(Ui& ui) {
         mark(ui, "scope.side." + std::string(side.name));
     }
     ImGui::TextUnformatted("Their brightness and height");
-    for (const ScaleRow& row : scales) {
-        if (ImGui::RadioButton(row.label, choice.logarithmic == row.logarithmic)) {
+    for (const ScopeScale& row : scope_scales) {
+        if (ImGui::RadioButton(row.label.data(), choice.logarithmic == row.logarithmic)) {
             choice.logarithmic = row.logarithmic;
         }
-        mark(ui, std::string("scope.scale.") + row.name);
+        mark(ui, "scope.scale." + std::string(row.name));
     }
     ImGui::SliderFloat("Height", &choice.height, 0.15F, 0.7F, "%.2f", ImGuiSliderFlags_AlwaysClamp);
     mark(ui, "scope.height");

@@ -23,7 +23,8 @@ struct Header {
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
 
 [[noreturn]] void damaged() {
-    throw Error("a boxed reader's answer makes no sense");
+    throw Error("the process that reads the file sent a damaged answer; run it again, and report "
+                "the file if that fails too");
 }
 
 union FileSpace {

@@ -97,9 +97,8 @@ class Nursery {
 
 int run(const char* module, const std::string& entry) {
     const MakeDesk make_desk = desk_of(module, entry);
-    Outgoing greeting = make_desk
-                            ? answered([](Outgoing&) {})
-                            : failure(Outcome::error, ::dlerror());
+    Outgoing greeting =
+        make_desk ? answered([](Outgoing&) {}) : failure(Outcome::error, ::dlerror());
     if (!send(program_socket, greeting) || !make_desk) {
         return 1;
     }

@@ -147,7 +147,8 @@ SampleImage take_image(Incoming& from, Sharing sharing) {
                            out.height <= limits::max_image_side;
     if (!has_sides || out.channels < 1 || out.channels > 4 || out.depth > Depth::float32 ||
         shared.bytes().size() != out.bytes()) {
-        throw Error("a boxed reader's picture makes no sense");
+        throw Error("the process that reads the file sent a damaged picture; run it again, and "
+                    "report the file if that fails too");
     }
     out.samples = shared.samples();
     return out;

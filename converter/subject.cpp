@@ -57,9 +57,15 @@ int take_lattice(Subject& s, std::optional<int> row) {
             rows == 1 ? "one lattice" : fmt::format("{} lattices, 0 to {}", rows, rows - 1)));
     }
     if (rows > 1 && !row) {
-        s.contract.push_back(fmt::format("the picture holds {} lattices below each other; verify "
-                                         "one of them with --row 0 to {}, from the top",
-                                         rows, rows - 1));
+        const lutlib::Layout& vertical = *lutlib::layout_named("strip-vertical");
+        const auto upright = vertical.lattice({s.codes.width, s.codes.height});
+        s.contract.push_back(
+            upright ? fmt::format("the picture is a vertical strip of {} nodes per axis; the "
+                                  "engine reads the layout {}: bake it again for the engine",
+                                  *upright, s.engine->layout)
+                    : fmt::format("the picture holds {} lattices below each other; verify one of "
+                                  "them with --row 0 to {}, from the top",
+                                  rows, rows - 1));
         return 0;
     }
     if (rows > 1) {

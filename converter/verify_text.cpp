@@ -23,10 +23,14 @@ std::string texels_text(const lutlib::TexelCheck& t) {
 
 std::string diagnosis_text(const lutlib::Verification& result) {
     if (!result.diagnosis) {
-        return fmt::format("  why: no known mistake explains it; check that --against names the "
-                           "look it was baked from "
-                           "(nearest: {}, {:.1f} % of the texels)\n",
-                           result.nearest.words, 100 * result.nearest.explained);
+        constexpr double worth_saying = 0.005;
+        return "  why: no known mistake explains it; check that --against names the look it was "
+               "baked from" +
+               (result.nearest.explained < worth_saying
+                    ? std::string()
+                    : fmt::format(" (nearest: {}, {:.1f} % of the texels)", result.nearest.words,
+                                  100 * result.nearest.explained)) +
+               '\n';
     }
     const double explained = result.diagnosis->explained;
     return fmt::format(
@@ -94,8 +98,9 @@ bool is_a_matter_of_tags(const Subject& s, const Verdict& v) {
 std::string to_text(const Subject& s, const Verdict& v) {
     std::string out = fmt::format("{} against {}{} by {}\n", v.picture, v.against,
                                   !v.config.empty() ? " behind " + v.config : "", v.oracle);
-    out += fmt::format("  layout {}, {}x{}, {} nodes per axis, {} bits: {}\n", s.engine->layout,
-                       s.codes.width, s.codes.height, s.size, s.codes.depth.bits, s.engine->label);
+    const std::string nodes = s.size > 0 ? fmt::format("{} nodes per axis, ", s.size) : "";
+    out += fmt::format("  layout {}, {}x{}, {}{} bits: {}\n", s.engine->layout, s.codes.width,
+                       s.codes.height, nodes, s.codes.depth.bits, s.engine->label);
     if (!v.refusal.empty()) {
         out += "  OpenColorIO evaluates what lutlib read of the look: " + v.refusal + "\n";
     }

@@ -291,8 +291,9 @@ int run(const Options& o, const Verb& verb) {
                         viewing.output.name(), viewing.output.decode(1));
     }
     if (trip.undoable) {
-        text += fmt::format("  the same over the inputs that can be undone, {} colours\n{}",
-                            trip.undoable->absolute.count, to_text(*trip.undoable, "    "));
+        text += fmt::format(
+            "  the same over {} inputs that can be undone, of a sample of their own\n{}",
+            trip.undoable->absolute.count, to_text(*trip.undoable, "    "));
     }
     print(text, o.output);
     return ok;

@@ -38,12 +38,19 @@ bool smaller(Combination a, Combination b) {
     return lattice_bytes(a.size, a.bits) < lattice_bytes(b.size, b.bits);
 }
 
+// Whether the engine takes the size without a setting in the project.
+bool is_usual(const Engine& engine, int size) {
+    const auto& usual = engine.usual_sizes;
+    return usual.empty() || std::find(usual.begin(), usual.end(), size) != usual.end();
+}
+
 bool is_loadable(const Engine& engine, int size) {
     const std::optional<PictureSize> picture = layout_named(engine.layout)->picture(size);
     return picture && std::max(picture->width, picture->height) <= largest_texture_side;
 }
 
-// The combinations that the engine and the budget allow, smallest first.
+// The combinations that the engine and the budget allow: those of usual sizes, smallest first, then
+// the others.
 std::vector<Combination> combinations(const Engine& engine, const Budget& budget) {
     std::vector<Combination> out;
     for (const int size :
@@ -55,6 +62,8 @@ std::vector<Combination> combinations(const Engine& engine, const Budget& budget
         }
     }
     std::stable_sort(out.begin(), out.end(), smaller);
+    std::stable_partition(out.begin(), out.end(),
+                          [&](Combination c) { return is_usual(engine, c.size); });
     return out;
 }
 
@@ -68,8 +77,7 @@ std::string fit_limit_text() {
 std::vector<int> sizes_tried(const Engine& engine, std::optional<int> nodes) {
     std::vector<int> out;
     if (!engine.sizes.empty()) {
-        const auto sizes = engine.usual_sizes.empty() ? engine.sizes : engine.usual_sizes;
-        out.assign(sizes.begin(), sizes.end());
+        out.assign(engine.sizes.begin(), engine.sizes.end());
     } else {
         const int cells = nodes.value_or(limits::max_cube_size) - 1;
         for (int size = limits::min_cube_size; size <= limits::max_cube_size; ++size) {

@@ -65,13 +65,13 @@ inline constexpr double fit_reach = 1.45;
 inline constexpr int most_fits = 3;
 
 /// Every size from 2 to 128, and k(n-1)+1 up to 256 for a look of n nodes, whose nodes it holds; of
-/// the sizes that the engine takes, that work without a setting in the project, and whose picture
-/// is no larger than a texture may be. Rising.
+/// the sizes that the engine takes, and whose picture is no larger than a texture may be. Rising.
 std::vector<int> sizes_tried(const Engine& engine, std::optional<int> nodes);
 
 /// The smallest combination that keeps the promise; of equal size, point samples come before a fit.
 /// An engine's lookup costs the same for every one of them but for its memory, so the smallest is
-/// also the fastest. Of sizes_tried() each is left at the first colour that breaks the promise. When
+/// also the fastest; but one that the engine takes only where the project says so
+/// (Engine::usual_sizes) comes behind all others. Of sizes_tried() each is left at the first colour that breaks the promise. When
 /// none keeps it, the one that comes nearest of the few that seemed the nearest, with `kept` false.
 /// Throws UsageError when the engine takes no combination that was asked for.
 BudgetBake bake_within(const Transform& look, const Engine& engine, const Budget& budget);

@@ -250,7 +250,8 @@ Finding invertible(const Health& h) {
     return {part < invertible_note ? Severity::note : Severity::good,
             part,
             part > 0
-                ? text("%.4g %% of the input's volume can be inverted: neither flat nor folded",
+                ? text("at most %.4g %% of the input's volume can be inverted: the rest is flat or "
+                       "turned over",
                        100 * part)
                 : "nothing can be inverted: every tetrahedron is flat",
             {}};
@@ -284,7 +285,7 @@ constexpr std::array<HealthCheck, 17> table{{
     {"error-at-33", "dE at 99 %", "measured of a lattice of 33 nodes per axis", error_at_33},
     {"clipping", "share of cells", "channels at their lowest or highest", clipping},
     {"plateaus", "share of cells", "channels that are flat in between", plateau},
-    {"invertible", "share of volume", "what can be inverted", invertible},
+    {"invertible", "share of volume", "what can be inverted at most", invertible},
 }};
 
 } // namespace

@@ -87,7 +87,16 @@ double largest_bend_beside(const Lattice& lattice, const Node& n) {
     return most;
 }
 
-std::optional<double> without_spike(const Lattice& lattice, const Node& n, double range) {
+// How far a node must stand out: `least` as least_spike is, `ratio` as spike_ratio.
+struct Standing {
+    double least, ratio;
+};
+constexpr Standing alone{least_spike, spike_ratio};
+// Of a node that another channel has told already.
+constexpr Standing beside_another{0, 1.5};
+
+std::optional<double> without_spike(const Lattice& lattice, const Node& n, double range,
+                                    const Standing& standing = alone) {
     std::array<double, 3> lines{};
     double surface = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -98,8 +107,8 @@ std::optional<double> without_spike(const Lattice& lattice, const Node& n, doubl
     const double own = lattice.value(n);
     const double out = own > lines[2] ? own - lines[2] : lines[0] - own;
     const double scale = std::min(range, std::max({1.0, std::abs(lines[0]), std::abs(lines[2])}));
-    if (!(out > least_spike * scale) ||
-        !(out / surface > spike_ratio * largest_bend_beside(lattice, n))) {
+    if (!(out > standing.least * scale) ||
+        !(out / surface > standing.ratio * largest_bend_beside(lattice, n))) {
         return std::nullopt;
     }
     return lines[1];
@@ -129,6 +138,32 @@ std::vector<Spike> find_spikes(const Lut& lut) {
     return found;
 }
 
+// The other channels of the same nodes, where they stand out too: a node that is wrong is mostly
+// wrong in all, and one levelled channel of three would tint it.
+std::vector<Spike> companions(const Lut3D& cube, const std::vector<Spike>& found) {
+    const OutputRange all = finite_range(cube.nodes);
+    const auto is_found = [&](std::size_t index, std::size_t channel) {
+        return std::any_of(found.begin(), found.end(), [&](const Spike& spike) {
+            return spike.index == index && spike.channel == channel;
+        });
+    };
+    const auto size = static_cast<std::size_t>(cube.size);
+    std::vector<Spike> out;
+    for (const Spike& spike : found) {
+        const Node n{static_cast<int>(spike.index % size),
+                     static_cast<int>(spike.index / size % size),
+                     static_cast<int>(spike.index / (size * size))};
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto value =
+                without_spike(Lattice(cube, c), n, all.high - all.low, beside_another);
+            if (value && !is_found(spike.index, c)) {
+                out.push_back({spike.index, c, *value});
+            }
+        }
+    }
+    return out;
+}
+
 } // namespace
 
 SpikesExamined examine_spikes(const Lut& lut) {
@@ -148,11 +183,13 @@ SpikesExamined examine_spikes(const Lut& lut) {
 }
 
 std::string level_spikes(Lut& lut, const RepairOptions& /*options*/) {
-    const std::vector<Spike> found = find_spikes(lut);
+    std::vector<Spike> found = find_spikes(lut);
     if (found.empty()) {
         return "";
     }
     Lut3D& cube = *lut.cube;
+    const std::vector<Spike> more = companions(cube, found);
+    found.insert(found.end(), more.begin(), more.end());
     // A surface's line carried on may lead out of what the rest of the look gives.
     std::vector<Rgb> rest = cube.nodes;
     for (const Spike& spike : found) {

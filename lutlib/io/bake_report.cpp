@@ -134,10 +134,11 @@ std::string bake_report(const std::string& input, const std::string& output, con
                         bake.picture.depth.bits, bake.loss.max_rounding, bake.loss.mean_rounding);
     }
     if (error) {
-        out +=
-            fmt::format("  error of {}'s lookup against the look; p99 and mean over {} colours "
-                        "spread evenly:\n{}",
-                        engine.name, error->absolute.count, figures_text(*error, viewing, "    "));
+        out += fmt::format(
+            "  error of {}'s lookup against the look{}; p99 and mean over {} colours "
+            "spread evenly:\n{}",
+            engine.name, bake.loss.clamped_values > 0 ? ", clamped to 0..1 as the codes are" : "",
+            error->absolute.count, figures_text(*error, viewing, "    "));
     }
     return out;
 }

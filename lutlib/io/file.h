@@ -3,10 +3,9 @@
 // is the old file or the whole new one.
 #pragma once
 
-#include "lutlib/io/extension.h"
-
 #include "lutlib/byte_source.h"
 #include "lutlib/io/descriptor.h"
+#include "lutlib/io/extension.h"
 #include "lutlib/limits.h"
 
 #include <cstddef>

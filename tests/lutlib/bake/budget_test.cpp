@@ -82,7 +82,27 @@ TEST(Budget, tries_every_size_that_a_strip_may_have_and_multiples_of_the_looks_c
     EXPECT_TRUE(has(in_rows, 67));
     EXPECT_TRUE(has(in_rows, 7 * 31 + 1));
     EXPECT_FALSE(has(in_rows, 7 * 31));
-    EXPECT_EQ(sizes_tried(*engine_named("unity"), 17), std::vector{32});
+    const std::vector<int> unity = sizes_tried(*engine_named("unity"), 17);
+    EXPECT_EQ(unity.front(), 16);
+    EXPECT_EQ(unity.back(), 65);
+}
+
+// Unity reads 32 nodes unless its asset says another size.
+TEST(Budget, takes_a_size_that_needs_a_setting_only_where_no_usual_one_keeps_the_promise) {
+    Lut lut;
+    lut.cube = sampled([](RgbD c) { return RgbD{0.5 + 0.4 * std::sin(20 * c.r), c.g, c.b}; }, 129);
+    const Engine& unity = *engine_named("unity");
+    const auto size_within = [&](double most) {
+        const Budget budget{
+            .most = most, .size = {}, .bits = {}, .fit = false, .breaks = breaks_of(lut)};
+        const BudgetBake found = bake_within(Transform::of(lut), unity, budget);
+        EXPECT_TRUE(found.kept) << most;
+        return found.filled.bake.size;
+    };
+    const Budget usual{.most = 1e-9, .size = 32, .bits = 8, .fit = false, .breaks = breaks_of(lut)};
+    const double of_32 = bake_within(Transform::of(lut), unity, usual).largest;
+    EXPECT_EQ(size_within(1.01 * of_32), 32);
+    EXPECT_GT(size_within(0.9 * of_32), 32);
 }
 
 // Fits lower the largest error by up to 1.6 times.

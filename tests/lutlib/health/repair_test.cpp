@@ -128,6 +128,25 @@ TEST(Repair, levels_a_spike_wherever_it_stands_exactly) {
     }
 }
 
+// Red bends so much that its part would not be told from a bend; green's and blue's are.
+TEST(Repair, levels_all_channels_of_a_node_that_stands_out_so_that_none_tints_it) {
+    Lut whole;
+    whole.cube = identity_cube(33);
+    for (Rgb& node : whole.cube->nodes) {
+        node.r += 0.004F * std::sin(40 * node.r);
+    }
+    Lut lut = whole;
+    Rgb& node = lut.cube->at(16, 16, 16);
+    node = {1.06F * node.r, 1.06F * node.g, 1.06F * node.b};
+    const Repaired repaired = repair(lut);
+    ASSERT_EQ(repaired.steps.size(), 1U);
+    EXPECT_EQ(repaired.steps[0].changed, 3U);
+    const Rgb &is = repaired.lut.cube->at(16, 16, 16), &was = whole.cube->at(16, 16, 16);
+    EXPECT_NEAR(is.r, was.r, 0.007F); // as red bends there
+    EXPECT_NEAR(is.g, was.g, 1e-6F);
+    EXPECT_NEAR(is.b, was.b, 1e-6F);
+}
+
 // Neutrals that fall by less than anybody sees are no fault to be mended.
 TEST(Repair, leaves_a_fall_of_neutrals_alone_that_is_a_note) {
     Lut lut;

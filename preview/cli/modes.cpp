@@ -3,6 +3,7 @@
 #include "lutlib/error.h"
 #include "lutlib/io/box/box.h"
 #include "lutlib/io/file.h"
+#include "lutlib/io/references.h"
 #include "lutlib/io/terminal.h"
 #include "preview/cli/look_options.h"
 #include "preview/cli/option_listing.h"
@@ -316,6 +317,7 @@ void render(const Options& options) {
 void run(const Options& options) {
     lutlib::io::box::set_used(!options.no_sandbox);
     lutlib::io::box::set_memory(static_cast<std::size_t>(options.max_memory * (1 << 30)));
+    lutlib::io::allow_references_outside(options.allow_outside);
     if (options.no_sandbox) {
         tell("files are read without a sandbox");
     }

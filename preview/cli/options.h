@@ -51,7 +51,7 @@ struct Options {
     CubeView cube;
     bool headless = false, explain = false, timings = false, json = false, list = false;
     bool validate = false;
-    bool no_sandbox = false;
+    bool no_sandbox = false, allow_outside = false;
     double max_memory = 4;     ///< GiB, of each process that reads files for a library
     std::string frames = "50"; ///< parse_frames()
     double frame_rate = 24;    ///< of a sequence, in 1/s

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <filesystem>
 
 namespace preview {
 
@@ -96,8 +95,7 @@ std::string GltfFile::uri_bytes(const std::string& uri, std::size_t most) const 
         refuse("a URI names nothing beside the file; only files and data URIs are read",
                uri.substr(0, 60));
     }
-    const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
-    return read_((folder / percent_decoded(uri)).string(), most);
+    return read_(percent_decoded(uri), most);
 }
 
 std::string GltfFile::loaded(std::size_t index) const {

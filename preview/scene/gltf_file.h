@@ -24,7 +24,7 @@ class GltfFile {
   public:
     using json = nlohmann::json;
 
-    /// `bytes` of the file at `path`; others beside it are read by `read` when they are needed.
+    /// `bytes` of the file at `path`; what it names is read by `read` when it is needed.
     GltfFile(std::string_view bytes, std::string path, ReadFile read);
 
     const json& root() const { return root_; }

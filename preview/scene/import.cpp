@@ -2,6 +2,7 @@
 
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
+#include "lutlib/io/references.h"
 #include "preview/scene/import_parts.h"
 
 #include <fmt/format.h>
@@ -23,12 +24,12 @@ bool is_one_of(std::span<const std::string_view> endings, std::string_view endin
 }
 
 /// Pipes and devices would be waited for, or never end.
-std::string read_regular_file(const std::string& path, std::size_t most) {
+std::string model_bytes(const std::string& path) {
     std::error_code failed;
     if (std::filesystem::exists(path, failed) && !std::filesystem::is_regular_file(path, failed)) {
-        throw lutlib::Error("not a file; a model's parts must be files", {path, 0, {}});
+        throw lutlib::Error("a model must be a file", {path, 0, {}});
     }
-    return lutlib::io::read_file(path, most);
+    return lutlib::io::read_file(path, import_limits.file_bytes);
 }
 
 } // namespace
@@ -63,13 +64,16 @@ ImportedScene import_scene(const std::string& path) {
         throw lutlib::Error("models of this type are not read; save it as glTF 2.0 (.glb)",
                             {path, 0, {}});
     }
-    const std::string bytes = read_regular_file(path, import_limits.file_bytes);
+    const std::string bytes = model_bytes(path);
+    const ReadFile read = [&](const std::string& reference, std::size_t most) {
+        return lutlib::io::read_reference(path, reference, most);
+    };
     if (lutlib::io::extension_of(path) != "obj") {
-        return import_gltf(bytes, path, read_regular_file);
+        return import_gltf(bytes, path, read);
     }
     LeftOut left_out;
     ImportedScene out;
-    out.scene = settled(obj_scene(bytes, path, read_regular_file, left_out), path, left_out);
+    out.scene = settled(obj_scene(bytes, path, read, left_out), path, left_out);
     out.left_out = left_out.lines();
     return out;
 }

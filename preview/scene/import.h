@@ -36,8 +36,8 @@ bool is_model_file(const std::string& path);
 /// nothing to show, or is larger than import_limits.
 ImportedScene import_scene(const std::string& path);
 
-/// The bytes of a regular file of at most `most`. Throws lutlib::Error.
-using ReadFile = std::function<std::string(const std::string& path, std::size_t most)>;
+/// The bytes, at most `most`, of a file that the model names. Throws lutlib::Error.
+using ReadFile = std::function<std::string(const std::string& reference, std::size_t most)>;
 
 /// A glTF file that is in memory; `read` reads what lies beside it.
 ImportedScene import_gltf(std::string_view bytes, const std::string& path, const ReadFile& read);

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <utility>
 
@@ -26,17 +25,16 @@ class Beside : public Assimp::IOSystem {
     Beside(std::string path, const std::string& bytes, ReadFile read, LeftOut& left_out)
         : path_(std::move(path)), bytes_(bytes), read_(std::move(read)), left_out_(left_out) {}
 
-    bool Exists(const char* file) const override {
-        std::error_code failed;
-        return file == path_ || std::filesystem::is_regular_file(file, failed);
-    }
+    // Whether it may be read, and can be, shows when it is opened.
+    bool Exists(const char*) const override { return true; }
     char getOsSeparator() const override { return '/'; }
     Assimp::IOStream* Open(const char* file, const char*) override {
         if (file == path_) {
             return stream(bytes_);
         }
         try {
-            return stream(kept_.emplace(file, read_(file, import_limits.file_bytes)).first->second);
+            return stream(kept_.emplace(file, read_(name_in_folder(file), import_limits.file_bytes))
+                              .first->second);
         } catch (const Error& error) {
             // Of a library that it cannot open Assimp tries a second name, which nobody gave.
             if (!std::exchange(is_told_, true)) {
@@ -49,6 +47,11 @@ class Beside : public Assimp::IOSystem {
     void Close(Assimp::IOStream* file) override { delete file; }
 
   private:
+    /// Assimp puts the OBJ file's folder before what the file names.
+    std::string name_in_folder(std::string_view file) const {
+        const std::string folder = path_.substr(0, path_.rfind('/') + 1);
+        return std::string(file.substr(file.starts_with(folder) ? folder.size() : 0));
+    }
     static Assimp::IOStream* stream(const std::string& bytes) {
         return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes.data()),
                                           bytes.size());
@@ -177,9 +180,7 @@ class ObjImport {
             return known->second;
         }
         try {
-            const auto beside = std::filesystem::path(path_).parent_path() / name;
-            Picture picture =
-                picture_of(read_(beside.string(), import_limits.file_bytes), printable(name));
+            Picture picture = picture_of(read_(name, import_limits.file_bytes), printable(name));
             texels_ += picture.rgba.size() / 4;
             if (texels_ > import_limits.texels) {
                 throw Error("its textures have more texels than the limit", {path_, 0, {}});

@@ -5,6 +5,7 @@
 #include "lutlib/error.h"
 #include "lutlib/io/png.h"
 #include "lutlib/io/png_stream.h"
+#include "lutlib/io/reason.h"
 
 #include <fmt/core.h>
 
@@ -101,7 +102,7 @@ class Stream {
             try {
                 graded = grade_apart(grading_, std::move(*bytes), route.to, held_, png);
             } catch (const std::exception& error) {
-                reason = error.what();
+                reason = io::reason_of(error);
             }
             put(index, std::move(route), std::move(graded), reason, png);
         }

@@ -6,6 +6,7 @@
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
+#include "lutlib/io/reason.h"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +26,7 @@ bool is_look(const std::string& extension) {
 }
 
 int complain(const std::exception& error, int code) {
-    print("lutconv: " + one_line(error.what()) + '\n', std::string(io::standard_stream));
+    print("lutconv: " + one_line(io::reason_of(error)) + '\n', std::string(io::standard_stream));
     return code;
 }
 

@@ -9,6 +9,7 @@
 #include "converter/report.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
+#include "lutlib/io/reason.h"
 #include "lutlib/named.h"
 #include "lutlib/version.h"
 
@@ -178,10 +179,8 @@ int run_program(int given, const char* const* words) {
         return complain(error, bad_usage, in_json);
     } catch (const lutlib::Error& error) {
         return complain(error, bad_input, in_json);
-    } catch (const std::bad_alloc&) {
-        return complain(lutlib::Error("not enough memory for this input"), bad_input, in_json);
     } catch (const std::exception& error) {
-        return complain(lutlib::Error(error.what()), bad_input, in_json);
+        return complain(lutlib::Error(lutlib::io::reason_of(error)), bad_input, in_json);
     }
 }
 

@@ -6,6 +6,12 @@
 
 namespace lutlib {
 
+std::string json_reason(const nlohmann::json::exception& error) {
+    const std::string_view text = error.what();
+    const std::size_t end = text.starts_with("[json.exception") ? text.find("] ") : text.npos;
+    return std::string(end == text.npos ? text : text.substr(end + 2));
+}
+
 nlohmann::json parse_json(std::string_view text, const std::string& file) {
     try {
         return nlohmann::json::parse(text.begin(), text.end());
@@ -19,7 +25,7 @@ nlohmann::json parse_json(std::string_view text, const std::string& file) {
         throw Error("this is not JSON",
                     {file, line, std::string(text.substr(first, text.find('\n', first) - first))});
     } catch (const nlohmann::json::exception& error) {
-        throw Error(std::string("this JSON cannot be read: ") + error.what(), {file, 0, ""});
+        throw Error("this JSON cannot be read: " + json_reason(error), {file, 0, ""});
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "lutlib/error.h"
 #include "lutlib/io/pending_file.h"
+#include "lutlib/io/reason.h"
 
 #include <algorithm>
 #include <array>
@@ -50,6 +51,8 @@ void open_and_write(const std::string& path, std::string_view bytes, const std::
 
 thread_local StandardStreamsInstead* instead = nullptr;
 
+thread_local std::string last_opened;
+
 constexpr const char* empty_file = "the file is empty";
 
 // Devices, pipes and sockets have no old content to protect and cannot be renamed over.
@@ -64,6 +67,10 @@ std::string input_name(const std::string& path) {
     return path == standard_stream ? "standard input" : path;
 }
 
+const std::string& last_input() {
+    return last_opened;
+}
+
 std::string output_name(const std::string& path) {
     return path == standard_stream ? "standard output" : path;
 }
@@ -71,6 +78,7 @@ std::string output_name(const std::string& path) {
 FileInput::FileInput(const std::string& path)
     : name_(input_name(path)),
       file_(path == standard_stream ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    last_opened = name_;
     struct stat info {};
     if (file_.get() < 0 || ::fstat(file_.get(), &info) != 0) {
         fail("cannot open the file", name_, errno);

@@ -220,6 +220,11 @@ std::vector<std::string_view> recipe_shaper_names() {
 }
 
 Recipe parse_recipe(std::string_view text, const std::string& file) {
+    // Of the shortest values it makes some 200 MB.
+    constexpr std::size_t largest = std::size_t{8} << 20;
+    if (text.size() > largest) {
+        throw Error("a recipe has at most 8 MB; this is none", {file, 0, {}});
+    }
     const json document = parse_json(text, file);
     const Node root{document, "", file};
     if (!root.object().has("schema_version")) {

@@ -1,5 +1,6 @@
 #include "preview/panels/ui.h"
 
+#include "lutlib/io/reason.h"
 #include "preview/editor/commands.h"
 
 #include <imgui.h>
@@ -180,7 +181,7 @@ void attempt(Ui& ui, const std::function<void()>& action) {
         action();
     } catch (const std::exception& error) {
         ui.history.draft() = before;
-        ui.errors.emplace_back(error.what());
+        ui.errors.emplace_back(lutlib::io::reason_of(error));
     }
 }
 

@@ -1,6 +1,7 @@
 #include "preview/scene/gltf_file.h"
 
 #include "lutlib/error.h"
+#include "lutlib/json_text.h"
 #include "preview/scene/import_parts.h"
 
 #include <fmt/format.h>
@@ -49,16 +50,26 @@ GltfFile::GltfFile(std::string_view bytes, std::string path, ReadFile read)
         body_ = chunk(bytes, end, body_chunk).value_or(std::string_view{});
         bytes = *text;
     }
-    const auto limit_depth = [&](int depth, json::parse_event_t, json&) {
+    std::size_t values = 0;
+    const auto limit = [&](int depth, json::parse_event_t event, json&) {
         if (depth > import_limits.depth) {
             refuse("its JSON is nested too deeply");
+        }
+        const bool is_new = event == json::parse_event_t::value ||
+                            event == json::parse_event_t::object_start ||
+                            event == json::parse_event_t::array_start;
+        values += is_new ? 1 : 0;
+        if (values > import_limits.json_values) {
+            refuse(fmt::format("its JSON holds more than {} values, which is the limit",
+                               import_limits.json_values));
         }
         return true;
     };
     try {
-        root_ = json::parse(bytes, limit_depth);
+        root_ = json::parse(bytes, limit);
     } catch (const json::exception& error) {
-        refuse("not a glTF file: its JSON cannot be read: " + printable(error.what()));
+        refuse("not a glTF file: its JSON cannot be read: " +
+               printable(lutlib::json_reason(error)));
     }
     const std::string version = root_.is_object() && root_.contains("asset")
                                     ? gltf_text(root_["asset"], "version")

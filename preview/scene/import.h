@@ -45,6 +45,7 @@ ImportedScene import_gltf(std::string_view bytes, const std::string& path, const
 struct ImportLimits {
     std::size_t file_bytes = std::size_t{512} << 20U;
     std::size_t elements = 50'000'000; ///< of all accessors together, as often as they are read
+    std::size_t json_values = 2'500'000;
     std::size_t nodes = 65'536;        ///< and objects, which are nodes times their meshes
     std::size_t vertices = 16'000'000; ///< of all meshes together, as drawn
     std::size_t lights = 16;

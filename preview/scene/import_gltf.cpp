@@ -1,3 +1,4 @@
+#include "lutlib/json_text.h"
 #include "preview/scene/gltf_parts.h"
 
 #include <algorithm>
@@ -122,7 +123,7 @@ ImportedScene import_gltf(std::string_view bytes, const std::string& path, const
         }
         read_view(file, places, out, left_out);
     } catch (const json::exception& error) {
-        file.refuse("not a usable glTF file: " + printable(error.what()));
+        file.refuse("not a usable glTF file: " + printable(lutlib::json_reason(error)));
     }
     ImportedScene imported;
     imported.scene = settled(std::move(out), path, left_out);

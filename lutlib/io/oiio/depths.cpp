@@ -44,7 +44,8 @@ void fail(const std::string& message, std::string reason, const std::string& pat
         at += file.size();
     }
     std::replace(reason.begin(), reason.end(), '\n', ' ');
-    throw Error(message + ": OpenImageIO: " + (reason.empty() ? "no reason given" : reason),
+    throw Error(message + (reason.empty() ? ": it is damaged or cut; fetch or export it again"
+                                          : ": OpenImageIO: " + reason),
                 {file, 0, {}});
 }
 

@@ -34,6 +34,33 @@ std::optional<std::string_view> chunk(std::string_view bytes, std::size_t at, st
     return bytes.substr(at + chunk_header_bytes, word(bytes, at));
 }
 
+/// Before it is parsed: the library's own callback looks at a whole list for each of its objects.
+/// Calls `refuse`, which throws, for JSON beyond the limits.
+void check_bounds(std::string_view text, const auto& refuse) {
+    int depth = 0;
+    std::size_t values = 1;
+    bool is_quoted = false;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const char c = text[at];
+        if (is_quoted && c == '\\') {
+            ++at;
+        } else if (c == '"') {
+            is_quoted = !is_quoted;
+        } else if (!is_quoted) {
+            const bool opens = c == '[' || c == '{';
+            depth += opens ? 1 : c == ']' || c == '}' ? -1 : 0;
+            values += opens || c == ',' ? 1 : 0;
+        }
+        if (depth > import_limits.depth) {
+            refuse("its JSON is nested too deeply");
+        }
+        if (values > import_limits.json_values) {
+            refuse(fmt::format("its JSON holds more than {} values, which is the limit",
+                               import_limits.json_values));
+        }
+    }
+}
+
 } // namespace
 
 GltfFile::GltfFile(std::string_view bytes, std::string path, ReadFile read)
@@ -50,23 +77,9 @@ GltfFile::GltfFile(std::string_view bytes, std::string path, ReadFile read)
         body_ = chunk(bytes, end, body_chunk).value_or(std::string_view{});
         bytes = *text;
     }
-    std::size_t values = 0;
-    const auto limit = [&](int depth, json::parse_event_t event, json&) {
-        if (depth > import_limits.depth) {
-            refuse("its JSON is nested too deeply");
-        }
-        const bool is_new = event == json::parse_event_t::value ||
-                            event == json::parse_event_t::object_start ||
-                            event == json::parse_event_t::array_start;
-        values += is_new ? 1 : 0;
-        if (values > import_limits.json_values) {
-            refuse(fmt::format("its JSON holds more than {} values, which is the limit",
-                               import_limits.json_values));
-        }
-        return true;
-    };
+    check_bounds(bytes, [&](const std::string& why) { refuse(why); });
     try {
-        root_ = json::parse(bytes, limit);
+        root_ = json::parse(bytes);
     } catch (const json::exception& error) {
         refuse("not a glTF file: its JSON cannot be read: " +
                printable(lutlib::json_reason(error)));

@@ -1,7 +1,6 @@
 #include "lutlib/io/image.h"
 
 #include "lutlib/error.h"
-#include "lutlib/io/box/shared_bytes.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/icc.h"
 #include "lutlib/io/oiio.h"
@@ -227,8 +226,7 @@ bool holds_orientation(const std::string& path, const PictureSource& keep) {
 }
 
 SampleBuffer samples_for(const std::string& path, const SampleImage& image) {
-    return is_png_name(path) ? SampleBuffer(image.bytes())
-                             : box::SharedBytes(image.bytes()).samples();
+    return is_png_name(path) ? SampleBuffer(image.bytes()) : oiio().memory(image.bytes());
 }
 
 std::vector<std::string> write_image(const std::string& path, const FloatImage& image,

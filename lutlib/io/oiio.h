@@ -35,6 +35,8 @@ class Oiio {
     /// tried out on `path`. `file` as above.
     virtual Depth written_depth(const std::string& path, const std::string& name,
                                 const std::string& file, Depth depth) const = 0;
+    /// Memory for samples from where write() takes them without a copy.
+    virtual SampleBuffer memory(std::size_t bytes) const = 0;
     /// Writes a picture of the extension of `name` to `path`. `file` as above; the answer as of
     /// write_samples().
     virtual std::vector<std::string> write(const std::string& path, const std::string& name,

@@ -72,7 +72,7 @@ Incoming BoxedOiio::ask(const Outgoing& question, const About& about) const {
         }
     }
     if (!reader) {
-        reader = std::make_unique<Reader>(library_, Allowance{memory(), {}});
+        reader = std::make_unique<Reader>(library_, Allowance{box::memory(), {}});
     }
     const auto keep = [&] {
         if (reader->is_alive()) {
@@ -139,6 +139,10 @@ Depth BoxedOiio::written_depth(const std::string&, const std::string& name, cons
     asked.put(std::string_view(file));
     asked.put(depth);
     return ask(asked, about).take<Depth>();
+}
+
+SampleBuffer BoxedOiio::memory(std::size_t bytes) const {
+    return SharedBytes(bytes).samples();
 }
 
 std::vector<std::string> BoxedOiio::write(const std::string& path, const std::string& name,

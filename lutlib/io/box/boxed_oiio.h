@@ -24,6 +24,7 @@ class BoxedOiio final : public Oiio {
     std::vector<std::string> written_extensions() const override;
     Depth written_depth(const std::string& path, const std::string& name, const std::string& file,
                         Depth depth) const override;
+    SampleBuffer memory(std::size_t bytes) const override;
     std::vector<std::string> write(const std::string& path, const std::string& name,
                                    const std::string& file, const SampleImage& image,
                                    const ImageWriteOptions& options) const override;

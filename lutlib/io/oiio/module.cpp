@@ -190,6 +190,8 @@ class Library final : public Oiio {
         return depth_of(opened(path, file)->spec().format);
     }
 
+    SampleBuffer memory(std::size_t bytes) const override { return SampleBuffer(bytes); }
+
     std::vector<std::string> write(const std::string& path, const std::string& name,
                                    const std::string& file, const SampleImage& image,
                                    const ImageWriteOptions& options) const override {

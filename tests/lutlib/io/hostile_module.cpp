@@ -130,6 +130,7 @@ class Hostile final : public Oiio {
                         Depth depth) const override {
         return depth;
     }
+    SampleBuffer memory(std::size_t bytes) const override { return SampleBuffer(bytes); }
     std::vector<std::string> write(const std::string&, const std::string&, const std::string&,
                                    const SampleImage&, const ImageWriteOptions&) const override {
         return {};

@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <utility>
 
 namespace lutlib::health {
@@ -87,36 +86,37 @@ double largest_bend_beside(const Lattice& lattice, const Node& n) {
     return most;
 }
 
-// How far a node must stand out: `least` as least_spike is, `ratio` as spike_ratio.
+/// Of a node, what the lines through it say in the middle, and how far it lies beyond them all:
+/// above 0 where it is larger than each, below where smaller.
 struct Standing {
-    double least, ratio;
+    std::array<double, 3> lines; ///< rising
+    double beyond = 0;
 };
-constexpr Standing alone{least_spike, spike_ratio};
-// Of a node that another channel has told already.
-constexpr Standing beside_another{0, 1.5};
 
-std::optional<double> without_spike(const Lattice& lattice, const Node& n, double range,
-                                    const Standing& standing = alone) {
-    std::array<double, 3> lines{};
-    double surface = 1;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        lines[axis] = lattice.line(n, axis);
-        surface = n[axis] == 0 || n[axis] == lattice.last() ? 2 : surface;
-    }
-    std::sort(lines.begin(), lines.end());
+Standing standing_of(const Lattice& lattice, const Node& n) {
+    Standing out{{lattice.line(n, 0), lattice.line(n, 1), lattice.line(n, 2)}};
+    std::sort(out.lines.begin(), out.lines.end());
     const double own = lattice.value(n);
-    const double out = own > lines[2] ? own - lines[2] : lines[0] - own;
-    const double scale = std::min(range, std::max({1.0, std::abs(lines[0]), std::abs(lines[2])}));
-    if (!(out > standing.least * scale) ||
-        !(out / surface > standing.ratio * largest_bend_beside(lattice, n))) {
-        return std::nullopt;
-    }
-    return lines[1];
+    out.beyond = own > out.lines[2]   ? own - out.lines[2]
+                 : own < out.lines[0] ? own - out.lines[0]
+                                      : 0;
+    return out;
+}
+
+bool is_spike(const Lattice& lattice, const Node& n, const Standing& at, double range) {
+    const bool on_surface =
+        std::min({n[0], n[1], n[2]}) == 0 || std::max({n[0], n[1], n[2]}) == lattice.last();
+    const double out = std::abs(at.beyond);
+    const double scale =
+        std::min(range, std::max({1.0, std::abs(at.lines[0]), std::abs(at.lines[2])}));
+    return out > least_spike * scale &&
+           out / (on_surface ? 2 : 1) > spike_ratio * largest_bend_beside(lattice, n);
 }
 
 struct Spike {
     std::size_t index, channel;
-    double value; ///< without it
+    double value;  ///< without it
+    double beyond; ///< as Standing
 };
 
 std::vector<Spike> find_spikes(const Lut& lut) {
@@ -130,18 +130,21 @@ std::vector<Spike> find_spikes(const Lut& lut) {
     for (std::size_t c = 0; c < 3; ++c) {
         const Lattice lattice(cube, c);
         for_each_node(cube.size, [&](int r, int g, int b) {
-            if (const auto value = without_spike(lattice, {r, g, b}, all.high - all.low)) {
-                found.push_back({cube.index(r, g, b), c, *value});
+            const Node n{r, g, b};
+            const Standing at = standing_of(lattice, n);
+            if (at.beyond != 0 && is_spike(lattice, n, at, all.high - all.low)) {
+                found.push_back({cube.index(r, g, b), c, at.lines[1], at.beyond});
             }
         });
     }
     return found;
 }
 
-// The other channels of the same nodes, where they stand out too: a node that is wrong is mostly
-// wrong in all, and one levelled channel of three would tint it.
+// The other channels of the same nodes, where they stand out to the same side by a good part as
+// much: a node that is wrong is mostly wrong in all, and one levelled channel of three would tint
+// it.
 std::vector<Spike> companions(const Lut3D& cube, const std::vector<Spike>& found) {
-    const OutputRange all = finite_range(cube.nodes);
+    constexpr double good_part = 0.25;
     const auto is_found = [&](std::size_t index, std::size_t channel) {
         return std::any_of(found.begin(), found.end(), [&](const Spike& spike) {
             return spike.index == index && spike.channel == channel;
@@ -154,10 +157,9 @@ std::vector<Spike> companions(const Lut3D& cube, const std::vector<Spike>& found
                      static_cast<int>(spike.index / size % size),
                      static_cast<int>(spike.index / (size * size))};
         for (std::size_t c = 0; c < 3; ++c) {
-            const auto value =
-                without_spike(Lattice(cube, c), n, all.high - all.low, beside_another);
-            if (value && !is_found(spike.index, c)) {
-                out.push_back({spike.index, c, *value});
+            const Standing at = standing_of(Lattice(cube, c), n);
+            if (at.beyond / spike.beyond > good_part && !is_found(spike.index, c)) {
+                out.push_back({spike.index, c, at.lines[1], at.beyond});
             }
         }
     }

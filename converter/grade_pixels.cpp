@@ -111,10 +111,13 @@ lutlib::ConstPictureView view_of(const io::SampleImage& image) {
 void grade_samples(const LookOfPixels& look, bool inside, io::SampleImage& image,
                    io::SampleBuffer&& graded) {
     const lutlib::ConstPictureView in = view_of(image);
-    const auto out = interleaved(static_cast<void*>(graded.data()), in.element,
-                                 image.samples_a_pixel(), in.width, in.height);
-    grade(look.table(inside), in, out);
-    image.samples = std::move(graded);
+    const bool in_place = graded.size() == 0;
+    void* const to = in_place ? image.samples.data() : graded.data();
+    grade(look.table(inside), in,
+          interleaved(to, in.element, image.samples_a_pixel(), in.width, in.height));
+    if (!in_place) {
+        image.samples = std::move(graded);
+    }
 }
 
 void grade_floats(const LookOfPixels& look, bool inside, io::FloatImage& image) {

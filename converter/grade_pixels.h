@@ -39,8 +39,8 @@ class LookOfPixels {
 
 lutlib::ConstPictureView view_of(const lutlib::io::SampleImage& image);
 
-/// Into `graded`, which is as large as the image's samples and then stands for them. `inside`: no
-/// colour lies outside the look's domain.
+/// Into `graded`, which is as large as the image's samples and then stands for them; in place where
+/// it is empty. `inside`: no colour lies outside the look's domain.
 void grade_samples(const LookOfPixels& look, bool inside, lutlib::io::SampleImage& image,
                    lutlib::io::SampleBuffer&& graded);
 

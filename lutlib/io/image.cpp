@@ -226,7 +226,7 @@ bool holds_orientation(const std::string& path, const PictureSource& keep) {
 }
 
 SampleBuffer samples_for(const std::string& path, const SampleImage& image) {
-    return is_png_name(path) ? SampleBuffer(image.bytes()) : oiio().memory(image.bytes());
+    return is_png_name(path) ? SampleBuffer() : oiio().memory(image.bytes());
 }
 
 std::vector<std::string> write_image(const std::string& path, const FloatImage& image,

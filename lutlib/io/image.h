@@ -118,7 +118,7 @@ std::vector<std::string> write_image(const std::string& path, const FloatImage& 
                                      const ImageWriteOptions& options);
 
 /// Memory for samples like those of `image` on their way to `path`, from where another process can
-/// take them without a copy.
+/// take them without a copy; empty where none is going to.
 SampleBuffer samples_for(const std::string& path, const SampleImage& image);
 
 /// write_image() of samples as they are; their depth is one of depths_of().

@@ -20,6 +20,7 @@ struct Command {
     /// Declares the verb's options on its own sub-command; the returned function runs it.
     Run (*declare)(Verb& verb);
     bool reads_looks = true; ///< and so takes --layout
+    bool is_answer = false;  ///< its text is what was asked for, so that it has no --quiet
 };
 
 /// Every verb, in the order of the help.
@@ -36,9 +37,11 @@ Run declare_edit(Verb& verb);
 Run declare_encodings(Verb& verb);
 Run declare_engines(Verb& verb);
 Run declare_eval(Verb& verb);
+Run declare_formats(Verb& verb);
 Run declare_identity(Verb& verb);
 Run declare_info(Verb& verb);
 Run declare_invert(Verb& verb);
+Run declare_operators(Verb& verb);
 Run declare_report(Verb& verb);
 Run declare_resample(Verb& verb);
 Run declare_shader(Verb& verb);

@@ -65,7 +65,7 @@ int answer(const CLI::App& app, const CLI::ParseError& error, bool in_json) {
         print(out.str(), "");
         return ok;
     }
-    std::fprintf(stderr, "lutconv: %s", err.str().c_str());
+    print("lutconv: " + err.str(), std::string(lutlib::io::standard_stream));
     if (in_json) {
         print_error_json(lutlib::UsageError(error.what()), bad_usage);
     }
@@ -116,20 +116,13 @@ std::vector<const char*> spelled_out(int argc, const char* const* argv) {
     return out;
 }
 
-// Of verbs whose text is not what was asked for.
-bool can_be_quiet(const Command& command) {
-    constexpr std::string_view listing[] = {"encodings", "engines", "eval",
-                                            "formats",   "info",    "operators"};
-    return std::find(std::begin(listing), std::end(listing), command.name) == std::end(listing);
-}
-
 void declare(const Command& command, CLI::App& app, Verb& verb, Run& run, bool& quiet) {
     app.final_callback([&run, chosen = command.declare(verb)] { run = chosen; });
     if (command.reads_looks) {
         declare_layout(verb);
         declare_reading_limits(verb);
     }
-    if (can_be_quiet(command)) {
+    if (!command.is_answer) {
         verb.add_flag("--quiet", quiet, "print no report; warnings and errors are still said");
     }
     const std::string notes = app.get_footer();

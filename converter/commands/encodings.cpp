@@ -1,13 +1,11 @@
 // lutconv encodings: the rows that every encoding's option takes, with their sources.
-#include "converter/command.h"
+#include "converter/listing_verb.h"
 #include "converter/listings.h"
-#include "converter/report.h"
 #include "lutlib/color/encoding.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <memory>
 #include <string>
 
 namespace converter {
@@ -36,16 +34,7 @@ std::string as_text() {
 } // namespace
 
 Run declare_encodings(Verb& verb) {
-    const auto json = std::make_shared<bool>(false);
-    verb.add_flag("--json", *json, "print the rows as JSON, with chromaticities");
-    return [json] {
-        if (*json) {
-            print(encodings_json(), "");
-        } else {
-            print(as_text(), "");
-        }
-        return static_cast<int>(ok);
-    };
+    return declare_listing(verb, "chromaticities", as_text, encodings_json);
 }
 
 } // namespace converter

@@ -1,14 +1,12 @@
 // lutconv formats: the LUT files that are read and written.
 #include "lutlib/io/formats.h"
-#include "converter/listing_verbs.h"
+#include "converter/listing_verb.h"
 #include "converter/listings.h"
-#include "converter/report.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <memory>
 #include <string>
 
 namespace converter {
@@ -43,12 +41,7 @@ std::string as_text() {
 } // namespace
 
 Run declare_formats(Verb& verb) {
-    const auto json = std::make_shared<bool>(false);
-    verb.add_flag("--json", *json, "print the rows as JSON, with what each can hold");
-    return [json] {
-        *json ? print(formats_json(), "") : print(as_text(), "");
-        return static_cast<int>(ok);
-    };
+    return declare_listing(verb, "what each can hold", as_text, formats_json);
 }
 
 } // namespace converter

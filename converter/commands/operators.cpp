@@ -1,13 +1,11 @@
 // lutconv operators: what recipes and edit are made of.
-#include "converter/listing_verbs.h"
+#include "converter/listing_verb.h"
 #include "converter/listings.h"
-#include "converter/report.h"
 #include "lutlib/ops/op.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <memory>
 #include <string>
 
 namespace converter {
@@ -43,12 +41,7 @@ std::string as_text() {
 } // namespace
 
 Run declare_operators(Verb& verb) {
-    const auto json = std::make_shared<bool>(false);
-    verb.add_flag("--json", *json, "print the rows as JSON, with defaults and formulas");
-    return [json] {
-        *json ? print(operators_json(), "") : print(as_text(), "");
-        return static_cast<int>(ok);
-    };
+    return declare_listing(verb, "defaults and formulas", as_text, operators_json);
 }
 
 } // namespace converter

@@ -164,5 +164,12 @@ TEST(Papers, have_a_page_a_verb_and_complete_verbs_options_and_values) {
     EXPECT_EQ(completed("lutconv convert --format spi3", 3), Words{"spi3d"});
 }
 
+TEST(UsageErrors, spell_out_what_would_command_the_terminal) {
+    const Result result = lutconv({"bake", "x.cube", "-o", "y.png", "--\x1b[31m"});
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_EQ(result.err.find('\x1b'), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("\\x1b[31m"), std::string::npos) << result.err;
+}
+
 } // namespace
 } // namespace converter_test

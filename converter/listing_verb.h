@@ -1,0 +1,16 @@
+// A verb that lists a table.
+#pragma once
+
+#include "converter/command.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+
+namespace converter {
+
+/// A verb that prints a table, as text or by --json; `json_help` says what that holds.
+Run declare_listing(Verb& verb, const std::string& json_help, std::string (*as_text)(),
+                    nlohmann::ordered_json (*as_json)());
+
+} // namespace converter

@@ -58,3 +58,14 @@ function(lut_install_program target component)
         install(TARGETS ${target} RUNTIME COMPONENT ${component})
     endif()
 endfunction()
+
+# Man pages and completions of a program, which it writes itself from what its help says.
+function(lut_papers target component)
+    set(papers ${PROJECT_BINARY_DIR}/papers/${target})
+    add_custom_command(OUTPUT ${papers}/man/man1/${target}.1
+        COMMAND ${target} --write-papers ${papers} DEPENDS ${target} VERBATIM)
+    add_custom_target(${target}_papers ALL DEPENDS ${papers}/man/man1/${target}.1)
+    if(LUT_INSTALL)
+        install(DIRECTORY ${papers}/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT ${component})
+    endif()
+endfunction()

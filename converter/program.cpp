@@ -8,68 +8,35 @@
 #include "converter/reading_limits.h"
 #include "converter/report.h"
 #include "lutlib/error.h"
-#include "lutlib/io/file.h"
 #include "lutlib/io/reason.h"
 #include "lutlib/named.h"
 #include "lutlib/version.h"
+#include "terminal/command_line.h"
+#include "terminal/complaint.h"
+#include "terminal/papers.h"
+#include "terminal/versions.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <deque>
 #include <exception>
-#include <sstream>
 #include <vector>
 
 namespace converter {
 namespace {
 
-bool is_word_of(std::string_view word, int argc, const char* const* argv) {
-    return std::find(argv, argv + argc, word) != argv + argc;
-}
+using terminal::complain;
+using terminal::is_word_of;
 
 // Whether whoever reads standard output expects JSON of it, and nothing else. After report's --json
 // stands a file.
 bool answers_in_json(int argc, const char* const* argv) {
     return argc > 1 && std::string_view(argv[1]) != "report" && is_word_of("--json", argc, argv) &&
            !is_word_of("-", argc, argv);
-}
-
-void print_error_json(const lutlib::Error& error, int code) {
-    const lutlib::Where& where = error.where();
-    nlohmann::ordered_json json{{"message", error.message()}};
-    json["file"] = nullptr;
-    json["line"] = nullptr;
-    if (!where.file.empty()) {
-        json["file"] = where.file;
-    }
-    if (where.line > 0) {
-        json["line"] = where.line;
-    }
-    json["exit_code"] = code;
-    try {
-        print(nlohmann::ordered_json{{"error", json}}, "");
-    } catch (const lutlib::Error&) {
-        // Standard output takes nothing, which may be the error itself; standard error has it.
-    }
-}
-
-// The words of a command line that did not parse, or of the help that it asked for.
-int answer(const CLI::App& app, const CLI::ParseError& error, bool in_json) {
-    std::ostringstream out, err;
-    if (app.exit(error, out, err) == 0) {
-        print(out.str(), "");
-        return ok;
-    }
-    print("lutconv: " + err.str(), std::string(lutlib::io::standard_stream));
-    if (in_json) {
-        print_error_json(lutlib::UsageError(error.what()), bad_usage);
-    }
-    return bad_usage;
 }
 
 // CLI11 would only say that a verb is missing.
@@ -83,26 +50,13 @@ void require_verb(int argc, const char* const* argv) {
 // Returns an ExitCode. Throws lutlib::Error.
 int parse_and_run(CLI::App& app, const Run& run, int argc, const char* const* argv) {
     require_verb(argc, argv);
-    if (is_word_of("--version", argc, argv) && is_word_of("--verbose", argc, argv)) {
-        print(verbose_version() + "\n", "");
+    if (const auto asked = terminal::parse(app, argc, argv)) {
+        print(*asked, "");
         return ok;
-    }
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return answer(app, error, answers_in_json(argc, argv));
     }
     apply_reading_limits();
     const int code = run();
     tell_unused_layout();
-    return code;
-}
-
-int complain(const lutlib::Error& error, int code, bool in_json) {
-    std::fprintf(stderr, "lutconv: %s\n", one_line(error.what()).c_str());
-    if (in_json) {
-        print_error_json(error, code);
-    }
     return code;
 }
 
@@ -137,13 +91,20 @@ int run_program(int given, const char* const* words) {
     const int argc = static_cast<int>(all.size());
     const char* const* const argv = all.data();
     const bool in_json = answers_in_json(argc, argv);
-    // For the build: what is installed beside the program.
-    const bool writes_papers = argc == 3 && std::string_view(argv[1]) == "--write-papers";
+    const bool writes_papers = terminal::asks_for_papers(argc, argv);
     CLI::App app("Bakes, verifies, converts and edits colour LUTs.\n"
                  "Exit codes: 0 ok, 1 verification failed, 2 bad input, 3 bad usage.",
                  "lutconv");
     app.require_subcommand(1);
-    app.set_version_flag("--version", std::string(lutlib::version));
+    app.set_version_flag(
+        "--version",
+        [&] {
+            return fmt::format("lutconv {}\n{}{}", lutlib::version, terminal::loaded_versions(),
+                               is_word_of("--verbose", argc, argv) ? terminal::holding_line() : "");
+        },
+        "show this program's version and those of what it loads on demand; with --verbose also "
+        "what "
+        "holds the processes that read strangers' files");
     Run run;
     bool quiet = false;
     std::deque<Verb> verbs;
@@ -169,11 +130,11 @@ int run_program(int given, const char* const* words) {
             },
             argc, argv);
     } catch (const lutlib::UsageError& error) {
-        return complain(error, bad_usage, in_json);
+        return complain("lutconv", error, bad_usage, in_json);
     } catch (const lutlib::Error& error) {
-        return complain(error, bad_input, in_json);
+        return complain("lutconv", error, bad_input, in_json);
     } catch (const std::exception& error) {
-        return complain(lutlib::Error(lutlib::io::reason_of(error)), bad_input, in_json);
+        return complain("lutconv", lutlib::Error(lutlib::io::reason_of(error)), bad_input, in_json);
     }
 }
 

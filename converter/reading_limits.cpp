@@ -1,13 +1,7 @@
 #include "converter/reading_limits.h"
 
-#include "converter/report.h"
 #include "lutlib/io/box/box.h"
-#include "lutlib/io/ocio.h"
-#include "lutlib/io/oiio.h"
 #include "lutlib/io/references.h"
-#include "lutlib/version.h"
-
-#include <fmt/format.h>
 
 #include <cstdio>
 
@@ -45,12 +39,6 @@ void apply_reading_limits() {
     if (has_no_sandbox) {
         std::fputs("lutconv: files are read without a sandbox\n", stderr);
     }
-}
-
-std::string verbose_version() {
-    return fmt::format("lutconv {}\nOpenColorIO {}\nOpenImageIO {}\n{}", lutlib::version,
-                       lutlib::io::ocio().version(), lutlib::io::oiio().version(),
-                       lutlib::io::box::holding_text());
 }
 
 } // namespace converter

@@ -3,13 +3,15 @@
 #include "lutlib/error.h"
 #include "lutlib/io/reason.h"
 #include "lutlib/io/terminal.h"
-#include "lutlib/version.h"
 #include "preview/cli/modes.h"
+#include "preview/cli/option_papers.h"
+#include "preview/cli/versions.h"
+#include "terminal/command_line.h"
+#include "terminal/complaint.h"
 
 #include <CLI/CLI.hpp>
 
 #include <exception>
-#include <sstream>
 #include <string>
 
 namespace preview {
@@ -17,28 +19,29 @@ namespace {
 
 enum ExitCode { ok = 0, bad_input = 2, bad_usage = 3 };
 
-int complain(const char* message, int code) {
-    lutlib::io::print_err("lutpreview: " + lutlib::io::shown_text(message) + "\n");
-    return code;
-}
+constexpr const char* examples = R"(Examples:
+lutpreview --b look.json
+lutpreview --b strip.png --engine piccolo --headless --size 1280x720 -o split.png
+lutpreview photo.exr --a look.cube --b strip.png --engine unreal --compare diff --headless -o x.png
+lutpreview night --effect glitch --frames 0-47 --headless -o frame.####.png
+)";
 
-/// The words of a command line that did not parse, or of the help that it asked for.
-int answer(const CLI::App& app, const CLI::ParseError& error) {
-    std::ostringstream out, err;
-    const int code = app.exit(error, out, err);
-    try {
-        lutlib::io::print_out(out.str());
-    } catch (const lutlib::Error& failed) {
-        return complain(failed.what(), bad_input);
+/// Throws lutlib::Error.
+void parse_and_run(CLI::App& app, const Options& options, int argc, const char* const* argv) {
+    if (terminal::asks_for_papers(argc, argv)) {
+        terminal::write_papers(papers(app), argv[2]);
+    } else if (const auto asked = terminal::parse(app, argc, argv)) {
+        lutlib::io::print_out(*asked);
+    } else {
+        run(options);
     }
-    lutlib::io::print_err(err.str());
-    return code == 0 ? ok : bad_usage;
 }
 
 } // namespace
 } // namespace preview
 
 int main(int argc, char** argv) {
+    using terminal::complain, terminal::is_word_of;
     lutlib::io::open_standard_streams();
     CLI::App app(
         "Renders a scene or a picture, finishes it in an engine's order (bloom, tone map, "
@@ -46,18 +49,24 @@ int main(int argc, char** argv) {
         "Exit codes: 0 ok, 2 bad input or a machine that cannot (no display, no Vulkan), 3 "
         "bad usage.",
         "lutpreview");
-    app.set_version_flag("--version", std::string(lutlib::version));
+    app.footer(preview::examples);
+    app.set_version_flag(
+        "--version", [&] { return preview::versions(is_word_of("--verbose", argc, argv)); },
+        "Show this program's version and those of what it uses; with --verbose also what holds the "
+        "processes that read strangers' files");
     preview::Options options;
     preview::declare(app, options);
+    // Beside a picture on standard output there is no room for it.
+    const bool in_json = is_word_of("--json", argc, argv) && !is_word_of("-", argc, argv);
     try {
-        app.parse(argc, argv);
-        preview::run(options);
+        preview::parse_and_run(app, options, argc, argv);
         return preview::ok;
-    } catch (const CLI::ParseError& error) {
-        return preview::answer(app, error);
     } catch (const lutlib::UsageError& error) {
-        return preview::complain(error.what(), preview::bad_usage);
+        return complain("lutpreview", error, preview::bad_usage, in_json);
+    } catch (const lutlib::Error& error) {
+        return complain("lutpreview", error, preview::bad_input, in_json);
     } catch (const std::exception& error) {
-        return preview::complain(lutlib::io::reason_of(error).c_str(), preview::bad_input);
+        return complain("lutpreview", lutlib::Error(lutlib::io::reason_of(error)),
+                        preview::bad_input, in_json);
     }
 }

@@ -29,13 +29,23 @@ std::string without(std::string text, std::string_view characters) {
     return text;
 }
 
+// Between the quotes of a shell, in which `apostrophe` stands for one.
+std::string quoted(const std::string& text, std::string_view apostrophe) {
+    std::string out = "'";
+    for (const char c : text) {
+        c == '\'' ? out.append(apostrophe) : out.append(1, c);
+    }
+    return out + "'";
+}
+constexpr std::string_view in_zsh = R"('\'')", in_fish = R"(\')";
+
 bool takes_value(const CLI::Option& option) {
     return option.get_items_expected_max() > 0;
 }
 
-// For zsh's _arguments and fish: a short text that needs no quoting.
-std::string short_help(const CLI::Option& option) {
-    return without(first_line(option.get_description()), "'\"[]:\\`$");
+// A short text in which nothing but an apostrophe means something to zsh or fish.
+std::string short_help(const std::string& description) {
+    return without(first_line(description), "\"[]:\\`$");
 }
 
 std::string verb_names(const Papers& papers) {
@@ -53,6 +63,10 @@ std::string bash_completion(const Papers& papers) {
     std::string out = "# bash completion for " + name + ", made from its help\n_" + name +
                       "() {\n    local current=${COMP_WORDS[COMP_CWORD]}"
                       " before=${COMP_WORDS[COMP_CWORD-1]} words=\n    COMPREPLY=()\n"
+                      // --option=value is three words to bash.
+                      "    if [ \"$current\" = = ]; then\n        current=\n"
+                      "    elif [ \"$before\" = = ]; then\n"
+                      "        before=${COMP_WORDS[COMP_CWORD-2]}\n    fi\n"
                       "    case $before in\n";
     for (const OptionValues& row : papers.values) {
         out += "    " + row.option + ")\n        COMPREPLY=($(compgen -W \"" + joined(row.values) +
@@ -75,8 +89,11 @@ std::string bash_completion(const Papers& papers) {
     return out +
            "    if [ -n \"$words\" ]; then\n        COMPREPLY=($(compgen -W \"$words\" -- "
            "\"$current\"))\n    else\n        compopt -o filenames 2>/dev/null\n        "
-           "COMPREPLY=($(compgen -f -- \"$current\"))\n    fi\n}\ncomplete -F _" +
-           name + " " + name + "\n";
+           "COMPREPLY=($(compgen -f -- \"$current\"))\n" +
+           (papers.words.empty() ? ""
+                                 : "        COMPREPLY+=($(compgen -W \"" + joined(papers.words) +
+                                       "\" -- \"$current\"))\n") +
+           "    fi\n}\ncomplete -F _" + name + " " + name + "\n";
 }
 
 namespace {
@@ -85,15 +102,21 @@ std::string zsh_arguments(const Papers& papers, const CLI::App& app, const std::
     std::string out = indent + "_arguments \\\n";
     for (const CLI::Option* const option : flags_of(app)) {
         for (const std::string& name : names_of(*option)) {
-            out += indent + "    '*" + name + "[" + short_help(*option) + "]";
-            if (takes_value(*option)) {
+            const bool takes = takes_value(*option);
+            // A long option's value may also stand behind "=".
+            std::string spec = "*" + name + (takes && name.starts_with("--") ? "=" : "") + "[" +
+                               short_help(option->get_description()) + "]";
+            if (takes) {
                 const auto* const values = values_of(papers, *option);
-                out += values ? ":value:(" + joined(*values) + ")" : ":value:_files";
+                spec += values ? ":value:(" + joined(*values) + ")" : ":value:_files";
             }
-            out += "' \\\n";
+            out += indent + "    " + quoted(spec, in_zsh) + " \\\n";
         }
     }
-    return out + indent + "    '*:file:_files'\n";
+    return out + indent +
+           (papers.words.empty() ? "    '*:file:_files'\n"
+                                 : "    '*:file:_alternative \"words:word:(" +
+                                       joined(papers.words) + ")\" \"files:file:_files\"'\n");
 }
 
 std::string fish_options(const Papers& papers, const CLI::App& app, const std::string& when) {
@@ -110,7 +133,7 @@ std::string fish_options(const Papers& papers, const CLI::App& app, const std::s
             const auto* const values = values_of(papers, *option);
             out += values ? " -x -a '" + joined(*values) + "'" : " -r -F";
         }
-        out += " -d '" + short_help(*option) + "'\n";
+        out += " -d " + quoted(short_help(option->get_description()), in_fish) + "\n";
     }
     return out;
 }
@@ -125,8 +148,8 @@ std::string zsh_completion(const Papers& papers) {
     }
     out += "local -a verbs=(\n    'help:Show what a verb does'\n";
     for (const CLI::App* const verb : verbs_of(papers.app)) {
-        out += "    '" + verb->get_name() + ":" +
-               without(first_line(verb->get_description()), "'\\:") + "'\n";
+        out += "    " +
+               quoted(verb->get_name() + ":" + short_help(verb->get_description()), in_zsh) + "\n";
     }
     out += ")\nif (( CURRENT == 2 )); then\n    _describe verb verbs\n    return\nfi\n"
            "case $words[2] in\nhelp) _describe verb verbs ;;\n";
@@ -141,13 +164,16 @@ std::string fish_completion(const Papers& papers) {
     const std::string name = papers.app.get_name(), verbs = verb_names(papers);
     std::string out = "# fish completion for " + name + ", made from its help\n";
     if (verbs.empty()) {
-        return out + fish_options(papers, papers.app, "");
+        return out + fish_options(papers, papers.app, "") +
+               (papers.words.empty()
+                    ? ""
+                    : "complete -c " + name + " -a '" + joined(papers.words) + "'\n");
     }
     const std::string first = " -n 'not __fish_seen_subcommand_from help " + verbs + "'";
     out += "complete -c " + name + first + " -f -a help -d 'Show what a verb does'\n";
     for (const CLI::App* const verb : verbs_of(papers.app)) {
-        out += "complete -c " + name + first + " -f -a " + verb->get_name() + " -d '" +
-               without(first_line(verb->get_description()), "'\\") + "'\n";
+        out += "complete -c " + name + first + " -f -a " + verb->get_name() + " -d " +
+               quoted(short_help(verb->get_description()), in_fish) + "\n";
     }
     out += "complete -c " + name + " -n '__fish_seen_subcommand_from help' -f -a '" + verbs + "'\n";
     for (const CLI::App* const verb : verbs_of(papers.app)) {

@@ -63,7 +63,7 @@ std::string synopsis(const CLI::App& app, const std::string& command) {
 }
 
 std::string options_text(const CLI::App& app) {
-    std::string out, group;
+    std::string out;
     for (const CLI::Option* const option : app.get_options()) {
         if (option->get_positional()) {
             out += ".TP\n\\fI" + roff(option->get_name(true)) + "\\fR\n" +
@@ -71,12 +71,15 @@ std::string options_text(const CLI::App& app) {
         }
     }
     out = out.empty() ? out : ".SH ARGUMENTS\n" + out;
-    for (const CLI::Option* const option : flags_of(app)) {
-        if (option->get_group() != group) {
-            group = option->get_group();
-            out += ".SH " + roff(capitals(group)) + "\n";
+    for (const std::string& group : app.get_groups()) {
+        std::string rows;
+        for (const CLI::Option* const option : flags_of(app)) {
+            if (option->get_group() == group) {
+                rows +=
+                    ".TP\n" + heading_of(*option) + "\n" + roff(option->get_description()) + "\n";
+            }
         }
-        out += ".TP\n" + heading_of(*option) + "\n" + roff(option->get_description()) + "\n";
+        out += rows.empty() ? rows : ".SH \"" + roff(capitals(group)) + "\"\n" + rows;
     }
     return out;
 }

@@ -44,6 +44,10 @@ const std::vector<std::string>* values_of(const Papers& papers, const CLI::Optio
     return nullptr;
 }
 
+bool asks_for_papers(int argc, const char* const* argv) {
+    return argc == 3 && std::string_view(argv[1]) == "--write-papers";
+}
+
 PaperFiles papers_of(const Papers& papers) {
     const std::string name = papers.app.get_name();
     PaperFiles out{{"man/man1/" + name + ".1", man_page(papers, papers.app, name)},

@@ -24,7 +24,12 @@ struct Papers {
     const CLI::App& app; ///< with every verb's options declared
     std::string version;
     std::vector<OptionValues> values{};
+    std::vector<std::string> words{}; ///< that may stand, without verbs, where a file may
 };
+
+/// Whether the command line asks for nothing but these, as the build does: PROGRAM --write-papers
+/// FOLDER.
+bool asks_for_papers(int argc, const char* const* argv);
 
 /// Files by their paths below a prefix's share/: man/man1/NAME.1 and man/man1/NAME-VERB.1,
 /// bash-completion/completions/NAME, zsh/vendor-completions/_NAME,

@@ -11,22 +11,22 @@
 namespace converter {
 namespace {
 
-std::string line(std::string_view name, std::string_view label, std::string_view source) {
-    return fmt::format("  {:21} {:47} {}\n", name, label, source);
-}
-
-std::string as_text() {
-    std::string out = "curves, each with the gamut that its name alone implies\n";
+terminal::Table as_table() {
+    terminal::Table out;
+    const auto add = [&](std::string_view name, const std::string& label, std::string_view source) {
+        out.row({std::string(name), label, std::string(source)});
+    };
+    out.heading("curves, each with the gamut that its name alone implies");
     for (const lutlib::TransferCurve* row : lutlib::transfer_curves()) {
-        out += line(row->name, fmt::format("{}, {}", row->label, row->gamut->name), row->source);
+        add(row->name, fmt::format("{}, {}", row->label, row->gamut->name), row->source);
     }
-    out += "gamuts, as curve/gamut\n";
+    out.heading("gamuts, as curve/gamut");
     for (const lutlib::Gamut* row : lutlib::gamuts()) {
-        out += line(row->name, row->label, row->source);
+        add(row->name, std::string(row->label), row->source);
     }
-    out += "adaptations between whites\n";
+    out.heading("adaptations between whites");
     for (const lutlib::Adaptation* row : lutlib::adaptations()) {
-        out += line(row->name, row->label, row->source);
+        add(row->name, std::string(row->label), row->source);
     }
     return out;
 }
@@ -34,7 +34,7 @@ std::string as_text() {
 } // namespace
 
 Run declare_encodings(Verb& verb) {
-    return declare_listing(verb, "chromaticities", as_text, encodings_json);
+    return declare_listing(verb, "chromaticities", as_table, encodings_json);
 }
 
 } // namespace converter

@@ -4,6 +4,7 @@
 #include "converter/listings.h"
 #include "converter/report.h"
 #include "lutlib/engine/engine_names.h"
+#include "terminal/table.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -15,24 +16,26 @@ namespace {
 
 using lutlib::Engine;
 
-std::string as_text(const Engine& e) {
+void add(terminal::Table& table, const Engine& e) {
     const lutlib::PictureSize extent = *lutlib::layout_named(e.layout)->picture(e.default_size);
-    return fmt::format("{:<12}{}\n"
-                       "            {} nodes ({}x{}, layout {}), {} bits{}; takes {}, {} bits\n"
-                       "            feeds: {}\n            import: {}\n            lookup: {}\n",
-                       e.name, e.label, e.default_size, extent.width, extent.height, e.layout,
-                       e.default_bits,
-                       e.srgb_tag == lutlib::SrgbTag::present ? ", tagged sRGB" : "", sizes_of(e),
-                       list_of(e.bits), e.input, e.import, e.lookup_help);
+    table.row({std::string(e.name), std::string(e.label)});
+    for (const std::string& line :
+         {fmt::format("{} nodes ({}x{}, layout {}), {} bits{}; takes {}, {} bits", e.default_size,
+                      extent.width, extent.height, e.layout, e.default_bits,
+                      e.srgb_tag == lutlib::SrgbTag::present ? ", tagged sRGB" : "", sizes_of(e),
+                      list_of(e.bits)),
+          fmt::format("feeds: {}", e.input), fmt::format("import: {}", e.import),
+          fmt::format("lookup: {}", e.lookup_help)}) {
+        table.row({"", line});
+    }
 }
 
-int run(bool json) {
-    std::string text;
+void run(bool json) {
+    terminal::Table table;
     for (const Engine& engine : lutlib::engines()) {
-        text += as_text(engine);
+        add(table, engine);
     }
-    json ? print(engines_json(), "") : print(text, "");
-    return ok;
+    json ? print(engines_json(), "") : terminal::print(table);
 }
 
 } // namespace
@@ -46,9 +49,10 @@ Run declare_engines(Verb& verb) {
         .excludes({"--json"});
     return [json, page] {
         if (page->empty()) {
-            return run(*json);
+            run(*json);
+        } else {
+            print(engine_page(lutlib::require_engine(*page)), "");
         }
-        print(engine_page(lutlib::require_engine(*page)), "");
         return static_cast<int>(ok);
     };
 }

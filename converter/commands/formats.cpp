@@ -3,10 +3,8 @@
 #include "converter/listing_verb.h"
 #include "converter/listings.h"
 
-#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <string>
 
 namespace converter {
@@ -20,20 +18,15 @@ std::string extensions_of(const lutlib::FileFormat& format) {
     return out;
 }
 
-std::string as_text() {
-    std::size_t names = 0, extensions = 0;
-    for (const lutlib::FileFormat* const format : lutlib::io::file_formats()) {
-        names = std::max(names, format->name.size());
-        extensions = std::max(extensions, extensions_of(*format).size());
-    }
-    std::string out;
+terminal::Table as_table() {
+    terminal::Table out;
     for (const lutlib::FileFormat* const format : lutlib::io::file_formats()) {
         const bool reads = format->read || format->read_in_pieces, writes = format->write;
-        out += fmt::format("{:<{}}  {:<11}  {:<{}}  {}\n", format->name, names,
-                           reads && writes ? "read, write"
-                           : reads         ? "read"
-                                           : "write",
-                           extensions_of(*format), extensions, format->label);
+        out.row({std::string(format->name),
+                 reads && writes ? "read, write"
+                 : reads         ? "read"
+                                 : "write",
+                 extensions_of(*format), std::string(format->label)});
     }
     return out;
 }
@@ -41,7 +34,7 @@ std::string as_text() {
 } // namespace
 
 Run declare_formats(Verb& verb) {
-    return declare_listing(verb, "what each can hold", as_text, formats_json);
+    return declare_listing(verb, "what each can hold", as_table, formats_json);
 }
 
 } // namespace converter

@@ -27,12 +27,12 @@ std::string range_text(const Parameter& p) {
                : numbers;
 }
 
-std::string as_text() {
-    std::string out;
+terminal::Table as_table() {
+    terminal::Table out;
     for (const lutlib::Op* const op : lutlib::ops()) {
-        out += fmt::format("{:<22}{}\n", op->name, op->help);
+        out.row({std::string(op->name), std::string(op->help)});
         for (const Parameter& p : op->parameters) {
-            out += fmt::format("  --{:<24}{}\n", p.flag, range_text(p));
+            out.row({fmt::format("  --{}", p.flag), range_text(p)});
         }
     }
     return out;
@@ -41,7 +41,7 @@ std::string as_text() {
 } // namespace
 
 Run declare_operators(Verb& verb) {
-    return declare_listing(verb, "defaults and formulas", as_text, operators_json);
+    return declare_listing(verb, "defaults and formulas", as_table, operators_json);
 }
 
 } // namespace converter

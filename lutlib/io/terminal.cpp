@@ -104,10 +104,14 @@ void open_standard_streams() {
     ::close(lowest_free);
 }
 
-void print_out(std::string_view text) {
-    if (std::fputs(shown_text(text, '\n').c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
+void print_marked(const std::string& shown) {
+    if (std::fputs(shown.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
         throw Error("cannot write standard output: " + std::generic_category().message(errno));
     }
+}
+
+void print_out(std::string_view text) {
+    print_marked(shown_text(text, '\n'));
 }
 
 void print_err(std::string_view text) {

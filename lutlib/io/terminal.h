@@ -20,7 +20,9 @@ void open_standard_streams();
 
 /// The text, shown, on standard output. Throws Error when it cannot be written.
 void print_out(std::string_view text);
-/// The same on standard error, where a failure has nobody to be told to.
+/// The same of text that is shown already, with a terminal's colours in it.
+void print_marked(const std::string& shown);
+/// print_out() on standard error, where a failure has nobody to be told to.
 void print_err(std::string_view text);
 
 } // namespace lutlib::io

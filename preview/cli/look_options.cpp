@@ -1,5 +1,6 @@
 #include "preview/cli/look_options.h"
 
+#include "lutlib/engine/engine_names.h"
 #include "lutlib/error.h"
 #include "lutlib/named.h"
 
@@ -36,7 +37,10 @@ const GpuLookup* lookup_of(const std::string& name) {
     if (name.empty()) {
         return nullptr;
     }
-    return &lutlib::require_named(gpu_lookups(), "lookup", name);
+    if (const lutlib::Engine* const engine = lutlib::engine_called(name)) {
+        return gpu_lookup_named(engine->name);
+    }
+    return &lutlib::require_named(gpu_lookups(), "lookup", name, lutlib::Letters::any_case);
 }
 
 PictureCodes picture_codes(const Options& options, bool has_light) {

@@ -12,6 +12,7 @@
 #include "preview/frame/shown.h"
 #include "preview/look/gpu_look.h"
 #include "preview/look/look_file.h"
+#include "terminal/table.h"
 
 #include <fmt/format.h>
 
@@ -53,6 +54,12 @@ std::string surroundings_text(const Surroundings& surroundings) {
     const SurroundingsInfo& row = surroundings_kinds()[static_cast<std::size_t>(surroundings.kind)];
     return "setting   surroundings " + std::string(row.name) + "\n" +
            settings_lines(row.numbers, surroundings);
+}
+
+void tell_written(const Options& options, const std::string& path) {
+    if (options.verbose) {
+        tell(lutlib::io::output_name(path));
+    }
 }
 
 /// What frames without a window are rendered from.
@@ -184,6 +191,7 @@ void render_once(const Options& options, const Rendering& rendering, Executor& e
     }
     if (!options.output.empty()) {
         write(options.output, rendering, rendered);
+        tell_written(options, options.output);
     }
 }
 
@@ -218,12 +226,15 @@ void render_sequence(const Options& options, const Rendering& rendering, Executo
         if (!options.resume || !is_frame_there(path)) {
             render_moment(options, rendering, executor,
                           options.seconds + frame / options.frame_rate, path, told);
+            tell_written(options, path);
             ++written;
         }
     }
     const int there = range.last - range.first + 1 - written;
-    tell(std::to_string(written) + " frames written" +
-         (there > 0 ? ", " + std::to_string(there) + " were there" : ""));
+    if (!options.quiet) {
+        tell(std::to_string(written) + " frames written" +
+             (there > 0 ? ", " + std::to_string(there) + " were there" : ""));
+    }
 }
 
 /// Beside a picture on standard output there is room for people's eyes only.
@@ -242,14 +253,16 @@ void print_validation(const gpu::Device& device) {
 } // namespace
 
 void print_list() {
-    std::string text = listing() + "Devices (--device)\n";
+    terminal::Table table = listing();
+    table.heading("Devices (--device)");
     std::size_t number = 0;
     for (const gpu::DeviceInfo& device : gpu::list_devices()) {
-        text += fmt::format("  {:<20} {}, {}{}{}\n", number, device.name, device.kind,
-                            device.usable ? "" : "; lacks ", device.missing);
+        table.row(
+            {std::to_string(number), fmt::format("{}, {}{}{}", device.name, device.kind,
+                                                 device.usable ? "" : "; lacks ", device.missing)});
         ++number;
     }
-    lutlib::io::print_out(text);
+    terminal::print(table);
 }
 
 void render_cube(const Options& options) {
@@ -292,6 +305,9 @@ void render(const Options& options) {
             "--json has nothing to print: add --timings, --probe, --explain or "
             "--compare diff");
     }
+    if (options.verbose) {
+        tell("rendered by " + rendering.device.name());
+    }
     Executor executor(rendering.device);
     if (frames.range) {
         render_sequence(options, rendering, executor, *frames.range);
@@ -309,6 +325,9 @@ void render(const Options& options) {
         tell_left_out(options, report.timings->withheld, told);
         report.device = rendering.device.name();
         report.size = rendering.settings.output;
+    }
+    if (options.quiet && !options.json) {
+        report.figures.reset();
     }
     print(options, report);
     print_validation(rendering.device);

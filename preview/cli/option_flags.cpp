@@ -65,7 +65,8 @@ void declare(CLI::App& app, const ChoiceRow<S>& row, S& settings) {
                fmt::format("--{}", row.flag),
                [&row, &settings](const std::string& name) {
                    const std::vector<Option> options = row.options();
-                   const Option& found = lutlib::require_named(options, row.kind, name);
+                   const Option& found =
+                       lutlib::require_named(options, row.kind, name, lutlib::Letters::any_case);
                    row.choose(settings, static_cast<std::size_t>(&found - options.data()));
                },
                fmt::format("{}: {}", row.help, lutlib::names_of(row.options())))
@@ -147,6 +148,11 @@ void declare_effects(CLI::App& app, Options& options) {
 } // namespace
 
 void declare(CLI::App& app, Options& options) {
+    const auto under = [&](const char* heading) { app.option_defaults()->group(heading); };
+    for (const OptionRow& row : option_rows()) {
+        declare(app, row, options);
+    }
+    under("Picture");
     for (const ChoiceRow<PictureSettings>& row : picture_choices()) {
         declare<PictureSettings>(app, row, options.frame);
     }
@@ -160,15 +166,15 @@ void declare(CLI::App& app, Options& options) {
     }
     declare<PictureSettings>(app, picture_numbers(), options.frame);
     declare_effects(app, options);
-    declare_camera(app, options);
-    declare_surroundings(app, options);
-    declare_cube(app, options);
     for (const ChoiceRow<Options>& row : option_choices()) {
         declare(app, row, options);
     }
-    for (const OptionRow& row : option_rows()) {
-        declare(app, row, options);
-    }
+    under("Camera");
+    declare_camera(app, options);
+    under("Surroundings");
+    declare_surroundings(app, options);
+    under("Cube view");
+    declare_cube(app, options);
     app.parse_complete_callback([&] {
         for (const CLI::Option* const option : app.get_options()) {
             for (const std::string& name : option->get_lnames()) {

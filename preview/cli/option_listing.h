@@ -1,12 +1,12 @@
 // What --list prints.
 #pragma once
 
-#include <string>
+#include "terminal/table.h"
 
 namespace preview {
 
 /// The tables: scenes, lookups, every choice, the numbers with their ranges and defaults, effects,
 /// parts of the frame and lights' controls.
-std::string listing();
+terminal::Table listing();
 
 } // namespace preview

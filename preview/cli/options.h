@@ -50,6 +50,8 @@ struct Options {
     int cube_nodes = 17;
     CubeView cube;
     bool headless = false, explain = false, timings = false, json = false, list = false;
+    bool quiet = false;   ///< no figures that were not asked for, no counts
+    bool verbose = false; ///< the device, and each file that is written
     bool validate = false;
     bool no_sandbox = false, allow_outside = false;
     double max_memory = 4;     ///< GiB, of each process that reads files for a library

@@ -90,7 +90,7 @@ Rule cube_rule(const Options& options) {
     const std::string& side = options.cube_view;
     std::vector<std::string> taken = cube_flags();
     for (const std::string_view flag : {"cube-view", "size", "output", "depth", "headless",
-                                        "picture-encoding", "no-convert", "look-at"}) {
+                                        "picture-encoding", "no-convert", "look-at", "quiet"}) {
         taken.push_back(fmt::format("--{}", flag));
     }
     for (const std::string_view flag : {"", "engine-", "look-input-", "look-output-"}) {
@@ -136,6 +136,7 @@ std::vector<Rule> rules_of(const Options& o) {
          !output_holds_light(o) || (!o.frame.shows_intermediate() && o.frame.scope == nullptr),
          "it is for the picture, not for what --debug-view and --scope show"},
         {{"--font", "--places"}, window, "no window opens"},
+        {{"--quiet", "--verbose"}, !window, "the window prints nothing"},
         {{"--split"}, compare == &compare_split || window, "it is for --compare split"},
         {{"--heat-scale"}, compare == &compare_difference || window, "it is for --compare diff"},
         {{"--picture-encoding", "--no-convert", "--look-at"},

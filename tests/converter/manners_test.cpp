@@ -3,6 +3,7 @@
 #include "lutlib/engine/engine_names.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/ops/op.h"
+#include "lutlib/version.h"
 #include "tests/converter/run_program.h"
 
 #include <gtest/gtest.h>
@@ -162,6 +163,20 @@ TEST(Papers, have_a_page_a_verb_and_complete_verbs_options_and_values) {
     EXPECT_EQ(completed("lutconv bake --eng", 2), Words{"--engine"});
     EXPECT_EQ(completed("lutconv bake --engine unr", 3), Words{"unreal"});
     EXPECT_EQ(completed("lutconv convert --format spi3", 3), Words{"spi3d"});
+}
+
+TEST(Version, names_the_program_and_what_it_loads) {
+    const std::string text = lutconv_in_process({"--version"}).out;
+    EXPECT_TRUE(text.starts_with("lutconv " + std::string(lutlib::version) + "\nOpenColorIO 2."))
+        << text;
+    EXPECT_NE(text.find("\nOpenImageIO 2."), std::string::npos) << text;
+    EXPECT_TRUE(lutconv_in_process({"--version", "--verbose"}).out.starts_with(text));
+}
+
+TEST(UsageErrors, name_the_option_that_was_meant) {
+    EXPECT_NE(lutconv_in_process({"bake", "x.cube", "-o", "x.png", "--engin", "unity"})
+                  .err.find("did you mean --engine?"),
+              std::string::npos);
 }
 
 TEST(UsageErrors, spell_out_what_would_command_the_terminal) {

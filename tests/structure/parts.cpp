@@ -80,12 +80,12 @@ const std::vector<Part>& parts() {
         {"lutlib/io/oiio", {"lutlib", "lutlib/io", "lutlib/io/box"}},
         {"lutlib/plot", {"lutlib"}, no_big_library},
 
-        // Man pages and completions of any command line.
-        {"terminal", {"lutlib", "lutlib/io"}, no_big_library},
+        // What the command lines of both programs share.
+        {"terminal", {"lutlib", "lutlib/io", "lutlib/io/box"}, no_big_library},
 
         // lutconv
         {"converter", {"lutlib/*", "terminal"}, no_big_library},
-        {"converter/commands", {"converter", "lutlib/*"}, no_big_library},
+        {"converter/commands", {"converter", "lutlib/*", "terminal"}, no_big_library},
 
         // Figures are lutconv's.
         {"python", {"converter", "lutlib/*"}, no_big_library},
@@ -136,18 +136,19 @@ const std::vector<Part>& parts() {
                                    "preview/gpu", "preview/graph/execute.*",
                                    "preview/look/look_slot.*", "preview/panels", "preview/passes"},
                                   render)},
-        {"preview/cli", joined({"preview/cli/option*", "preview/cli/sequence.*", "preview/effects",
-                                "preview/editor", "preview/frame", "preview/gpu",
-                                "preview/graph/execute.*", "preview/passes", "preview/window"},
-                               render)},
+        {"preview/cli",
+         joined({"preview/cli/option*", "preview/cli/sequence.*", "preview/effects",
+                 "preview/editor", "preview/frame", "preview/gpu", "preview/graph/execute.*",
+                 "preview/passes", "preview/window", "terminal"},
+                render)},
         {"preview/cli/option*",
          {"lutlib/*", setting_rows, "preview/cli/light_edit.*", "preview/cli/sequence.*",
           "preview/effects", "preview/finish", "preview/frame", "preview/look", "preview/passes",
-          "preview/scene"},
+          "preview/scene", "terminal"},
          no_screen},
         {"preview/cli/light_edit.*", {"lutlib", "preview/scene"}, no_screen},
         {"preview/cli/sequence.*", {"lutlib", "lutlib/io"}, no_screen},
-        {"preview", {"lutlib", "lutlib/io", "preview/cli"}},
+        {"preview", {"lutlib", "lutlib/io", "preview/cli", "preview/cli/option*", "terminal"}},
         // Oracles, which nothing but tests includes.
         {"preview/reference",
          {"lutlib/*", "preview/finish", "preview/scene", "preview/scene/scene_data.*"},

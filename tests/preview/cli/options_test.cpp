@@ -265,7 +265,7 @@ TEST(Options, every_row_sets_a_member_of_its_own) {
 }
 
 TEST(Listing, names_every_row_of_every_table) {
-    const std::string text = listing();
+    const std::string text = listing().text();
     const auto expect = [&](std::string_view name) {
         EXPECT_NE(text.find("  " + std::string(name) + " "), std::string::npos) << name;
     };
@@ -324,6 +324,13 @@ TEST(EngineOptions, are_for_the_side_that_they_name_and_engine_alone_for_b) {
     const Options two = parsed("--a a.cube --b b.cube --engine-a godot --engine-b obs");
     EXPECT_EQ(use_a(two, true).lookup, gpu_lookup_named("godot"));
     EXPECT_EQ(use_b(two, true).lookup, gpu_lookup_named("obs"));
+}
+
+TEST(EngineOptions, take_what_people_call_an_engine_and_names_in_any_case) {
+    EXPECT_EQ(use_b(parsed("--b look.cube --engine UE5"), true).lookup, gpu_lookup_named("unreal"));
+    EXPECT_EQ(use_b(parsed("--b look.cube --engine Tetrahedral"), true).lookup,
+              gpu_lookup_named("tetrahedral"));
+    EXPECT_EQ(settings("--tonemap AgX").tonemap, tonemap_named("agx"));
 }
 
 TEST(EngineOptions, of_a_side_without_a_look_name_the_other) {

@@ -26,6 +26,8 @@ TEST(Options, that_change_nothing_in_a_run_are_said) {
         EXPECT_TRUE(lines[0].starts_with(option + " changes nothing here: ")) << lines[0];
     }
     EXPECT_EQ(said("--explain --depth float").size(), 1U);
+    EXPECT_EQ(said("--quiet --verbose").size(), 2U);
+    EXPECT_TRUE(said(run + "--quiet --verbose").empty());
     EXPECT_TRUE(said(run + "--engine unity --scope waveform --scope-size 64x64 --depth uint8 "
                            "--timings --frames 3")
                     .empty());

@@ -10,12 +10,12 @@ namespace {
 using lutlib::Engine;
 
 std::string chunks_text(const Engine& engine) {
-    switch (engine.colour_chunks) {
-    case lutlib::ColourChunks::ignored:
+    switch (engine.color_chunks) {
+    case lutlib::ColorChunks::ignored:
         return "ignored";
-    case lutlib::ColourChunks::converted:
+    case lutlib::ColorChunks::converted:
         return "the loader converts the codes by them, so there must be none";
-    case lutlib::ColourChunks::unknown:
+    case lutlib::ColorChunks::unknown:
         break;
     }
     return "not documented, so there should be none";

@@ -78,7 +78,7 @@ std::optional<PictureFacts> picture_facts(const std::string& bytes, const io::Lo
         image.depth.bits = picture.bits == 8 ? 8 : 16;
     }
     const Takers takers = rows > 1 ? Takers{} : takers_of(image, layout, size);
-    const std::vector<std::string_view> chunks = colour_chunks(image);
+    const std::vector<std::string_view> chunks = color_chunks(image);
     PictureFacts out;
     out.text = fmt::format("  picture: {}x{} pixels, {}{}\n  layout: {}, {} nodes per axis{}\n",
                            picture.picture.width, picture.picture.height, storage(picture, image),

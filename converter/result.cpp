@@ -14,13 +14,13 @@ nlohmann::ordered_json color_json(lutlib::RgbD c) {
     return {c.r, c.g, c.b};
 }
 
-nlohmann::ordered_json to_json(const lutlib::WorstColour& worst) {
+nlohmann::ordered_json to_json(const lutlib::WorstColor& worst) {
     return {{"in", color_json(to_double(worst.in))},
             {"a", color_json(worst.a)},
             {"b", color_json(worst.b)}};
 }
 
-std::string to_text(const lutlib::WorstColour& worst) {
+std::string to_text(const lutlib::WorstColor& worst) {
     return fmt::format("{} -> {} and {}", color_text(to_double(worst.in)), color_text(worst.a),
                        color_text(worst.b));
 }

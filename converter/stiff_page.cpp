@@ -57,7 +57,7 @@ std::string plot_of(const StiffSurvey& survey, const Comparison& comparison, std
     out.y_floor = 1e-7;
     out.height = 380;
     plot::Line bound{"bound of means, before measuring", "", 0, true, false, {}};
-    std::size_t colour = 1;
+    std::size_t color = 1;
     for (std::size_t i = first; i < first + lutlib::stiff_methods().size(); ++i) {
         const StiffCurve& curve = survey.curves[i];
         if (!is_compared(comparison, curve)) {
@@ -65,7 +65,7 @@ std::string plot_of(const StiffSurvey& survey, const Comparison& comparison, std
         }
         plot::Line line{fmt::format("{}: order {}", curve.method->label, slope_text(curve.largest)),
                         "",
-                        colour++,
+                        color++,
                         false,
                         true,
                         {}};
@@ -93,7 +93,7 @@ std::vector<std::string> method_text(const StiffSurvey& survey) {
             "over these phases or the worst of them. p99 and mean are over {} colours spread "
             "evenly over 0..1, the largest error over those and as many within a cell of the "
             "feature. An error is the largest channel difference; outputs are about 0..1.",
-            s.phases, s.colours),
+            s.phases, s.colors),
         "Each channel: every output is the curve of its own channel. Mixed: of 0.6, 0.3 and 0.1 "
         "of the channels, turned for the next output, so that the feature crosses cells.",
         "Order: the exponent p of error = c h^p over widths h of a cell, by least squares of the "
@@ -186,7 +186,7 @@ std::string stiff_html(const StiffSurvey& survey) {
 
 nlohmann::ordered_json stiff_json(const StiffSurvey& survey) {
     nlohmann::ordered_json out{{"phases", survey.settings.phases},
-                               {"colours", survey.settings.colours}};
+                               {"colours", survey.settings.colors}};
     for (const StiffCurve& curve : survey.curves) {
         nlohmann::ordered_json one{{"function", curve.profile->name},
                                    {"of", axis_text(curve.axis)},

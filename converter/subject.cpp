@@ -115,10 +115,10 @@ std::string joined(const std::vector<std::string_view>& words) {
     return out;
 }
 
-std::string engines_that(lutlib::ColourChunks use) {
+std::string engines_that(lutlib::ColorChunks use) {
     std::vector<std::string_view> names;
     for (const Engine& engine : lutlib::engines()) {
-        if (engine.colour_chunks == use) {
+        if (engine.color_chunks == use) {
             names.push_back(engine.name);
         }
     }
@@ -127,7 +127,7 @@ std::string engines_that(lutlib::ColourChunks use) {
 
 // gAMA, cHRM and iCCP.
 std::vector<std::string_view> converting_chunks(const io::PngImage& image) {
-    std::vector<std::string_view> out = colour_chunks(image);
+    std::vector<std::string_view> out = color_chunks(image);
     std::erase(out, "sRGB");
     return out;
 }
@@ -145,22 +145,22 @@ std::string harmful_tags(const io::PngImage& image, const Engine& engine) {
                                        engine.label, strip_advice);
     }
     const std::vector<std::string_view> found = converting_chunks(image);
-    if (found.empty() || engine.colour_chunks == lutlib::ColourChunks::ignored) {
+    if (found.empty() || engine.color_chunks == lutlib::ColorChunks::ignored) {
         return {};
     }
-    const bool surely = engine.colour_chunks == lutlib::ColourChunks::converted;
+    const bool surely = engine.color_chunks == lutlib::ColorChunks::converted;
     return fmt::format("the PNG carries {}, by which {} {} convert the codes ({} ignore that); {}",
                        joined(found), engine.label, surely ? "would" : "may",
-                       engines_that(lutlib::ColourChunks::ignored), strip_advice);
+                       engines_that(lutlib::ColorChunks::ignored), strip_advice);
 }
 
 std::string harmless_tags(const io::PngImage& image, const Engine& engine) {
     const std::vector<std::string_view> found = converting_chunks(image);
-    return found.empty() || engine.colour_chunks != lutlib::ColourChunks::ignored
+    return found.empty() || engine.color_chunks != lutlib::ColorChunks::ignored
                ? std::string()
                : fmt::format(
                      "the PNG carries {}, which {} ignores ({} would convert the codes); {}",
-                     joined(found), engine.label, engines_that(lutlib::ColourChunks::converted),
+                     joined(found), engine.label, engines_that(lutlib::ColorChunks::converted),
                      strip_advice);
 }
 
@@ -173,7 +173,7 @@ io::PngImage image_of(lutlib::CodeImage codes) {
 
 } // namespace
 
-std::vector<std::string_view> colour_chunks(const io::PngImage& image) {
+std::vector<std::string_view> color_chunks(const io::PngImage& image) {
     std::vector<std::string_view> out;
     for (const auto& [there, name] : {std::pair{image.srgb_tag, "sRGB"},
                                       {image.gamma_tag, "gAMA"},

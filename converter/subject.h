@@ -34,7 +34,7 @@ struct Subject {
 };
 
 /// The chunks of a PNG that say what its codes mean: of sRGB, gAMA, cHRM, iCCP those it has.
-std::vector<std::string_view> colour_chunks(const lutlib::io::PngImage& image);
+std::vector<std::string_view> color_chunks(const lutlib::io::PngImage& image);
 
 /// In what a picture of `size` nodes in the engine's layout is not what the engine wants; empty: it
 /// takes the picture as it is.

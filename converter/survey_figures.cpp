@@ -70,7 +70,7 @@ nlohmann::ordered_json survey_json(const Survey& survey, const std::string& look
     nlohmann::ordered_json out{
         {"look", look},
         {"machine", lutlib::machine_text()},
-        {"colours", survey.colours},
+        {"colours", survey.colors},
         {"timed_pixels", survey.settings.pixels},
         {"largest_seen", survey.largest_seen},
         {"clamped", survey.clamped},

@@ -102,7 +102,7 @@ std::vector<std::string> method(const Survey& survey) {
                     "in code values. Maxima: over the grid of all nodes of the look and of the "
                     "lattice, the middles between them, and uphill from the worst, further for "
                     "what is recommended{}.",
-                    survey.colours,
+                    survey.colors,
                     survey.largest_seen ? "; since operators may bend anywhere and large grids are "
                                           "thinned, they are the largest seen"
                                         : ""),

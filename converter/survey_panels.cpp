@@ -25,9 +25,9 @@ std::string letters_of(const std::vector<double>& errors) {
     return out;
 }
 
-std::string letters_of(const std::vector<RgbD>& colours) {
+std::string letters_of(const std::vector<RgbD>& colors) {
     std::string out;
-    for (const RgbD& c : colours) {
+    for (const RgbD& c : colors) {
         for (std::size_t k = 0; k < 3; ++k) {
             out += plot::share_letter(c[k]);
         }
@@ -94,25 +94,25 @@ std::vector<std::string> values_of(const Survey& survey, std::size_t row) {
     return out;
 }
 
-std::vector<plot::Panels::Value> panel_values(const lutlib::DetailColours& colours) {
+std::vector<plot::Panels::Value> panel_values(const lutlib::DetailColors& colors) {
     std::vector<plot::Panels::Value> out{
         {"title", "text"}, {"ecdf", "path"}, {"worst", "text"}, {"near", "cells"}};
-    for (const lutlib::DetailPlane& plane : colours.planes) {
+    for (const lutlib::DetailPlane& plane : colors.planes) {
         out.push_back({plane.name, "cells"});
     }
     for (const int bits : lutlib::gradient_bits) {
         out.push_back({fmt::format("after{}", bits), "bands"});
     }
-    for (std::size_t i = 0; i < colours.patches.size(); ++i) {
+    for (std::size_t i = 0; i < colors.patches.size(); ++i) {
         out.push_back({fmt::format("p{}", i), "text"});
     }
     return out;
 }
 
-std::string maps_html(const lutlib::DetailColours& colours, const Details& d) {
+std::string maps_html(const lutlib::DetailColors& colors, const Details& d) {
     std::string out = "<div class=\"panels\">\n";
-    for (std::size_t i = 0; i < colours.planes.size(); ++i) {
-        const lutlib::DetailPlane& plane = colours.planes[i];
+    for (std::size_t i = 0; i < colors.planes.size(); ++i) {
+        const lutlib::DetailPlane& plane = colors.planes[i];
         out += svg(plot::HeatMap{.id = "d-" + plane.name,
                                  .title = plane.title,
                                  .x_label = plane.x_label,
@@ -132,10 +132,10 @@ std::string maps_html(const lutlib::DetailColours& colours, const Details& d) {
     return out + "</div>\n";
 }
 
-std::string patches_html(const lutlib::DetailColours& colours, const Details& d) {
+std::string patches_html(const lutlib::DetailColors& colors, const Details& d) {
     std::string out, group;
-    for (std::size_t i = 0; i < colours.patches.size(); ++i) {
-        const lutlib::DetailPatch& patch = colours.patches[i];
+    for (std::size_t i = 0; i < colors.patches.size(); ++i) {
+        const lutlib::DetailPatch& patch = colors.patches[i];
         if (patch.group != group) {
             out += (group.empty() ? "" : "</div>\n") + ("<h3>" + patch.group) +
                    ": dE2000 of each</h3><div class=\"patches\">\n";
@@ -148,16 +148,16 @@ std::string patches_html(const lutlib::DetailColours& colours, const Details& d)
     return out + "</div>\n";
 }
 
-std::string gradients_html(const lutlib::DetailColours& colours, const Details& d) {
+std::string gradients_html(const lutlib::DetailColors& colors, const Details& d) {
     std::string out = fmt::format(
         "<h3>A grey gradient's errors, {:g} times enlarged about grey: what codes of so many bits "
         "do to the exact look, and what they and the combination do</h3>\n<div class=\"bands\">\n",
         lutlib::gradient_magnification);
-    out += svg(plot::Band{"d-gradient", "the look itself", letters_of(colours.gradient)});
+    out += svg(plot::Band{"d-gradient", "the look itself", letters_of(colors.gradient)});
     for (std::size_t k = 0; k < lutlib::gradient_bits.size(); ++k) {
         const int bits = lutlib::gradient_bits[k];
         out += svg(plot::Band{fmt::format("d-before{}", bits), fmt::format("{} bits: codes", bits),
-                              letters_of(colours.before[k])});
+                              letters_of(colors.before[k])});
         out +=
             svg(plot::Band{fmt::format("d-after{}", bits),
                            fmt::format("{} bits: this combination", bits), letters_of(d.after[k])});
@@ -174,8 +174,8 @@ plot::Panels survey_panels(const Survey& survey) {
     }
     const std::size_t shown = survey.recommendation.row;
     const Details& d = survey.details[shown];
-    const lutlib::DetailColours& colours = survey.detail_colours;
-    out.values = panel_values(colours);
+    const lutlib::DetailColors& colors = survey.detail_colors;
+    out.values = panel_values(colors);
     for (std::size_t row = 0; row < survey.rows.size(); ++row) {
         out.rows.push_back(values_of(survey, row));
     }
@@ -183,10 +183,10 @@ plot::Panels survey_panels(const Survey& survey) {
         fmt::format("<h2 id=\"chosen\">Where it errs: <span id=\"d-title\">{}</span></h2>\n"
                     "<p class=\"only\">Click a mark or a row to see another.</p>\n",
                     plot::escaped(title_of(survey.rows[shown]))) +
-        maps_html(colours, d) + "<div class=\"panels\"><div class=\"share\">" +
+        maps_html(colors, d) + "<div class=\"panels\"><div class=\"share\">" +
         svg(ecdf(ecdf_points(d))) + "</div><div>" + plot::heat_legend("dE2000") +
         fmt::format("<p>Worst colour: <span id=\"d-worst\">{}</span></p>", worst_text(d)) +
-        "</div></div>\n" + patches_html(colours, d) + gradients_html(colours, d);
+        "</div></div>\n" + patches_html(colors, d) + gradients_html(colors, d);
     return out;
 }
 

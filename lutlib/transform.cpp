@@ -29,27 +29,27 @@ Transform in_sequence(std::vector<Transform> steps) {
         return step.precision() == Precision::float32;
     });
     return Transform::batch(
-        [steps = std::move(steps)](std::span<RgbD> colours) {
+        [steps = std::move(steps)](std::span<RgbD> colors) {
             for (const Transform& step : steps) {
-                step(colours);
+                step(colors);
             }
         },
         coarse ? Precision::float32 : Precision::float64);
 }
 
-void apply_in_parallel(const Transform& transform, std::span<RgbD> colours) {
+void apply_in_parallel(const Transform& transform, std::span<RgbD> colors) {
     const auto apply = [&](std::size_t begin, std::size_t end) {
         for (std::size_t at = begin; at < end; at += block) {
-            transform(colours.subspan(at, std::min(block, end - at)));
+            transform(colors.subspan(at, std::min(block, end - at)));
         }
     };
     // Threads take longer to start than the nodes of a usual strip to compute.
     constexpr std::size_t few = 4096;
-    if (colours.size() <= few) {
-        apply(0, colours.size());
+    if (colors.size() <= few) {
+        apply(0, colors.size());
         return;
     }
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, colours.size(), 4 * block),
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, colors.size(), 4 * block),
                       [&](const auto& range) { apply(range.begin(), range.end()); });
 }
 

@@ -30,8 +30,8 @@ class Transform {
     /// By a function of one colour, RgbD(RgbD).
     template <class F>
     static Transform each(F f) {
-        return batch([f = std::move(f)](std::span<RgbD> colours) {
-            for (RgbD& c : colours) {
+        return batch([f = std::move(f)](std::span<RgbD> colors) {
+            for (RgbD& c : colors) {
                 c = f(c);
             }
         });
@@ -61,14 +61,14 @@ class Transform {
     static Transform of(const Recipe& recipe);
 
     /// Replaces every colour by its image.
-    void operator()(std::span<RgbD> colours) const {
-        if (work_ && !colours.empty()) {
-            work_->apply(colours);
+    void operator()(std::span<RgbD> colors) const {
+        if (work_ && !colors.empty()) {
+            work_->apply(colors);
         }
     }
-    RgbD operator()(RgbD colour) const {
-        (*this)(std::span(&colour, 1));
-        return colour;
+    RgbD operator()(RgbD color) const {
+        (*this)(std::span(&color, 1));
+        return color;
     }
 
     Precision precision() const { return precision_; }
@@ -76,12 +76,12 @@ class Transform {
   private:
     struct Work {
         virtual ~Work() = default;
-        virtual void apply(std::span<RgbD> colours) const = 0;
+        virtual void apply(std::span<RgbD> colors) const = 0;
     };
     template <class F>
     struct WorkOf final : Work {
         explicit WorkOf(F function) : f(std::move(function)) {}
-        void apply(std::span<RgbD> colours) const override { f(colours); }
+        void apply(std::span<RgbD> colors) const override { f(colors); }
         F f;
     };
 
@@ -96,7 +96,7 @@ class Transform {
 Transform in_sequence(std::vector<Transform> steps);
 
 /// Replaces every colour by its image, on all cores.
-void apply_in_parallel(const Transform& transform, std::span<RgbD> colours);
+void apply_in_parallel(const Transform& transform, std::span<RgbD> colors);
 
 /// The image of every input, on all cores.
 std::vector<RgbD> images_of(const Transform& transform, std::span<const Rgb> inputs);

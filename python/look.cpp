@@ -52,7 +52,7 @@ lutlib::Domain domain_of(const py::object& ends) {
     return {rgb_of(pair[0]), rgb_of(pair[1])};
 }
 
-std::vector<lutlib::Rgb> colours_of(const FloatArray& array) {
+std::vector<lutlib::Rgb> colors_of(const FloatArray& array) {
     std::vector<lutlib::Rgb> out(static_cast<std::size_t>(array.size()) / 3);
     for (std::size_t i = 0; i < out.size(); ++i) {
         const float* const at = array.data() + 3 * i;
@@ -90,7 +90,7 @@ std::shared_ptr<PyLook> from_arrays(const std::optional<FloatArray>& cube,
         if (shaper->ndim() != 2 || shaper->shape(1) != 3) {
             throw py::value_error("shaper has the shape (entries, 3)");
         }
-        lut.shaper = lutlib::Lut1D{ends, colours_of(*shaper)};
+        lut.shaper = lutlib::Lut1D{ends, colors_of(*shaper)};
     }
     if (cube) {
         const py::ssize_t n = cube->ndim() == 4 ? cube->shape(0) : 0;
@@ -99,7 +99,7 @@ std::shared_ptr<PyLook> from_arrays(const std::optional<FloatArray>& cube,
                                   "red");
         }
         lut.cube =
-            lutlib::Lut3D{shaper ? lutlib::Domain{} : ends, static_cast<int>(n), colours_of(*cube)};
+            lutlib::Lut3D{shaper ? lutlib::Domain{} : ends, static_cast<int>(n), colors_of(*cube)};
     }
     return look_of(lut);
 }
@@ -107,14 +107,14 @@ std::shared_ptr<PyLook> from_arrays(const std::optional<FloatArray>& cube,
 // ---- what a look holds
 
 py::object table_array(const std::shared_ptr<const lutlib::Lut>& lut,
-                       const std::vector<lutlib::Rgb>& colours,
+                       const std::vector<lutlib::Rgb>& colors,
                        const std::vector<py::ssize_t>& shape) {
     // Kept alive by the array that shows it.
     auto* const holder = new std::shared_ptr<const lutlib::Lut>(lut);
     const py::capsule owner(
         holder, [](void* kept) { delete static_cast<std::shared_ptr<const lutlib::Lut>*>(kept); });
     static_assert(sizeof(lutlib::Rgb) == 3 * sizeof(float));
-    py::array_t<float> out(shape, &colours.front().r, owner);
+    py::array_t<float> out(shape, &colors.front().r, owner);
     out.attr("flags").attr("writeable") = false;
     return out;
 }
@@ -160,17 +160,17 @@ std::vector<lutlib::Loss> losses_of(const PyLook& look) {
     return out;
 }
 
-py::array evaluate(const PyLook& look, const DoubleArray& colours) {
-    if (colours.ndim() < 1 || colours.shape(colours.ndim() - 1) != 3) {
+py::array evaluate(const PyLook& look, const DoubleArray& colors) {
+    if (colors.ndim() < 1 || colors.shape(colors.ndim() - 1) != 3) {
         throw py::value_error("colours have the shape (..., 3)");
     }
-    const std::vector<py::ssize_t> shape(colours.shape(), colours.shape() + colours.ndim());
+    const std::vector<py::ssize_t> shape(colors.shape(), colors.shape() + colors.ndim());
     py::array_t<double> out(shape);
     static_assert(sizeof(lutlib::RgbD) == 3 * sizeof(double));
-    if (colours.size() == 0) {
+    if (colors.size() == 0) {
         return out;
     }
-    std::memcpy(out.mutable_data(), colours.data(), static_cast<std::size_t>(colours.nbytes()));
+    std::memcpy(out.mutable_data(), colors.data(), static_cast<std::size_t>(colors.nbytes()));
     auto* const first = reinterpret_cast<lutlib::RgbD*>(out.mutable_data());
     const auto count = static_cast<std::size_t>(out.size()) / 3;
     const py::gil_scoped_release others_may_run;

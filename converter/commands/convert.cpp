@@ -139,7 +139,7 @@ int strip_tags(const Options& o) {
     }
     require_png_name(o.output, "convert --strip-tags");
     io::PngImage image = io::read_png(bytes, name);
-    const std::vector<std::string_view> chunks = colour_chunks(image);
+    const std::vector<std::string_view> chunks = color_chunks(image);
     image.srgb_tag = false; // the others are never written
     io::write_file(o.output, io::write_png(image));
     std::string listed;

@@ -74,8 +74,8 @@ std::vector<RgbD> PromiseCheck::read_point_samples(int size, CodeDepth depth,
     const LatticeReader reader = reader_of(engine_, size);
     std::vector<NodeWeights> weights;
     std::vector<RgbD> nodes;
-    for (const Rgb& colour : in) {
-        weights.push_back(reader.weights(to_double(colour)));
+    for (const Rgb& color : in) {
+        weights.push_back(reader.weights(to_double(color)));
         const NodeWeights& w = weights.back();
         for (std::size_t k = 0; k < w.count; ++k) {
             const auto n = static_cast<std::size_t>(size);
@@ -135,40 +135,40 @@ double PromiseCheck::glance_at_delicate(int size, CodeDepth depth, double limit)
     const UnionAxes axis =
         union_axes({}, united(budget_.breaks, breaks_of(reader_of(engine_, size))));
     double largest = 0;
-    std::vector<Rgb> colours;
+    std::vector<Rgb> colors;
     for (const Domain& box : delicate_) {
         std::array<std::span<const float>, 3> part;
         for (std::size_t c = 0; c < 3; ++c) {
             const auto first = std::lower_bound(axis[c].begin(), axis[c].end(), box.min[c]);
             part[c] = {first, std::upper_bound(first, axis[c].end(), box.max[c])};
         }
-        colours.clear();
+        colors.clear();
         for (const float b : part[2]) {
             for (const float g : part[1]) {
                 for (const float r : part[0]) {
-                    colours.push_back({r, g, b});
+                    colors.push_back({r, g, b});
                 }
             }
         }
-        if (colours.empty()) {
+        if (colors.empty()) {
             continue;
         }
-        std::vector<double> errors(colours.size());
-        eye_(budget_.metric, images_of(look_, colours), read_point_samples(size, depth, colours),
+        std::vector<double> errors(colors.size());
+        eye_(budget_.metric, images_of(look_, colors), read_point_samples(size, depth, colors),
              errors);
         largest = std::max(largest, *std::max_element(errors.begin(), errors.end()));
         if (largest > limit) {
-            remember(colours, errors);
+            remember(colors, errors);
             break;
         }
     }
     return largest;
 }
 
-void PromiseCheck::remember(std::span<const Rgb> colours, std::span<const double> errors) {
+void PromiseCheck::remember(std::span<const Rgb> colors, std::span<const double> errors) {
     constexpr double nearly = 0.8;
     std::vector<std::size_t> worst;
-    for (std::size_t i = 0; i < colours.size(); ++i) {
+    for (std::size_t i = 0; i < colors.size(); ++i) {
         if (errors[i] > nearly * budget_.most) {
             worst.push_back(i);
         }
@@ -180,7 +180,7 @@ void PromiseCheck::remember(std::span<const Rgb> colours, std::span<const double
                       });
     std::vector<Rgb> kept;
     for (std::size_t i = 0; i < count; ++i) {
-        kept.push_back(colours[worst[i]]);
+        kept.push_back(colors[worst[i]]);
     }
     const std::vector<RgbD> right = images_of(look_, kept);
     remembered_.insert(remembered_.begin(), kept.begin(), kept.end());
@@ -190,10 +190,10 @@ void PromiseCheck::remember(std::span<const Rgb> colours, std::span<const double
 // The colours with the largest errors, from which to climb.
 class PromiseCheck::Candidates {
   public:
-    void add(std::span<const Rgb> colours, std::span<const double> errors) {
-        for (std::size_t i = 0; i < colours.size(); ++i) {
+    void add(std::span<const Rgb> colors, std::span<const double> errors) {
+        for (std::size_t i = 0; i < colors.size(); ++i) {
             if (errors[i] > floor_) {
-                worst_.push_back({errors[i], colours[i]});
+                worst_.push_back({errors[i], colors[i]});
             }
         }
         if (worst_.size() > 2 * most) {
@@ -201,13 +201,13 @@ class PromiseCheck::Candidates {
         }
     }
     Peak climbed(const UnionAxes& axis, const ErrorsOf& errors_of) const {
-        std::vector<Rgb> colours;
+        std::vector<Rgb> colors;
         std::vector<double> errors;
         for (const Peak& peak : worst_) {
-            colours.push_back(peak.at);
+            colors.push_back(peak.at);
             errors.push_back(peak.error);
         }
-        return lutlib::climbed(colours, errors, axis, errors_of);
+        return lutlib::climbed(colors, errors, axis, errors_of);
     }
 
   private:

@@ -34,7 +34,7 @@ class PromiseCheck {
     double along_planes(double limit, const Transform& lookup, const UnionAxes& axis,
                         Candidates& candidates);
     void error_of(const Transform& lookup, std::span<const Rgb> in, std::span<double> errors) const;
-    void remember(std::span<const Rgb> colours, std::span<const double> errors);
+    void remember(std::span<const Rgb> colors, std::span<const double> errors);
 
     const Engine& engine_;
     const Budget& budget_;

@@ -104,8 +104,8 @@ const Row* named(std::span<const Row* const> rows, std::string_view name) {
     return found == rows.end() ? nullptr : *found;
 }
 
-void hold_all(std::span<RgbD> colours) {
-    for (RgbD& c : colours) {
+void hold_all(std::span<RgbD> colors) {
+    for (RgbD& c : colors) {
         c = {held(c.r), held(c.g), held(c.b)};
     }
 }
@@ -145,14 +145,14 @@ std::string Encoding::label() const {
     return std::string(curve->label) + ", " + std::string(gamut->label);
 }
 
-void Encoding::decode_all(std::span<RgbD> colours) const {
-    hold_all(colours);
-    curve->decode_all(colours);
+void Encoding::decode_all(std::span<RgbD> colors) const {
+    hold_all(colors);
+    curve->decode_all(colors);
 }
 
-void Encoding::encode_all(std::span<RgbD> colours) const {
-    hold_all(colours);
-    curve->encode_all(colours);
+void Encoding::encode_all(std::span<RgbD> colors) const {
+    hold_all(colors);
+    curve->encode_all(colors);
 }
 
 std::span<const Encoding> encodings() {

@@ -31,8 +31,8 @@ struct Encoding {
 
     double decode(double code) const { return curve->decode(held(code)); }
     double encode(double linear) const { return curve->encode(held(linear)); }
-    void decode_all(std::span<RgbD> colours) const;
-    void encode_all(std::span<RgbD> colours) const;
+    void decode_all(std::span<RgbD> colors) const;
+    void encode_all(std::span<RgbD> colors) const;
 
     friend bool operator==(const Encoding&, const Encoding&) = default;
 };

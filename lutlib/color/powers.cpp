@@ -90,11 +90,11 @@ void power_all(std::span<double> values, double exponent) {
     HWY_DYNAMIC_DISPATCH(Power)(values.data(), values.size(), exponent);
 }
 
-void power_all(std::span<RgbD> colours, RgbD exponents, Negative negative) {
+void power_all(std::span<RgbD> colors, RgbD exponents, Negative negative) {
     std::array<double, 128> room;
     for (std::size_t c = 0; c < 3; ++c) {
-        for (std::size_t i = 0; i < colours.size() && exponents[c] != 1; i += room.size()) {
-            const auto part = colours.subspan(i, std::min(room.size(), colours.size() - i));
+        for (std::size_t i = 0; i < colors.size() && exponents[c] != 1; i += room.size()) {
+            const auto part = colors.subspan(i, std::min(room.size(), colors.size() - i));
             for (std::size_t k = 0; k < part.size(); ++k) {
                 room[k] = part[k][c];
             }

@@ -18,7 +18,7 @@ enum class Negative { mirrored, kept };
 
 /// Each channel c becomes |c|^exponent with the sign of c, or stays as it is when it is negative
 /// and those are kept. An exponent of exactly 1 leaves its channel alone.
-void power_all(std::span<RgbD> colours, RgbD exponents, Negative negative);
+void power_all(std::span<RgbD> colors, RgbD exponents, Negative negative);
 
 /// Each x becomes its cube root, negative for a negative x.
 void cube_root_all(std::span<double> values);

@@ -32,8 +32,8 @@ struct TransferCurve {
     double (*decode)(double code);
     double (*encode)(double linear);
     /// The same of every channel of many colours, for the speed of one call; within 1e-12.
-    void (*decode_all)(std::span<RgbD> colours);
-    void (*encode_all)(std::span<RgbD> colours);
+    void (*decode_all)(std::span<RgbD> colors);
+    void (*encode_all)(std::span<RgbD> colors);
 };
 
 std::span<const TransferCurve* const> transfer_curves();
@@ -42,8 +42,8 @@ const TransferCurve* transfer_curve_named(std::string_view name);
 
 /// A curve's function for many colours, from the one for a channel.
 template <double (*one)(double)>
-void each_channel(std::span<RgbD> colours) {
-    for (RgbD& c : colours) {
+void each_channel(std::span<RgbD> colors) {
+    for (RgbD& c : colors) {
         c = {one(c.r), one(c.g), one(c.b)};
     }
 }

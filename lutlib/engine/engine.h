@@ -17,7 +17,7 @@ enum class SrgbTag { absent, present };
 
 /// What the engine's loader does with what a PNG says of its own colours in the chunks gAMA, cHRM
 /// and iCCP: nothing, convert the codes by it, or what is not documented.
-enum class ColourChunks { ignored, converted, unknown };
+enum class ColorChunks { ignored, converted, unknown };
 
 /// What the lookup weighs between nodes: the codes, or the light that its sampler decodes them to
 /// by the sRGB curve, which it encodes again.
@@ -44,7 +44,7 @@ struct Engine {
     int default_bits = 8;
     std::span<const int> bits = only_8_bits; ///< sample depths the engine accepts
     SrgbTag srgb_tag = SrgbTag::absent;
-    ColourChunks colour_chunks;
+    ColorChunks color_chunks;
     /// What the code values are that the lookup gets and gives, as of encoding_named(): those of
     /// the display that they go to. Empty: the engine hands on what the look is made for.
     std::string_view encoding = {};

@@ -49,8 +49,8 @@ void measure_steps(const Lut3D& cube, Evidence& out) {
     const double variance =
         (squares.r + squares.g + squares.b) / count - squared(sum) / (count * count);
     // Rounding to codes alone gives no shape.
-    constexpr double one_colour = 1e-7;
-    if (!(variance > one_colour)) {
+    constexpr double one_color = 1e-7;
+    if (!(variance > one_color)) {
         return;
     }
     const std::array<std::size_t, 3> step{1, cube.index(0, 1, 0), cube.index(0, 0, 1)};
@@ -106,7 +106,7 @@ Evidence evidence_of(const Lut3D& cube) {
     const Split v = mapped(RgbD{0, 1, -1} * (1 / std::sqrt(2.0)));
     const double across = u.u * u.u + u.v * u.v + v.u * v.u + v.v * v.v;
     const double drift = std::hypot(grey.u, grey.v);
-    out.colour = std::sqrt((across + drift * drift) / all);
+    out.color = std::sqrt((across + drift * drift) / all);
     out.grey_drift = across > 0 ? drift / std::sqrt(across / 2) : 1;
     out.hue_order = across > 0 ? 2 * (u.u * v.v - u.v * v.u) / across : 0;
     double own = 0, travel = 0, most = 0;

@@ -26,7 +26,7 @@ struct Evidence {
     /// 0 where they collapse.
     double hue_order = 0;
     /// The size of the map across the grey axis against its whole: 0 for a look without colour.
-    double colour = 0;
+    double color = 0;
     /// How much each channel follows its own axis rather than others, -1..1; 1 for an identity.
     double ownership = 0;
     /// How fast the mean of the channels grows along each axis, of the largest of them: -1..1.

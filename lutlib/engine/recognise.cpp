@@ -24,7 +24,7 @@ constexpr double other_geometry = 2.5;
 constexpr double least_orientation = 0.1;
 constexpr double clear_margin = 0.3;
 // Below these a look has no hues to tell an order of.
-constexpr double least_colour = 0.03;
+constexpr double least_color = 0.03;
 constexpr double least_hue_order = 0.1;
 // Greys that gain colour this fast are not read along the grey axis.
 constexpr double grey_axis_missed = 0.6;
@@ -86,14 +86,14 @@ Recognition read_as(const Picture& picture, const Layout& layout, Arrangement he
         if (!(e.step > 0)) {
             continue; // one colour says nothing
         }
-        const bool coloured = e.colour >= least_colour;
+        const bool colored = e.color >= least_color;
         out.roughness = std::max(out.roughness, e.roughness);
         out.fold = std::min(out.fold, fold_of(picture, layout, held, row, e.step));
         out.ownership += e.ownership / held.rows;
         out.tones_agree = out.tones_agree && tones_agree(e);
         out.falls = out.falls || falls(e);
-        out.tells_hues = out.tells_hues || (coloured && std::abs(e.hue_order) >= least_hue_order);
-        if (coloured) {
+        out.tells_hues = out.tells_hues || (colored && std::abs(e.hue_order) >= least_hue_order);
+        if (colored) {
             out.grey_drift = std::max(out.grey_drift, e.grey_drift);
             out.orientation = std::min(out.orientation, e.hue_order - e.grey_drift);
         }

@@ -17,16 +17,16 @@ namespace {
 constexpr double least_gain = 0.01;
 
 // Other colours than those that reports are over.
-constexpr SampleCounts even_colours{
+constexpr SampleCounts even_colors{
     .neutral = 0, .random = 40'000, .lattice = false, .skipped = 1'000'000};
-constexpr SampleLimits hiding_colours{
+constexpr SampleLimits hiding_colors{
     .even = 1, .grid = std::size_t{1} << 17, .between = std::size_t{1} << 16};
-constexpr int grey_colours = 256;
+constexpr int grey_colors = 256;
 
 std::vector<Rgb> greys(const Domain& domain) {
     std::vector<Rgb> out;
-    for (int i = 0; i <= grey_colours; ++i) {
-        const float t = static_cast<float>(i) / grey_colours;
+    for (int i = 0; i <= grey_colors; ++i) {
+        const float t = static_cast<float>(i) / grey_colors;
         out.push_back({t, t, t});
     }
     return over_domain(std::move(out), domain);
@@ -39,26 +39,26 @@ double tint(RgbD error) {
 
 } // namespace
 
-bool within_unit(const std::vector<RgbD>& colours) {
-    return std::all_of(colours.begin(), colours.end(), [](RgbD c) { return saturate(c) == c; });
+bool within_unit(const std::vector<RgbD>& colors) {
+    return std::all_of(colors.begin(), colors.end(), [](RgbD c) { return saturate(c) == c; });
 }
 
 Acceptance::Acceptance(const Transform& look, const LatticeReader& reader, const FitView& view)
     : eye_(view.viewing), metric_(eye_metric(view.viewing)) {
-    std::vector<Rgb> inputs = over_domain(sample_colors(2, even_colours), reader.domain);
+    std::vector<Rgb> inputs = over_domain(sample_colors(2, even_colors), reader.domain);
     even_ = inputs.size();
     const std::vector<Rgb> grey = greys(reader.domain);
     neutral_ = grey.size();
     inputs.insert(inputs.end(), grey.begin(), grey.end());
     const ErrorSamples samples =
-        error_samples(reader.domain, united(view.breaks, breaks_of(reader)), hiding_colours);
+        error_samples(reader.domain, united(view.breaks, breaks_of(reader)), hiding_colors);
     inputs.insert(inputs.end(), samples.hiding.begin(), samples.hiding.end());
-    std::vector<RgbD> colours(inputs.size());
-    std::transform(inputs.begin(), inputs.end(), colours.begin(), to_double);
-    weights_.resize(colours.size());
-    std::transform(colours.begin(), colours.end(), weights_.begin(),
+    std::vector<RgbD> colors(inputs.size());
+    std::transform(inputs.begin(), inputs.end(), colors.begin(), to_double);
+    weights_.resize(colors.size());
+    std::transform(colors.begin(), colors.end(), weights_.begin(),
                    [&](RgbD in) { return reader.weights(in); });
-    targets_ = mapped(look, std::move(colours));
+    targets_ = mapped(look, std::move(colors));
 }
 
 Acceptance::Errors Acceptance::errors(const std::vector<RgbD>& nodes, bool held) const {

@@ -2,9 +2,9 @@
 // seen and over those where errors peak.
 #pragma once
 
-#include "lutlib/metrics/eye_form.h"
 #include "lutlib/interpolation/lattice_reader.h"
 #include "lutlib/metrics/breaks.h"
+#include "lutlib/metrics/eye_form.h"
 #include "lutlib/metrics/stats.h"
 #include "lutlib/transform.h"
 
@@ -56,6 +56,6 @@ class Acceptance {
 };
 
 /// Whether no channel of any colour lies outside 0..1.
-bool within_unit(const std::vector<RgbD>& colours);
+bool within_unit(const std::vector<RgbD>& colors);
 
 } // namespace lutlib

@@ -44,14 +44,14 @@ AxisSamples axis_samples(const LatticeReader& reader, std::size_t channel) {
 
 } // namespace
 
-std::vector<RgbD> mapped(const Transform& look, std::vector<RgbD> colours) {
-    apply_in_parallel(look, colours);
-    for (RgbD& c : colours) {
+std::vector<RgbD> mapped(const Transform& look, std::vector<RgbD> colors) {
+    apply_in_parallel(look, colors);
+    for (RgbD& c : colors) {
         for (std::size_t i = 0; i < 3; ++i) {
             c[i] = std::isnan(c[i]) ? 0 : c[i];
         }
     }
-    return colours;
+    return colors;
 }
 
 FitSamples fit_samples(const Transform& look, const LatticeReader& reader, const Viewing& viewing) {

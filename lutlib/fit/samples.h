@@ -1,8 +1,8 @@
 // Dense samples of a look, each as the weighted sum of nodes that a lattice's reader makes of it.
 #pragma once
 
-#include "lutlib/metrics/eye_form.h"
 #include "lutlib/interpolation/lattice_reader.h"
+#include "lutlib/metrics/eye_form.h"
 #include "lutlib/transform.h"
 
 #include <vector>
@@ -31,7 +31,7 @@ struct FitSamples {
 FitSamples fit_samples(const Transform& look, const LatticeReader& reader, const Viewing& viewing);
 
 /// The look of many colours, in parallel; NaN becomes 0.
-std::vector<RgbD> mapped(const Transform& look, std::vector<RgbD> colours);
+std::vector<RgbD> mapped(const Transform& look, std::vector<RgbD> colors);
 
 /// The look at each node, where the reader reads it, in the order of nodes.
 std::vector<RgbD> point_samples(const Transform& look, const LatticeReader& reader);

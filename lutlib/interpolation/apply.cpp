@@ -15,8 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace lutlib::HWY_NAMESPACE {
 
 template <std::size_t channels>
-HWY_INLINE Colours load(const float* p, V& alpha) {
-    Colours out;
+HWY_INLINE Colors load(const float* p, V& alpha) {
+    Colors out;
     if constexpr (channels == 4) {
         hn::LoadInterleaved4(D(), p, out.r, out.g, out.b, alpha);
     } else {
@@ -25,11 +25,11 @@ HWY_INLINE Colours load(const float* p, V& alpha) {
     return out;
 }
 
-HWY_INLINE Colours shaped(const StoredLut& lut, const Colours& colours) {
-    return lut.shaper() ? Colours{through_curve(*lut.shaper(), 0, colours.r),
-                                  through_curve(*lut.shaper(), 1, colours.g),
-                                  through_curve(*lut.shaper(), 2, colours.b)}
-                        : colours;
+HWY_INLINE Colors shaped(const StoredLut& lut, const Colors& colors) {
+    return lut.shaper() ? Colors{through_curve(*lut.shaper(), 0, colors.r),
+                                 through_curve(*lut.shaper(), 1, colors.g),
+                                 through_curve(*lut.shaper(), 2, colors.b)}
+                        : colors;
 }
 
 template <class Fetch>
@@ -47,16 +47,16 @@ HWY_INLINE void some_pixels(const StoredLut& lut, const float* in, float* out, R
     const D d;
     const std::size_t lanes = hn::Lanes(d);
     V alpha = hn::Zero(d);
-    const Colours colours = shaped(lut, load<channels>(in, alpha));
+    const Colors colors = shaped(lut, load<channels>(in, alpha));
     if (lut.size() == 0) {
         if constexpr (channels == 4) {
-            hn::StoreInterleaved4(colours.r, colours.g, colours.b, alpha, d, out);
+            hn::StoreInterleaved4(colors.r, colors.g, colors.b, alpha, d, out);
         } else {
-            hn::StoreInterleaved3(colours.r, colours.g, colours.b, d, out);
+            hn::StoreInterleaved3(colors.r, colors.g, colors.b, d, out);
         }
         return;
     }
-    read.find(lut, colours);
+    read.find(lut, colors);
     HWY_ALIGN std::array<float, most_lanes> alphas;
     hn::Store(alpha, d, alphas.data());
     const std::uint8_t* const nodes = lut.nodes();
@@ -141,7 +141,7 @@ std::size_t count_outside(const Domain& domain, const float* in, std::size_t cou
     std::size_t inside = 0, i = 0;
     for (; i + lanes <= count; i += lanes) {
         V alpha;
-        const Colours c = load<channels>(in + channels * i, alpha);
+        const Colors c = load<channels>(in + channels * i, alpha);
         inside += hn::CountTrue(d, hn::And(within(c.r, domain.min.r, domain.max.r),
                                            hn::And(within(c.g, domain.min.g, domain.max.g),
                                                    within(c.b, domain.min.b, domain.max.b))));

@@ -20,15 +20,15 @@ void Grade(const GradeTables& tables, Element, const std::byte* in, std::byte* o
     for (std::size_t i = 0; i < pixels; ++i) {
         std::array<float, 4> p;
         std::memcpy(p.data(), in + i * sizeof p, sizeof p);
-        RgbD colour = to_double({p[0], p[1], p[2]});
+        RgbD color = to_double({p[0], p[1], p[2]});
         if (tables.shaper) {
-            colour = evaluate_exact(*tables.shaper, colour);
+            color = evaluate_exact(*tables.shaper, color);
         }
         if (tables.size > 0) {
-            colour = weighed_nodes(tables, colour);
+            color = weighed_nodes(tables, color);
         }
         for (std::size_t c = 0; c < 3; ++c) {
-            p[c] = static_cast<float>(colour[c]);
+            p[c] = static_cast<float>(color[c]);
         }
         std::memcpy(out + i * sizeof p, p.data(), sizeof p);
     }
@@ -79,7 +79,7 @@ void grade_vectors(const GradeTables& tables, const T* in, T* out, std::size_t p
 }
 
 template <class T>
-bool is_of_one_colour(const T* pixels, std::size_t count) {
+bool is_of_one_color(const T* pixels, std::size_t count) {
     return std::memcmp(pixels, pixels + 4, (count - 1) * 4 * sizeof(T)) == 0;
 }
 
@@ -89,7 +89,7 @@ void grade_strips(const GradeTables& tables, const T* in, T* out, std::size_t pi
                   bool streams) {
     std::size_t graded = 0;
     for (std::size_t i = 0; i + strip <= pixels; i += strip) {
-        if (!is_of_one_colour(in + 4 * i, strip)) {
+        if (!is_of_one_color(in + 4 * i, strip)) {
             continue;
         }
         grade_vectors(tables, in + 4 * graded, out + 4 * graded, i - graded, maximum, streams);

@@ -16,11 +16,11 @@ void grade_plainly(const Lut& lut, Interpolation how, const ConstPictureView& in
             if (is_identity) {
                 continue;
             }
-            RgbD colour;
+            RgbD color;
             for (std::size_t c = 0; c < 3; ++c) {
-                colour[c] = sample_value(in.element, in.at(c, x, y));
+                color[c] = sample_value(in.element, in.at(c, x, y));
             }
-            const RgbD graded = evaluate_exact(lut, colour, how);
+            const RgbD graded = evaluate_exact(lut, color, how);
             for (std::size_t c = 0; c < 3; ++c) {
                 store_sample(out.element, graded[c], out.at(c, x, y));
             }

@@ -139,11 +139,11 @@ const std::byte* GradeTables::cells() const {
     return cells_[0].bytes.data();
 }
 
-RgbD weighed_nodes(const GradeTables& tables, RgbD colour) {
+RgbD weighed_nodes(const GradeTables& tables, RgbD color) {
     RgbD place;
     for (std::size_t c = 0; c < 3; ++c) {
         const double min = tables.domain.min[c], max = tables.domain.max[c];
-        const double t = (colour[c] - min) / (max - min);
+        const double t = (color[c] - min) / (max - min);
         place[c] = (t > 0 ? std::min(t, 1.0) : 0.0) * (tables.size - 1);
     }
     const NodeWeights weights = node_weights(tables.how, tables.size, place);

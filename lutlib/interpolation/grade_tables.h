@@ -64,7 +64,7 @@ struct GradeTables {
 };
 
 /// What the lattice makes of a colour behind the 1D table, in double.
-RgbD weighed_nodes(const GradeTables& tables, RgbD colour);
+RgbD weighed_nodes(const GradeTables& tables, RgbD color);
 
 /// Whether kernels of this processor read and write the element.
 bool has_kernel(Element element);

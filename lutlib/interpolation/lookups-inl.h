@@ -23,7 +23,7 @@ using DI = hn::RebindToSigned<D>;
 using VI = hn::Vec<DI>;
 constexpr std::size_t most_lanes = 16;
 
-struct Colours {
+struct Colors {
     V r, g, b;
 };
 
@@ -69,7 +69,7 @@ struct Reads {
 template <class Fetch>
 class Nearest {
   public:
-    HWY_INLINE void find(const StoredLut& lut, const Colours& in) {
+    HWY_INLINE void find(const StoredLut& lut, const Colors& in) {
         const Domain& domain = lut.cube_domain();
         const int n = lut.size();
         const auto bytes = static_cast<std::int32_t>(Fetch::bytes);
@@ -98,7 +98,7 @@ struct Cell {
     CellAxis r, g, b;
     std::int32_t dr, dg, db; // steps to the next node, in bytes
 
-    HWY_INLINE Cell(const StoredLut& lut, const Colours& in) {
+    HWY_INLINE Cell(const StoredLut& lut, const Colors& in) {
         const Domain& domain = lut.cube_domain();
         const int n = lut.size();
         r = locate(in.r, domain.min.r, domain.max.r, n);
@@ -136,7 +136,7 @@ HWY_INLINE void order(Axis& a, Axis& b) {
 }
 
 template <class Fetch>
-HWY_INLINE Corners corners_of(const StoredLut& lut, const Colours& in) {
+HWY_INLINE Corners corners_of(const StoredLut& lut, const Colors& in) {
     const Cell<Fetch> cell(lut, in);
     const DI di;
     Axis x{cell.r.f, hn::Set(di, cell.dr)}, y{cell.g.f, hn::Set(di, cell.dg)},
@@ -153,7 +153,7 @@ HWY_INLINE Corners corners_of(const StoredLut& lut, const Colours& in) {
 template <class Fetch>
 class Tetrahedral {
   public:
-    HWY_INLINE void find(const StoredLut& lut, const Colours& in) {
+    HWY_INLINE void find(const StoredLut& lut, const Colors& in) {
         const Corners corners = corners_of<Fetch>(lut, in);
         for (std::size_t k = 0; k < 4; ++k) {
             hn::Store(corners.offset[k], DI(), reads_.offset[k].data());
@@ -177,7 +177,7 @@ class Tetrahedral {
 template <class Fetch, int fraction_bits>
 class Trilinear {
   public:
-    HWY_INLINE void find(const StoredLut& lut, const Colours& in) {
+    HWY_INLINE void find(const StoredLut& lut, const Colors& in) {
         const Cell<Fetch> cell(lut, in);
         dg_ = cell.dg;
         db_ = cell.db;

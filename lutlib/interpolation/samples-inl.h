@@ -78,9 +78,9 @@ class Store {
     HWY_INLINE void operator()(V sum, const T* in, T* out) const {
         const hn::Rebind<Bits, D> bits;
         const hn::Rebind<T, D> d;
-        const auto colours = hn::BitCast(bits, narrowed(sum));
+        const auto colors = hn::BitCast(bits, narrowed(sum));
         const auto both =
-            hn::BitCast(d, hn::IfThenElse(is_alpha_, hn::BitCast(bits, hn::LoadU(d, in)), colours));
+            hn::BitCast(d, hn::IfThenElse(is_alpha_, hn::BitCast(bits, hn::LoadU(d, in)), colors));
         if constexpr (lanes * sizeof(T) >= 16) {
             if (streams_) {
                 hn::Stream(both, d, out);

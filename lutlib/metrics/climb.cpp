@@ -51,9 +51,9 @@ Rgb reach_at(const Axes& axis, const Cell& cell) {
     return out;
 }
 
-std::vector<std::size_t> seeds_of(std::span<const Rgb> colours, std::span<const double> errors,
+std::vector<std::size_t> seeds_of(std::span<const Rgb> colors, std::span<const double> errors,
                                   const Axes& axis) {
-    std::vector<std::uint32_t> order(colours.size());
+    std::vector<std::uint32_t> order(colors.size());
     std::iota(order.begin(), order.end(), 0U);
     const auto count = static_cast<std::ptrdiff_t>(std::min<std::size_t>(candidates, order.size()));
     const auto worse = [&](std::uint32_t a, std::uint32_t b) {
@@ -65,7 +65,7 @@ std::vector<std::size_t> seeds_of(std::span<const Rgb> colours, std::span<const 
     std::set<Cell> taken;
     for (std::ptrdiff_t i = 0; i < count && out.size() < rounds[0].climbers; ++i) {
         const std::size_t k = order[static_cast<std::size_t>(i)];
-        if (taken.insert(cell_of(axis, colours[k])).second) {
+        if (taken.insert(cell_of(axis, colors[k])).second) {
             out.push_back(k);
         }
     }
@@ -114,19 +114,19 @@ void climb(Climber& climber, std::span<const Rgb> around, const Axes& axis,
 
 } // namespace
 
-Peak climbed(std::span<const Rgb> colours, std::span<const double> errors,
+Peak climbed(std::span<const Rgb> colors, std::span<const double> errors,
              const std::array<std::vector<float>, 3>& axis, const ErrorsOf& errors_of) {
-    if (colours.empty()) {
+    if (colors.empty()) {
         return {};
     }
-    const std::vector<std::size_t> seeds = seeds_of(colours, errors, axis);
+    const std::vector<std::size_t> seeds = seeds_of(colors, errors, axis);
     if (!(errors[seeds.front()] > 0) || std::isinf(errors[seeds.front()])) {
-        return {errors[seeds.front()], colours[seeds.front()]};
+        return {errors[seeds.front()], colors[seeds.front()]};
     }
     std::vector<Climber> climbers;
     for (const std::size_t seed : seeds) {
         climbers.push_back(
-            {{errors[seed], colours[seed]}, reach_at(axis, cell_of(axis, colours[seed]))});
+            {{errors[seed], colors[seed]}, reach_at(axis, cell_of(axis, colors[seed]))});
     }
     const std::vector<Rgb> around = looks_around();
     std::size_t looked = 0;

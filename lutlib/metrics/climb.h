@@ -10,7 +10,7 @@ namespace lutlib {
 
 /// Errors of colours, into a span of the same length. Called from several threads, with a few dozen
 /// colours at once.
-using ErrorsOf = std::function<void(std::span<const Rgb> colours, std::span<double> errors)>;
+using ErrorsOf = std::function<void(std::span<const Rgb> colors, std::span<double> errors)>;
 
 struct Peak {
     double error = 0;
@@ -21,7 +21,7 @@ struct Peak {
 /// one cell of the axes: again and again to the worst of 24 colours around, at first within a
 /// cell's width, nearer where none is worse; the highest quarter goes on, then the highest of
 /// those. Stays within the axes' ends. The same on every machine.
-Peak climbed(std::span<const Rgb> colours, std::span<const double> errors,
+Peak climbed(std::span<const Rgb> colors, std::span<const double> errors,
              const std::array<std::vector<float>, 3>& axis, const ErrorsOf& errors_of);
 
 } // namespace lutlib

@@ -49,8 +49,8 @@ void in_pieces(std::size_t count, F&& f) {
 }
 
 ErrorsOf errors_by(const Transform& a, const Transform& b, const Eye& eye, Metric metric) {
-    return [&, metric](std::span<const Rgb> colours, std::span<double> errors) {
-        const Pair pair(a, b, colours);
+    return [&, metric](std::span<const Rgb> colors, std::span<double> errors) {
+        const Pair pair(a, b, colors);
         eye(metric, pair.a, pair.b, errors);
     };
 }
@@ -87,7 +87,7 @@ Difference summary(const std::vector<Rgb>& inputs, const std::vector<RgbD>& a,
     out.delta_e_2000 = error_stats(std::move(errors.of[1]));
     out.delta_e_itp = error_stats(std::move(errors.of[2]));
     const auto at = [&](std::size_t i) {
-        return count ? WorstColour{inputs[i], a[i], b[i]} : WorstColour{};
+        return count ? WorstColor{inputs[i], a[i], b[i]} : WorstColor{};
     };
     out.worst = at(out.absolute.worst);
     out.worst_to_eye = at(out.delta_e_2000.worst);
@@ -95,7 +95,7 @@ Difference summary(const std::vector<Rgb>& inputs, const std::vector<RgbD>& a,
     return out;
 }
 
-WorstColour worst_at(const Transform& a, const Transform& b, Rgb in) {
+WorstColor worst_at(const Transform& a, const Transform& b, Rgb in) {
     return {in, a(to_double(in)), b(to_double(in))};
 }
 
@@ -104,14 +104,14 @@ WorstColour worst_at(const Transform& a, const Transform& b, Rgb in) {
 Difference measure(const Transform& a, const Transform& b, const ErrorSamples& samples,
                    const Viewing& viewing) {
     const Eye eye(viewing);
-    const std::vector<Rgb> colours = all_of(samples, a, b, viewing);
+    const std::vector<Rgb> colors = all_of(samples, a, b, viewing);
     const std::vector<RgbD> even_a = images_of(a, samples.even),
                             even_b = images_of(b, samples.even);
     const std::size_t even = samples.even.size();
-    Errors errors(colours.size());
+    Errors errors(colors.size());
     fill_all(errors, eye, even_a, even_b);
-    in_pieces(colours.size() - even, [&](std::size_t first, std::size_t count) {
-        const Pair pair(a, b, std::span(colours).subspan(even + first, count));
+    in_pieces(colors.size() - even, [&](std::size_t first, std::size_t count) {
+        const Pair pair(a, b, std::span(colors).subspan(even + first, count));
         errors.fill(eye, pair.a, pair.b, even + first);
     });
     Errors of_even(0);
@@ -120,14 +120,14 @@ Difference measure(const Transform& a, const Transform& b, const ErrorSamples& s
         of_even.of[k].assign(begin, begin + static_cast<std::ptrdiff_t>(even));
     }
     Difference out = summary(samples.even, even_a, even_b, std::move(of_even));
-    const std::array<std::pair<ErrorStats*, WorstColour*>, metric_count> to{
+    const std::array<std::pair<ErrorStats*, WorstColor*>, metric_count> to{
         {{&out.absolute, &out.worst},
          {&out.delta_e_2000, &out.worst_to_eye},
          {&out.delta_e_itp, &out.worst_to_itp}}};
     for (const MetricInfo& metric : metrics()) {
         const auto k = static_cast<std::size_t>(metric.kind);
         const Peak peak =
-            climbed(colours, errors.of[k], samples.axis, errors_by(a, b, eye, metric.kind));
+            climbed(colors, errors.of[k], samples.axis, errors_by(a, b, eye, metric.kind));
         to[k].first->max = peak.error;
         to[k].first->at = peak.at;
         to[k].first->largest_seen = !samples.whole;
@@ -140,13 +140,12 @@ Peak largest_difference(const Transform& a, const Transform& b, const ErrorSampl
                         const Viewing& viewing, Metric metric) {
     const Eye eye(viewing);
     const ErrorsOf errors_of = errors_by(a, b, eye, metric);
-    const std::vector<Rgb> colours = all_of(samples, a, b, viewing);
-    std::vector<double> errors(colours.size());
-    in_pieces(colours.size(), [&](std::size_t first, std::size_t count) {
-        errors_of(std::span(colours).subspan(first, count),
-                  std::span(errors).subspan(first, count));
+    const std::vector<Rgb> colors = all_of(samples, a, b, viewing);
+    std::vector<double> errors(colors.size());
+    in_pieces(colors.size(), [&](std::size_t first, std::size_t count) {
+        errors_of(std::span(colors).subspan(first, count), std::span(errors).subspan(first, count));
     });
-    return climbed(colours, errors, samples.axis, errors_of);
+    return climbed(colors, errors, samples.axis, errors_of);
 }
 
 Difference compare(const Transform& a, const Transform& b, const std::vector<Rgb>& inputs,

@@ -13,7 +13,7 @@
 namespace lutlib {
 
 /// One input and what both transforms make of it.
-struct WorstColour {
+struct WorstColor {
     Rgb in;
     RgbD a, b;
 };
@@ -22,10 +22,10 @@ struct Difference {
     ErrorStats absolute; ///< per colour, the largest channel difference, in code values
     ErrorStats delta_e_2000;
     ErrorStats delta_e_itp;
-    double psnr = 0;   ///< decibels, of all channels, for a peak of 1; +Inf when all are equal
-    WorstColour worst; ///< by absolute difference
-    WorstColour worst_to_eye; ///< by dE2000
-    WorstColour worst_to_itp; ///< by dE-ITP
+    double psnr = 0;  ///< decibels, of all channels, for a peak of 1; +Inf when all are equal
+    WorstColor worst; ///< by absolute difference
+    WorstColor worst_to_eye; ///< by dE2000
+    WorstColor worst_to_itp; ///< by dE-ITP
 
     const ErrorStats& by(Metric metric) const {
         return metric == Metric::code           ? absolute

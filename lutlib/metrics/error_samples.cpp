@@ -104,7 +104,7 @@ void append_chosen(std::vector<Rgb>& out, const Axes& axis, std::size_t count) {
 
 // A part of a grid that is too large: its ends, and an even choice of what lies between.
 void append_part(std::vector<Rgb>& out, const Axes& axis, std::size_t most) {
-    const auto colour = [&](std::size_t r, std::size_t g, std::size_t b) {
+    const auto color = [&](std::size_t r, std::size_t g, std::size_t b) {
         return Rgb{axis[0][r], axis[1][g], axis[2][b]};
     };
     const std::array<std::size_t, 3> last{axis[0].size() - 1, axis[1].size() - 1,
@@ -118,7 +118,7 @@ void append_part(std::vector<Rgb>& out, const Axes& axis, std::size_t most) {
                 at[c] = i;
                 at[(c + 1) % 3] = end & 1 ? last[(c + 1) % 3] : 0;
                 at[(c + 2) % 3] = end & 2 ? last[(c + 2) % 3] : 0;
-                out.push_back(colour(at[0], at[1], at[2]));
+                out.push_back(color(at[0], at[1], at[2]));
             }
         }
     }
@@ -128,7 +128,7 @@ void append_part(std::vector<Rgb>& out, const Axes& axis, std::size_t most) {
         at[c] = face & 1 ? last[c] : 0;
         at[(c + 1) % 3] = chosen(place.r, axis[(c + 1) % 3].size());
         at[(c + 2) % 3] = chosen(place.g, axis[(c + 2) % 3].size());
-        out.push_back(colour(at[0], at[1], at[2]));
+        out.push_back(color(at[0], at[1], at[2]));
     }
     append_chosen(out, axis, most - 2 * share);
 }

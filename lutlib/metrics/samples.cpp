@@ -44,13 +44,13 @@ std::vector<Rgb> sample_colors(int lattice_size, const SampleCounts& counts) {
     return out;
 }
 
-std::vector<Rgb> over_domain(std::vector<Rgb> colours, const Domain& domain) {
-    for (Rgb& c : colours) {
+std::vector<Rgb> over_domain(std::vector<Rgb> colors, const Domain& domain) {
+    for (Rgb& c : colors) {
         for (std::size_t i = 0; i < 3; ++i) {
             c[i] = std::lerp(domain.min[i], domain.max[i], c[i]);
         }
     }
-    return colours;
+    return colors;
 }
 
 } // namespace lutlib

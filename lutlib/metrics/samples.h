@@ -21,6 +21,6 @@ struct SampleCounts {
 std::vector<Rgb> sample_colors(int lattice_size, const SampleCounts& counts);
 
 /// Colours of 0..1 moved to where they lie in a domain.
-std::vector<Rgb> over_domain(std::vector<Rgb> colours, const Domain& domain);
+std::vector<Rgb> over_domain(std::vector<Rgb> colors, const Domain& domain);
 
 } // namespace lutlib

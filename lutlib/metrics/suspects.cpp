@@ -163,7 +163,7 @@ class Scan {
         }
     }
 
-    Rgb colour(std::size_t at) const {
+    Rgb color(std::size_t at) const {
         return {axis_[0][at % width_], axis_[1][at / width_ % height_],
                 axis_[2][at / width_ / height_]};
     }
@@ -184,7 +184,7 @@ class Scan {
         for (std::size_t first = 0; first < out.a.size(); first += at_once) {
             const std::size_t count = std::min(at_once, out.a.size() - first);
             for (std::size_t i = 0; i < count; ++i) {
-                a[i] = b[i] = to_double(colour((k * height_ * width_) + first + i));
+                a[i] = b[i] = to_double(color((k * height_ * width_) + first + i));
             }
             a_(std::span(a).first(count));
             b_(std::span(b).first(count));
@@ -278,12 +278,12 @@ void append_middles(std::vector<Rgb>& out, const Axes& axis,
         if (step[0] != 1 && step[1] != 1 && step[2] != 1) {
             continue;
         }
-        Rgb colour;
+        Rgb color;
         for (std::size_t c = 0; c < 3; ++c) {
             const float low = axis[c][cell[c]], high = axis[c][cell[c] + 1];
-            colour[c] = step[c] == 0 ? low : step[c] == 2 ? high : std::midpoint(low, high);
+            color[c] = step[c] == 0 ? low : step[c] == 2 ? high : std::midpoint(low, high);
         }
-        out.push_back(colour);
+        out.push_back(color);
     }
 }
 
@@ -318,7 +318,7 @@ std::vector<Rgb> suspects(const Transform& a, const Transform& b, const Axes& ax
                       });
     std::vector<Rgb> out;
     for (const std::uint32_t at : of_both(all.code_nodes, all.eye_nodes)) {
-        out.push_back(scan.colour(at));
+        out.push_back(scan.color(at));
     }
     for (const std::uint32_t at : of_both(all.code_cells, all.eye_cells)) {
         append_middles(out, axis, scan.place(at));

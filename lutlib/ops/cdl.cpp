@@ -40,15 +40,15 @@ Transform compile(const Values& values, const OpContext&) {
     const double saturation = std::get<double>(values[3]);
     const bool clamp = std::get<double>(values[4]) != 0;
     const auto clamped = [clamp](RgbD c) { return clamp ? lutlib::saturate(c) : c; };
-    return Transform::batch([=](std::span<RgbD> colours) {
-        for (RgbD& c : colours) {
+    return Transform::batch([=](std::span<RgbD> colors) {
+        for (RgbD& c : colors) {
             for (std::size_t i = 0; i < 3; ++i) {
                 c[i] = c[i] * slope[i] + offset[i];
             }
             c = clamped(c);
         }
-        power_all(colours, power, Negative::kept);
-        for (RgbD& c : colours) {
+        power_all(colors, power, Negative::kept);
+        for (RgbD& c : colors) {
             c = clamped(scale_saturation(c, saturation));
         }
     });

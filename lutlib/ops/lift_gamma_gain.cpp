@@ -26,13 +26,13 @@ Transform compile(const Values& values, const OpContext&) {
     const auto lift = std::get<RgbD>(values[0]), gamma = std::get<RgbD>(values[1]),
                gain = std::get<RgbD>(values[2]);
     const RgbD power{1 / gamma.r, 1 / gamma.g, 1 / gamma.b};
-    return Transform::batch([lift, gain, power](std::span<RgbD> colours) {
-        for (RgbD& c : colours) {
+    return Transform::batch([lift, gain, power](std::span<RgbD> colors) {
+        for (RgbD& c : colors) {
             for (std::size_t i = 0; i < 3; ++i) {
                 c[i] = gain[i] * (c[i] + lift[i] * (1 - c[i]));
             }
         }
-        power_all(colours, power, Negative::mirrored);
+        power_all(colors, power, Negative::mirrored);
     });
 }
 

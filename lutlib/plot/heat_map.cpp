@@ -18,14 +18,14 @@ static_assert(letters.size() == heat_levels);
 
 std::string fill_of(char letter) {
     const std::size_t level = letters.find(letter);
-    return level == std::string_view::npos ? "none" : heat_colour(level);
+    return level == std::string_view::npos ? "none" : heat_color(level);
 }
 
 std::size_t level_of(double share) {
     return static_cast<std::size_t>(std::lround(std::clamp(share, 0.0, 1.0) * (heat_levels - 1)));
 }
 
-std::string colour_of(std::string_view three) {
+std::string color_of(std::string_view three) {
     const auto code = [](char letter) {
         const std::size_t level = letters.find(letter);
         return level == std::string_view::npos
@@ -98,7 +98,7 @@ std::string svg(const Band& band) {
                     escaped(band.label), band.id, wide, high);
     for (std::size_t i = 0; i < columns; ++i) {
         out += fmt::format("<path fill=\"{}\" d=\"M{:.1f} 0h{:.1f}v{:g}h-{:.1f}z\"/>",
-                           colour_of(std::string_view(band.levels).substr(3 * i, 3)),
+                           color_of(std::string_view(band.levels).substr(3 * i, 3)),
                            static_cast<double>(i) * w, w + 0.4, high, w + 0.4);
     }
     return out + "</g></svg></div>\n";
@@ -111,7 +111,7 @@ std::string heat_legend(const std::string& metric) {
                                   wide + 90);
     for (std::size_t i = 0; i < heat_levels; ++i) {
         const double w = wide / heat_levels;
-        out += fmt::format("<path fill=\"{}\" d=\"M{:.1f} 4h{:.1f}v16h-{:.1f}z\"/>", heat_colour(i),
+        out += fmt::format("<path fill=\"{}\" d=\"M{:.1f} 4h{:.1f}v16h-{:.1f}z\"/>", heat_color(i),
                            left + static_cast<double>(i) * w, w + 0.3, w + 0.3);
     }
     for (const double value : {0.01, 0.1, 1.0, 10.0}) {

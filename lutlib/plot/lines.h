@@ -11,9 +11,9 @@
 namespace plot {
 
 struct Line {
-    std::string name;       ///< in the legend; empty: not in it
-    std::string label;      ///< shown on hover
-    std::size_t colour = 0; ///< of series_colours
+    std::string name;      ///< in the legend; empty: not in it
+    std::string label;     ///< shown on hover
+    std::size_t color = 0; ///< of series_colours
     bool dashed = false;
     bool dots = true; ///< a dot at each point
     std::vector<std::pair<double, double>> points;

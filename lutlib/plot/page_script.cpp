@@ -88,7 +88,7 @@ marks.forEach(mark => mark.addEventListener('click', () => {
 std::string page_script() {
     std::string heat;
     for (std::size_t i = 0; i < heat_levels; ++i) {
-        heat += (i ? "," : "") + ("'" + heat_colour(i) + "'");
+        heat += (i ? "," : "") + ("'" + heat_color(i) + "'");
     }
     return fmt::format("const letters = '{}', heat = [{}];{}", level_letters(), heat, script);
 }

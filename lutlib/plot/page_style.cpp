@@ -82,8 +82,8 @@ tr.picked td { background: #fff3c4; }
 
 std::string page_style() {
     std::string out = style;
-    for (std::size_t i = 0; i < series_colours.size(); ++i) {
-        out += fmt::format(".s{} {{ fill: {}; }}\n", i, series_colours[i]);
+    for (std::size_t i = 0; i < series_colors.size(); ++i) {
+        out += fmt::format(".s{} {{ fill: {}; }}\n", i, series_colors[i]);
     }
     return out;
 }

@@ -21,7 +21,7 @@ constexpr std::array<Stop, 5> stops{{
 
 } // namespace
 
-std::string heat_colour(std::size_t level) {
+std::string heat_color(std::size_t level) {
     const double place = static_cast<double>(std::min(level, heat_levels - 1)) *
                          (stops.size() - 1) / (heat_levels - 1);
     const auto first = std::min(static_cast<std::size_t>(place), stops.size() - 2);

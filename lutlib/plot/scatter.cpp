@@ -71,7 +71,7 @@ std::string mark_svg(const Mark& mark, Point at, const Axis& x, const Axis& y) {
     const std::string title =
         mark.label.empty() ? "" : "<title>" + escaped(mark.label + beyond) + "</title>";
     const std::string attributes = fmt::format(" class=\"{} s{}\" data-row=\"{}\"", kind,
-                                               mark.series % series_colours.size(), mark.row);
+                                               mark.series % series_colors.size(), mark.row);
     if (mark.diamond) {
         const double d = 1.25 * r;
         return fmt::format("<path d=\"M{0:.1f} {1:.1f}l{2:.3g} {2:.3g}l-{2:.3g} {2:.3g}l-{2:.3g} "
@@ -159,7 +159,7 @@ std::string legend(const Scatter& s) {
     };
     for (std::size_t i = 0; i < s.series.size(); ++i) {
         line(fmt::format("<circle cx=\"{:g}\" cy=\"{:g}\" r=\"4\" fill=\"{}\"/>", x, y,
-                         series_colours[i % series_colours.size()]),
+                         series_colors[i % series_colors.size()]),
              s.series[i].name);
     }
     if (!s.circle_name.empty()) {

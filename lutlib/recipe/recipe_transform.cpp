@@ -9,8 +9,8 @@
 namespace lutlib {
 namespace {
 
-void hold(std::span<RgbD> colours) {
-    for (RgbD& c : colours) {
+void hold(std::span<RgbD> colors) {
+    for (RgbD& c : colors) {
         c = {held(c.r), held(c.g), held(c.b)};
     }
 }
@@ -20,12 +20,12 @@ Transform through(const Matrix3& m) {
 }
 
 Transform oklab_from_linear(const Matrix3& cones) {
-    return Transform::batch([cones](std::span<RgbD> colours) {
-        for (RgbD& c : colours) {
+    return Transform::batch([cones](std::span<RgbD> colors) {
+        for (RgbD& c : colors) {
             c = cones * c;
         }
-        cube_root_all({&colours.front().r, 3 * colours.size()});
-        for (RgbD& c : colours) {
+        cube_root_all({&colors.front().r, 3 * colors.size()});
+        for (RgbD& c : colors) {
             c = oklab_lms_to_lab * c;
         }
     });
@@ -119,16 +119,16 @@ Transform Transform::of(const Recipe& recipe) {
     if (!recipe.base.empty() && !recipe.base_lut) {
         throw Error("the recipe's base '" + recipe.base + "' has not been read");
     }
-    return batch([base = recipe.base_lut, stages = stages_of(recipe)](std::span<RgbD> colours) {
+    return batch([base = recipe.base_lut, stages = stages_of(recipe)](std::span<RgbD> colors) {
         if (base) {
-            for (RgbD& c : colours) {
+            for (RgbD& c : colors) {
                 c = evaluate_exact(*base, c);
             }
         }
-        hold(colours);
+        hold(colors);
         for (const Transform& stage : stages) {
-            stage(colours);
-            hold(colours);
+            stage(colors);
+            hold(colors);
         }
     });
 }

@@ -81,10 +81,10 @@ std::optional<Lut1D> shaper_of_mixture(const Lut& a, const Lut& b, const Domain&
     return std::nullopt;
 }
 
-bool inside(const Domain& domain, RgbD colour) {
+bool inside(const Domain& domain, RgbD color) {
     for (std::size_t c = 0; c < 3; ++c) {
-        if (colour[c] < static_cast<double>(domain.min[c]) ||
-            colour[c] > static_cast<double>(domain.max[c])) {
+        if (color[c] < static_cast<double>(domain.min[c]) ||
+            color[c] > static_cast<double>(domain.max[c])) {
             return false;
         }
     }
@@ -141,10 +141,10 @@ double clamped_share(const std::vector<const Lut*>& looks, const ResamplingMetho
     const std::vector<Transform> steps = steps_of(looks, method);
     std::size_t clamped = 0;
     for (const Rgb& input : inputs) {
-        RgbD colour = to_double(input);
+        RgbD color = to_double(input);
         for (std::size_t i = 0; i + 1 < looks.size(); ++i) {
-            colour = steps[i](colour);
-            if (!inside(looks[i + 1]->domain(), colour)) {
+            color = steps[i](color);
+            if (!inside(looks[i + 1]->domain(), color)) {
                 ++clamped;
                 break;
             }
@@ -155,10 +155,10 @@ double clamped_share(const std::vector<const Lut*>& looks, const ResamplingMetho
 
 Transform mixture(const Lut& a, const Lut& b, double amount, const ResamplingMethod& method) {
     return Transform::batch([first = method.transform_of(a), second = method.transform_of(b),
-                             amount](std::span<RgbD> colours) {
+                             amount](std::span<RgbD> colors) {
         std::array<RgbD, 256> other;
-        for (std::size_t i = 0; i < colours.size(); i += other.size()) {
-            const auto part = colours.subspan(i, std::min(other.size(), colours.size() - i));
+        for (std::size_t i = 0; i < colors.size(); i += other.size()) {
+            const auto part = colors.subspan(i, std::min(other.size(), colors.size() - i));
             std::copy(part.begin(), part.end(), other.begin());
             first(part);
             second(std::span(other).first(part.size()));

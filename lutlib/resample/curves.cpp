@@ -56,12 +56,12 @@ Lut1D sample_curve(const Transform& transform, const Domain& domain, int size) {
     check_shaper_size(size);
     check_domain(domain);
     Lut1D out{domain, std::vector<Rgb>(static_cast<std::size_t>(size))};
-    std::vector<RgbD> colours;
+    std::vector<RgbD> colors;
     for (int i = 0; i < size; ++i) {
-        colours.push_back(entry_position(out, i));
+        colors.push_back(entry_position(out, i));
     }
-    transform(colours);
-    std::transform(colours.begin(), colours.end(), out.entries.begin(), to_float);
+    transform(colors);
+    std::transform(colors.begin(), colors.end(), out.entries.begin(), to_float);
     return out;
 }
 

@@ -122,8 +122,8 @@ Judged judged_inputs(const Lut& lut, const InverseSolver& solver) {
 }
 
 // Where a colour lies among the inverse's nodes.
-RgbD place_in(const Lut& inverse, RgbD colour) {
-    const RgbD shaped = inverse.shaper ? evaluate_exact(*inverse.shaper, colour) : colour;
+RgbD place_in(const Lut& inverse, RgbD color) {
+    const RgbD shaped = inverse.shaper ? evaluate_exact(*inverse.shaper, color) : color;
     const Domain& domain = inverse.cube->domain;
     RgbD out;
     for (std::size_t c = 0; c < 3; ++c) {

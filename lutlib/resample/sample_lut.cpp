@@ -23,16 +23,16 @@ std::vector<Rgb> sampled(const Axis& axis, const Transform& transform) {
     std::vector<Rgb> nodes(n * n * n);
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, nodes.size(), 4 * block), [&](const auto& range) {
-            std::array<RgbD, block> colours;
+            std::array<RgbD, block> colors;
             for (std::size_t first = range.begin(); first < range.end(); first += block) {
                 const std::size_t count = std::min(block, range.end() - first);
                 for (std::size_t i = 0; i < count; ++i) {
                     const std::size_t k = first + i;
-                    colours[i] = {axis[0][k % n], axis[1][k / n % n], axis[2][k / (n * n)]};
+                    colors[i] = {axis[0][k % n], axis[1][k / n % n], axis[2][k / (n * n)]};
                 }
-                transform(std::span(colours).first(count));
+                transform(std::span(colors).first(count));
                 for (std::size_t i = 0; i < count; ++i) {
-                    nodes[first + i] = to_float(colours[i]);
+                    nodes[first + i] = to_float(colors[i]);
                 }
             }
         });

@@ -178,22 +178,22 @@ std::vector<RgbD> enlarged(const SurveyReference& reference, const Transform& re
 
 Detailer::Detailer(const SurveyReference& reference) : reference_(reference) {
     const Place place(reference.domain, reference.recipe.input);
-    colours_.planes = planes_of(place);
-    colours_.patches = patches_of(place);
+    colors_.planes = planes_of(place);
+    colors_.patches = patches_of(place);
     for (int i = 0; i < gradient_columns; ++i) {
-        colours_.gradient.push_back(
+        colors_.gradient.push_back(
             reference.shown(lerp_domain(reference.domain, gradient_share(i))));
     }
     for (std::size_t k = 0; k < gradient_bits.size(); ++k) {
-        colours_.before[k] =
-            enlarged(reference, reference.shown, colours_.gradient, gradient_bits[k]);
+        colors_.before[k] =
+            enlarged(reference, reference.shown, colors_.gradient, gradient_bits[k]);
     }
-    for (const DetailPlane& plane : colours_.planes) {
+    for (const DetailPlane& plane : colors_.planes) {
         for (const auto& in : plane.inputs) {
             all_.push_back(in.value_or(reference.domain.min));
         }
     }
-    for (const DetailPatch& patch : colours_.patches) {
+    for (const DetailPatch& patch : colors_.patches) {
         all_.push_back(patch.in);
     }
     expected_ = images_of(reference.shown, all_);
@@ -212,7 +212,7 @@ Details Detailer::of(const Transform& read, const Lut& lut, const Lookup& lookup
     std::vector<double> found(all_.size());
     reference_.delta_e(expected_, images_of(read, all_), found);
     auto next = found.begin();
-    for (const DetailPlane& plane : colours_.planes) {
+    for (const DetailPlane& plane : colors_.planes) {
         std::vector<double>& to = out.planes.emplace_back();
         for (const auto& in : plane.inputs) {
             to.push_back(in ? *next : nan);
@@ -259,7 +259,7 @@ Details Detailer::of(const Transform& read, const Lut& lut, const Lookup& lookup
         }
     }
     for (std::size_t k = 0; k < gradient_bits.size(); ++k) {
-        out.after[k] = enlarged(reference_, read, colours_.gradient, gradient_bits[k]);
+        out.after[k] = enlarged(reference_, read, colors_.gradient, gradient_bits[k]);
     }
     return out;
 }

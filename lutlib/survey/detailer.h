@@ -13,7 +13,7 @@ class Detailer {
   public:
     explicit Detailer(const SurveyReference& reference);
 
-    const DetailColours& colours() const { return colours_; }
+    const DetailColors& colors() const { return colors_; }
     /// Of a combination that reads as `read` does. `errors` are those of many colours.
     Details of(const Transform& read, const Lut& lut, const Lookup& lookup, Rgb worst,
                std::vector<double> errors) const;
@@ -22,7 +22,7 @@ class Detailer {
     std::vector<double> errors_of(const Transform& read, const std::vector<Rgb>& inputs) const;
 
     const SurveyReference& reference_;
-    DetailColours colours_;
+    DetailColors colors_;
     std::vector<Rgb> all_; ///< of the planes and the patches
     std::vector<RgbD> expected_;
 };

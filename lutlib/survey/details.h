@@ -38,7 +38,7 @@ inline constexpr std::array<double, 18> detail_shares{0.005, 0.02, 0.05, 0.1,   
                                                       0.95,  0.98, 0.99, 0.995, 0.999, 1};
 
 /// What is the same for every combination.
-struct DetailColours {
+struct DetailColors {
     std::vector<DetailPlane> planes;  ///< r = g, across the neutral axis, hue against lightness
     std::vector<DetailPatch> patches; ///< ColorChecker, skin, neutrals
     /// Along the neutral axis of the domain, per depth: what codes of that depth alone make of the

@@ -167,11 +167,11 @@ void SurveyReference::delta_e(std::span<const RgbD> a, std::span<const RgbD> b,
 Transform SurveyReference::reading(std::shared_ptr<const StoredLut> stored,
                                    const Lookup& lookup) const {
     return Transform::batch(
-        [stored = std::move(stored), &lookup, held = clamped](std::span<RgbD> colours) {
-            std::vector<Rgb> in(colours.size()), got(colours.size());
-            std::transform(colours.begin(), colours.end(), in.begin(), to_float);
+        [stored = std::move(stored), &lookup, held = clamped](std::span<RgbD> colors) {
+            std::vector<Rgb> in(colors.size()), got(colors.size());
+            std::transform(colors.begin(), colors.end(), in.begin(), to_float);
             stored->apply(in, got, lookup);
-            std::transform(got.begin(), got.end(), colours.begin(),
+            std::transform(got.begin(), got.end(), colors.begin(),
                            [held](Rgb c) { return held ? saturate(to_double(c)) : to_double(c); });
         },
         Precision::float32);

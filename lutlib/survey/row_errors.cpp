@@ -27,15 +27,15 @@ float widest(const std::vector<float>& axis) {
 // Directions of -1..1 each way, others at each look.
 const std::vector<Rgb>& looks_around() {
     static const std::vector<Rgb> out = [] {
-        std::vector<Rgb> colours = sample_colors(2, {.neutral = 2,
-                                                     .random = static_cast<int>(looks * directions),
-                                                     .lattice = false,
-                                                     .skipped = 0});
-        colours.erase(colours.begin(), colours.begin() + 10);
-        for (Rgb& c : colours) {
+        std::vector<Rgb> colors = sample_colors(2, {.neutral = 2,
+                                                    .random = static_cast<int>(looks * directions),
+                                                    .lattice = false,
+                                                    .skipped = 0});
+        colors.erase(colors.begin(), colors.begin() + 10);
+        for (Rgb& c : colors) {
             c = c * 2.0F - Rgb{1, 1, 1};
         }
-        return colours;
+        return colors;
     }();
     return out;
 }
@@ -81,7 +81,7 @@ Difference row_errors(const SurveyReference& reference, const Transform& read,
          {samples.at.hiding, samples.expected, images_of(read, samples.at.hiding)}}};
     Difference out =
         difference_of(reference.inputs, reference.expected, answers[0].got, reference.viewing);
-    const std::array<std::pair<ErrorStats*, WorstColour*>, metric_count> to{
+    const std::array<std::pair<ErrorStats*, WorstColor*>, metric_count> to{
         {{&out.absolute, &out.worst},
          {&out.delta_e_2000, &out.worst_to_eye},
          {&out.delta_e_itp, &out.worst_to_itp}}};
@@ -103,9 +103,9 @@ Difference row_errors(const SurveyReference& reference, const Transform& read,
                 even_errors = std::move(errors);
             }
         }
-        const auto errors_of = [&](const std::vector<Rgb>& colours) {
-            std::vector<double> errors(colours.size());
-            eye(metric.kind, images_of(reference.shown, colours), images_of(read, colours), errors);
+        const auto errors_of = [&](const std::vector<Rgb>& colors) {
+            std::vector<double> errors(colors.size());
+            eye(metric.kind, images_of(reference.shown, colors), images_of(read, colors), errors);
             return errors;
         };
         std::partial_sort(

@@ -31,15 +31,15 @@ std::vector<RgbD> normals() {
     return out;
 }
 
-double deviation(const std::vector<RgbD>& colours, std::size_t channel) {
+double deviation(const std::vector<RgbD>& colors, std::size_t channel) {
     double mean = 0, square = 0;
-    for (const RgbD& c : colours) {
-        mean += c[channel] / static_cast<double>(colours.size());
+    for (const RgbD& c : colors) {
+        mean += c[channel] / static_cast<double>(colors.size());
     }
-    for (const RgbD& c : colours) {
+    for (const RgbD& c : colors) {
         square += (c[channel] - mean) * (c[channel] - mean);
     }
-    return std::sqrt(square / static_cast<double>(colours.size() - 1));
+    return std::sqrt(square / static_cast<double>(colors.size() - 1));
 }
 
 } // namespace

@@ -83,8 +83,8 @@ double StiffFunction::argument(RgbD c, std::size_t channel) const {
 }
 
 RgbD StiffFunction::operator()(RgbD c) const {
-    if (profile->of_colour) {
-        return profile->of_colour(c, place);
+    if (profile->of_color) {
+        return profile->of_color(c, place);
     }
     return {profile->at(argument(c, 0), place), profile->at(argument(c, 1), place),
             profile->at(argument(c, 2), place)};

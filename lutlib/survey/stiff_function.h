@@ -21,7 +21,7 @@ struct StiffProfile {
     double order;
     double (*at)(double t, double place);
     /// Of colours instead, where it is no curve; null else.
-    RgbD (*of_colour)(RgbD c, double place);
+    RgbD (*of_color)(RgbD c, double place);
 };
 std::span<const StiffProfile> stiff_profiles();
 

@@ -158,14 +158,14 @@ struct Probe {
     std::vector<RgbD> expected;
     std::size_t even; // the first so many are spread evenly
 
-    Probe(const StiffFunction& f, const std::vector<Rgb>& colours, double cell)
-        : inputs(colours), even(colours.size()) {
+    Probe(const StiffFunction& f, const std::vector<Rgb>& colors, double cell)
+        : inputs(colors), even(colors.size()) {
         for (std::size_t i = 0; i < even; ++i) {
             // Within a cell on either side of the feature.
             const double aside = 2 * static_cast<double>(i) / static_cast<double>(even) - 1;
-            const RgbD c = to_double(colours[i]);
+            const RgbD c = to_double(colors[i]);
             const double near = f.place + aside * cell;
-            inputs.push_back(to_float(f.profile->of_colour
+            inputs.push_back(to_float(f.profile->of_color
                                           ? saturate(RgbD{f.place, f.place, f.place} +
                                                      2 * cell * (c - RgbD{0.5, 0.5, 0.5}))
                                           : f.with_argument(c, near)));
@@ -199,7 +199,7 @@ void add(StiffPoint& point, const StiffFigures& f, int phases) {
 
 // One function on the lattices of one size, by every method.
 std::vector<StiffPoint> points_of(const StiffProfile& profile, StiffAxis axis, int size,
-                                  const StiffSettings& settings, const std::vector<Rgb>& colours) {
+                                  const StiffSettings& settings, const std::vector<Rgb>& colors) {
     const double cell = 1.0 / (size - 1);
     const Lut plain = lattice_of(size, false), shaped = lattice_of(size, true);
     const std::vector<double> plain_at = node_inputs(plain), shaped_at = node_inputs(shaped);
@@ -209,7 +209,7 @@ std::vector<StiffPoint> points_of(const StiffProfile& profile, StiffAxis axis, i
                         shaped_reader = reader_of(shaped, Interpolation::tetrahedral);
     for (int phase = 0; phase < settings.phases; ++phase) {
         const StiffFunction f{&profile, axis, profile.place + cell * phase / settings.phases};
-        const Probe probe(f, colours, cell);
+        const Probe probe(f, colors, cell);
         std::vector<CellRead> even, behind;
         for (const Rgb in : probe.inputs) {
             even.emplace_back(f, plain_reader, plain_at, in);
@@ -246,7 +246,7 @@ std::vector<StiffPoint> points_of(const StiffProfile& profile, StiffAxis axis, i
             add(out[i], probe.figures(got),
                 whole ? (settings.phases + every - 1) / every : settings.phases);
         }
-        if (!profile.of_colour && phase == 0) {
+        if (!profile.of_color && phase == 0) {
             const StiffBound bound(f);
             for (std::size_t i = 0; i < out.size(); ++i) {
                 const StiffMethod& method = stiff_methods()[i];
@@ -279,19 +279,19 @@ StiffSurvey survey_stiff_suite(const StiffSettings& settings, const Progress& pr
     for (const StiffProfile& profile : stiff_profiles()) {
         for (const StiffAxis axis : {StiffAxis::channel, StiffAxis::mixed}) {
             for (const int size : settings.sizes) {
-                if (!profile.of_colour || axis == StiffAxis::channel) {
+                if (!profile.of_color || axis == StiffAxis::channel) {
                     jobs.push_back({&profile, axis, size});
                 }
             }
         }
     }
-    const std::vector<Rgb> colours =
-        sample_colors(2, {.neutral = 2, .random = settings.colours, .lattice = false});
+    const std::vector<Rgb> colors =
+        sample_colors(2, {.neutral = 2, .random = settings.colors, .lattice = false});
     std::vector<std::vector<StiffPoint>> points(jobs.size());
     std::mutex one_at_a_time;
     std::size_t done = 0;
     tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
-        points[i] = points_of(*jobs[i].profile, jobs[i].axis, jobs[i].size, settings, colours);
+        points[i] = points_of(*jobs[i].profile, jobs[i].axis, jobs[i].size, settings, colors);
         const std::lock_guard lock(one_at_a_time);
         progress(static_cast<double>(++done) / static_cast<double>(jobs.size()),
                  std::string(jobs[i].profile->name));

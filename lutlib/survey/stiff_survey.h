@@ -47,8 +47,8 @@ struct StiffCurve {
 
 struct StiffSettings {
     std::vector<int> sizes{8, 12, 16, 24, 33, 48, 65};
-    int phases = 16;    ///< places of the feature within a cell, evenly spaced
-    int colours = 1024; ///< spread evenly; as many again around the feature, for the largest alone
+    int phases = 16;   ///< places of the feature within a cell, evenly spaced
+    int colors = 1024; ///< spread evenly; as many again around the feature, for the largest alone
     /// What needs whole lattices goes no further, and through fewer phases.
     int largest_fitted = 16, largest_tricubic = 33;
     int whole_phases = 4;

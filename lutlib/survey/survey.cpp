@@ -78,7 +78,7 @@ Timings timings_of(const std::vector<PointLattice>& lattices, const Domain& doma
 void measure_rows(const SurveyReference& reference, const std::vector<Candidate>& candidates,
                   const Timings& timings, const Progress& progress, Survey& out) {
     const Detailer detailer(reference);
-    out.detail_colours = detailer.colours();
+    out.detail_colors = detailer.colors();
     std::vector<SurveyRow>& rows = out.rows;
     rows.resize(candidates.size());
     out.details.resize(candidates.size());
@@ -189,7 +189,7 @@ Survey survey(const Recipe& recipe, const SurveySettings& wanted, const Progress
         fitted_candidates(reference, lattices.rows, settings, from_to(after_timing, after_fitting));
     append(candidates, std::move(fits.rows));
 
-    out.colours = reference.inputs.size();
+    out.colors = reference.inputs.size();
     append(out.notes, lattices.notes);
     append(out.notes, std::move(fits.notes));
     measure_rows(reference, candidates, timings, from_to(after_fitting, 1), out);

@@ -71,12 +71,12 @@ Recommendation recommend(const std::vector<SurveyRow>& rows, double max_delta_e)
 struct Survey {
     std::vector<SurveyRow> rows;
     std::vector<std::string> notes; ///< what was left out, and why
-    std::size_t colours = 0;        ///< of means and percentiles
+    std::size_t colors = 0;         ///< of means and percentiles
     bool largest_seen = false;      ///< the maxima may not be the largest of all
     SurveySettings settings;
     bool clamped = false;   ///< every result is held to 0..1, as a display holds it
     OutsideDisplay outside; ///< of the look's own results
-    DetailColours detail_colours;
+    DetailColors detail_colors;
     std::vector<Details> details; ///< of each row
     Recommendation recommendation;
     Strain strain;

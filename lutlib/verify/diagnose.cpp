@@ -176,8 +176,8 @@ Findings diagnose(const CodeImage& picture, const Engine& engine, int size, cons
         out.diagnosis = *shift;
     } else if (const auto slices = slices_exchanged(picture, engine, size, look)) {
         out.diagnosis = *slices;
-    } else if (const auto colours = few_colours(picture, engine, size, look)) {
-        out.diagnosis = Diagnosis{*colours, 0};
+    } else if (const auto colors = few_colors(picture, engine, size, look)) {
+        out.diagnosis = Diagnosis{*colors, 0};
     } else if (const auto sampled = sampling_between_nodes(picture, engine, size, look, breaks)) {
         out.diagnosis = Diagnosis{*sampled, 0};
     } else if (const auto noise = lossy_noise(picture, engine, size, look)) {

@@ -19,20 +19,20 @@ std::uint64_t packed(const std::array<int, 3>& codes) {
     return out;
 }
 
-std::size_t distinct(std::vector<std::uint64_t>& colours) {
-    std::sort(colours.begin(), colours.end());
-    return static_cast<std::size_t>(std::unique(colours.begin(), colours.end()) - colours.begin());
+std::size_t distinct(std::vector<std::uint64_t>& colors) {
+    std::sort(colors.begin(), colors.end());
+    return static_cast<std::size_t>(std::unique(colors.begin(), colors.end()) - colors.begin());
 }
 
 } // namespace
 
-std::optional<std::string> few_colours(const CodeImage& picture, const Engine& engine, int size,
-                                       const Transform& look) {
+std::optional<std::string> few_colors(const CodeImage& picture, const Engine& engine, int size,
+                                      const Transform& look) {
     const auto [pixels, values] = right_texels(picture, engine, size, look);
     std::vector<std::uint64_t> found, right;
     RgbD sum, squares;
     double errors = 0;
-    bool coloured = false;
+    bool colored = false;
     for (std::size_t i = 0; i < values.size(); ++i) {
         std::array<int, 3> is{}, should{};
         for (std::size_t c = 0; c < 3; ++c) {
@@ -43,7 +43,7 @@ std::optional<std::string> few_colours(const CodeImage& picture, const Engine& e
             squares[c] += code * code;
             errors += error * error;
         }
-        coloured = coloured || is[0] != is[1] || is[1] != is[2];
+        colored = colored || is[0] != is[1] || is[1] != is[2];
         found.push_back(packed(is));
         right.push_back(packed(should));
     }
@@ -52,11 +52,11 @@ std::optional<std::string> few_colours(const CodeImage& picture, const Engine& e
     for (std::size_t c = 0; c < 3; ++c) {
         variance += squares[c] - sum[c] * sum[c] / count;
     }
-    const std::size_t colours = distinct(found), wanted = distinct(right);
-    if (!coloured || colours > palette || wanted < many || errors > most_error * variance) {
+    const std::size_t colors = distinct(found), wanted = distinct(right);
+    if (!colored || colors > palette || wanted < many || errors > most_error * variance) {
         return std::nullopt;
     }
-    return "the picture has " + std::to_string(colours) + " colours where the look has " +
+    return "the picture has " + std::to_string(colors) + " colours where the look has " +
            std::to_string(wanted) +
            ": it was saved with a palette, as a GIF or a PNG of indexed colours; save it as RGB";
 }

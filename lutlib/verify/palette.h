@@ -12,7 +12,7 @@ namespace lutlib {
 /// many more, and each texel is one of those near its own: an error of at most a tenth of the
 /// codes' variance, which also holds where colours were dithered. Pictures of greys alone, as a
 /// look without colour makes them, are left out.
-std::optional<std::string> few_colours(const CodeImage& picture, const Engine& engine, int size,
-                                       const Transform& look);
+std::optional<std::string> few_colors(const CodeImage& picture, const Engine& engine, int size,
+                                      const Transform& look);
 
 } // namespace lutlib

@@ -63,9 +63,9 @@ bool measure(RecipeTable& table, const Look& look, Stop& stop) {
     const lutlib::ErrorSamples samples =
         error_samples(table.lut.domain(), united(look.breaks, breaks_of(table.lut)), limits);
     // Once it shall stop nothing is worked out any more, so that it soon does.
-    const auto exact = lutlib::Transform::batch([&](std::span<lutlib::RgbD> colours) {
+    const auto exact = lutlib::Transform::batch([&](std::span<lutlib::RgbD> colors) {
         if (!stop.asked()) {
-            look.exact(colours);
+            look.exact(colors);
         }
     });
     const auto read = lutlib::Transform::of(table.lut);

@@ -100,7 +100,7 @@ void add_balls(SceneBuilder& build) {
 void add_blocks(SceneBuilder& build) {
     const auto block = build.mesh(box(glm::vec3{0.17F}, 0.025F, 3));
     struct Placed {
-        std::uint32_t colour;
+        std::uint32_t color;
         glm::vec3 position;
         float degrees;
     };
@@ -110,7 +110,7 @@ void add_blocks(SceneBuilder& build) {
         {0xd020a8, {1.92F, 0.51F, -0.02F}, 8}, {0xf0d010, {1.71F, 0.85F, -0.02F}, 30},
     };
     for (const Placed& it : blocks) {
-        build.place(block, build.material({linear_of(it.colour), 0.38F, 0, {}}),
+        build.place(block, build.material({linear_of(it.color), 0.38F, 0, {}}),
                     turned(at(it.position), it.degrees, {0, 1, 0}));
     }
 }

@@ -45,7 +45,7 @@ Lut look_of_33() {
     return lut;
 }
 
-std::vector<float> make_picture(bool random_colours) {
+std::vector<float> make_picture(bool random_colors) {
     std::mt19937 random(1);
     std::vector<float> out(4 * pixels);
     for (std::size_t i = 0; i < out.size(); ++i) {
@@ -57,7 +57,7 @@ std::vector<float> make_picture(bool random_colours) {
                              : c == 1 ? 0.5F + 0.45F * std::sin(5 * y - 4 * x)
                              : c == 2 ? (x + y) / 2
                                       : 1;
-        out[i] = random_colours ? noise : std::clamp(smooth + 0.02F * (noise - 0.5F), 0.0F, 1.0F);
+        out[i] = random_colors ? noise : std::clamp(smooth + 0.02F * (noise - 0.5F), 0.0F, 1.0F);
     }
     return out;
 }
@@ -67,12 +67,12 @@ struct Buffers {
 };
 
 // Of the element and kind that was last asked for.
-Buffers& buffers(Element element, bool random_colours) {
+Buffers& buffers(Element element, bool random_colors) {
     static std::map<std::pair<Element, bool>, Buffers> kept;
-    const std::pair key{element, random_colours};
+    const std::pair key{element, random_colors};
     if (!kept.contains(key)) {
         kept.clear();
-        const std::vector<float> floats = make_picture(random_colours);
+        const std::vector<float> floats = make_picture(random_colors);
         Buffers& made = kept[key];
         made.in.resize(4 * pixels * info_of(element).bytes);
         made.out.resize(made.in.size());
@@ -84,7 +84,7 @@ Buffers& buffers(Element element, bool random_colours) {
 
 struct Case {
     Element element;
-    bool random_colours;
+    bool random_colors;
     Interpolation how = Interpolation::tetrahedral;
     int threads = 1;
     std::int64_t instruction_set = 0; ///< 0: the best
@@ -96,7 +96,7 @@ void count_pixels(benchmark::State& state) {
 }
 
 void graded(benchmark::State& state, const Lut& lut, const Case& c) {
-    Buffers& memory = buffers(c.element, c.random_colours);
+    Buffers& memory = buffers(c.element, c.random_colors);
     const Grading look(lut, c.how);
     const auto in =
         interleaved(std::as_const(memory.in).data(), c.element, c.channels, width, height);
@@ -111,7 +111,7 @@ void graded(benchmark::State& state, const Lut& lut, const Case& c) {
 }
 
 void copied(benchmark::State& state, const Case& c) {
-    Buffers& memory = buffers(c.element, c.random_colours);
+    Buffers& memory = buffers(c.element, c.random_colors);
     for (auto _ : state) {
         std::memcpy(memory.out.data(), memory.in.data(), memory.in.size());
         benchmark::ClobberMemory();
@@ -142,7 +142,7 @@ void opencolorio(benchmark::State& state, const Lut& lut, const Case& c) {
     const OCIO::BitDepth depth = depths.at(c.element);
     const auto processor = OCIO::Config::CreateRaw()->getProcessor(cube)->getOptimizedCPUProcessor(
         depth, depth, OCIO::OPTIMIZATION_DEFAULT);
-    Buffers& memory = buffers(c.element, c.random_colours);
+    Buffers& memory = buffers(c.element, c.random_colors);
     const auto bytes = static_cast<std::ptrdiff_t>(info_of(c.element).bytes);
     const auto view = [&](std::vector<std::byte>& samples) {
         return OCIO::PackedImageDesc(samples.data(), width, height, 4, depth, bytes, 4 * bytes,
@@ -166,16 +166,16 @@ int main(int argc, char** argv) {
             ->MeasureProcessCPUTime()
             ->UseRealTime();
     };
-    for (const bool random_colours : {false, true}) {
+    for (const bool random_colors : {false, true}) {
         for (const Element element :
              {Element::float32, Element::half, Element::uint16, Element::uint8}) {
-            const std::string kind = std::string(random_colours ? "random/" : "picture/") +
+            const std::string kind = std::string(random_colors ? "random/" : "picture/") +
                                      std::string(info_of(element).name) + "/";
-            Case c{element, random_colours};
+            Case c{element, random_colors};
             add(kind + "memcpy", [=](auto& s) { copied(s, c); });
             for (const Interpolation how : {Interpolation::tetrahedral, Interpolation::trilinear}) {
                 const std::string name = kind + std::string(name_of(how)) + "/";
-                c = {element, random_colours, how};
+                c = {element, random_colors, how};
                 add(name + "one_thread", [=](auto& s) { graded(s, look, c); });
                 add(name + "opencolorio", [=](auto& s) { opencolorio(s, look, c); });
                 c.threads = 2;

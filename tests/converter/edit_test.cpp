@@ -282,7 +282,7 @@ TEST(Invert, of_a_curve_tells_its_slopes_and_what_it_loses) {
     EXPECT_EQ(color_at(folder.path("i.cube"), "1", "1", "1"), "1 1 1\n");
 }
 
-TEST(Compare, of_a_look_with_itself_is_zero_and_finds_the_worst_colour) {
+TEST(Compare, of_a_look_with_itself_is_zero_and_finds_the_worst_color) {
     const Folder folder;
     const std::string look = folder.write("a.cube", saturated_cube(9));
     const json same = run({"compare", look, look});

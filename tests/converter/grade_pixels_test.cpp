@@ -17,7 +17,7 @@ namespace io = lutlib::io;
 using nlohmann::json;
 
 // Every channel over all of 0..1, in an order of its own.
-io::FloatImage colours(bool alpha) {
+io::FloatImage colors(bool alpha) {
     io::FloatImage out;
     out.width = 64;
     out.height = 33;
@@ -32,8 +32,7 @@ io::FloatImage colours(bool alpha) {
 }
 
 std::string picture(const Folder& folder, const std::string& name, io::Depth depth, bool alpha) {
-    io::write_image(folder.path(name), colours(alpha),
-                    {.depth = depth, .alpha = alpha, .text = {}});
+    io::write_image(folder.path(name), colors(alpha), {.depth = depth, .alpha = alpha, .text = {}});
     return folder.path(name);
 }
 
@@ -102,7 +101,7 @@ TEST(ApplyPixels, says_what_a_picture_does_not_need_and_leaves_it_out) {
     EXPECT_EQ(io::read_image(folder.path("out.png")).rgba, io::read_image(in).rgba);
 
     // Colours outside its domain are clamped to it, so there it has a part.
-    io::FloatImage light = colours(false);
+    io::FloatImage light = colors(false);
     light.rgba[0] = 1.5F;
     io::write_image(folder.path("in.exr"), light,
                     {.depth = io::Depth::float32, .alpha = false, .text = {}});

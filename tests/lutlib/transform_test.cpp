@@ -12,7 +12,7 @@
 namespace lutlib {
 namespace {
 
-std::vector<Rgb> some_colours(int count) {
+std::vector<Rgb> some_colors(int count) {
     std::mt19937 random(3);
     std::uniform_real_distribution<float> value(-0.2F, 1.2F);
     std::vector<Rgb> out;
@@ -44,7 +44,7 @@ TEST(Transform, changes_nothing_unless_it_was_made_of_something) {
     EXPECT_EQ(Transform().precision(), Precision::float64);
 }
 
-TEST(Transform, answers_one_colour_as_it_answers_many) {
+TEST(Transform, answers_one_color_as_it_answers_many) {
     const Lut lut = strong_lut();
     std::vector<Transform> all{Transform::of(strong_recipe()), test_looks()[2].transform()};
     for (const InterpolationInfo& row : interpolations()) {
@@ -53,7 +53,7 @@ TEST(Transform, answers_one_colour_as_it_answers_many) {
     for (const ResamplingMethod& method : resampling_methods()) {
         all.push_back(method.transform_of(lut));
     }
-    const std::vector<Rgb> inputs = some_colours(5000);
+    const std::vector<Rgb> inputs = some_colors(5000);
     for (std::size_t k = 0; k < all.size(); ++k) {
         const std::vector<RgbD> many = images_of(all[k], inputs);
         for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -65,7 +65,7 @@ TEST(Transform, answers_one_colour_as_it_answers_many) {
 TEST(Transform, of_a_lut_is_the_double_oracle) {
     const auto lut = std::make_shared<const Lut>(strong_lut());
     for (const InterpolationInfo& row : interpolations()) {
-        for (const Rgb& in : some_colours(1000)) {
+        for (const Rgb& in : some_colors(1000)) {
             ASSERT_EQ(Transform::of(lut, row.kind)(to_double(in)),
                       evaluate_exact(*lut, to_double(in), row.kind));
         }

@@ -13,8 +13,8 @@
 namespace lutlib {
 namespace {
 
-void srgb_decode_all(std::span<RgbD> colours) {
-    each_piece(colours, [](std::span<double> x, std::span<double> t) {
+void srgb_decode_all(std::span<RgbD> colors) {
+    each_piece(colors, [](std::span<double> x, std::span<double> t) {
         for (std::size_t i = 0; i < x.size(); ++i) {
             t[i] = (std::abs(x[i]) + 0.055) / 1.055;
         }
@@ -26,8 +26,8 @@ void srgb_decode_all(std::span<RgbD> colours) {
     });
 }
 
-void srgb_encode_all(std::span<RgbD> colours) {
-    each_piece(colours, [](std::span<double> x, std::span<double> t) {
+void srgb_encode_all(std::span<RgbD> colors) {
+    each_piece(colors, [](std::span<double> x, std::span<double> t) {
         std::copy(x.begin(), x.end(), t.begin());
         power_all(t, 1 / 2.4);
         for (std::size_t i = 0; i < x.size(); ++i) {
@@ -72,14 +72,14 @@ constexpr TransferCurve power_curve(std::string_view name, std::string_view labe
             .decode = power_decode<tenths>,
             .encode = power_encode<tenths>,
             .decode_all =
-                [](std::span<RgbD> colours) {
+                [](std::span<RgbD> colors) {
                     constexpr double p = tenths / 10.0;
-                    power_all(colours, {p, p, p}, Negative::mirrored);
+                    power_all(colors, {p, p, p}, Negative::mirrored);
                 },
             .encode_all =
-                [](std::span<RgbD> colours) {
+                [](std::span<RgbD> colors) {
                     constexpr double p = 10.0 / tenths;
-                    power_all(colours, {p, p, p}, Negative::mirrored);
+                    power_all(colors, {p, p, p}, Negative::mirrored);
                 }};
 }
 

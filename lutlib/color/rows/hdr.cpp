@@ -11,9 +11,9 @@
 namespace lutlib {
 namespace {
 
-void pq_decode_all(std::span<RgbD> colours) {
+void pq_decode_all(std::span<RgbD> colors) {
     using namespace pq;
-    each_piece(colours, [](std::span<double> x, std::span<double>) {
+    each_piece(colors, [](std::span<double> x, std::span<double>) {
         for (double& v : x) {
             v = std::clamp(v, 0.0, 1.0);
         }
@@ -28,9 +28,9 @@ void pq_decode_all(std::span<RgbD> colours) {
     });
 }
 
-void pq_encode_all(std::span<RgbD> colours) {
+void pq_encode_all(std::span<RgbD> colors) {
     using namespace pq;
-    each_piece(colours, [](std::span<double> x, std::span<double>) {
+    each_piece(colors, [](std::span<double> x, std::span<double>) {
         for (double& v : x) {
             v = std::clamp(v * (pq_white_nits / peak), 0.0, 1.0);
         }

@@ -2,9 +2,9 @@
 
 namespace lutlib {
 
-void log_line_decode_all(const LogLine& p, std::span<RgbD> colours) {
+void log_line_decode_all(const LogLine& p, std::span<RgbD> colors) {
     const double code_cut = p.code_of(p.cut);
-    each_piece(colours, [&](std::span<double> x, std::span<double> t) {
+    each_piece(colors, [&](std::span<double> x, std::span<double> t) {
         for (std::size_t i = 0; i < x.size(); ++i) {
             t[i] = (x[i] - p.d) / p.c;
         }
@@ -16,9 +16,9 @@ void log_line_decode_all(const LogLine& p, std::span<RgbD> colours) {
     });
 }
 
-void log_line_encode_all(const LogLine& p, std::span<RgbD> colours) {
+void log_line_encode_all(const LogLine& p, std::span<RgbD> colors) {
     const double code_cut = p.code_of(p.cut);
-    each_piece(colours, [&](std::span<double> x, std::span<double> t) {
+    each_piece(colors, [&](std::span<double> x, std::span<double> t) {
         for (std::size_t i = 0; i < x.size(); ++i) {
             t[i] = p.a * std::clamp(x[i], p.cut, largest_light) + p.b;
         }

@@ -44,20 +44,20 @@ double log_line_encode(double light) {
 /// Runs curve(x, t) on all channels in pieces that stay in the first-level cache; t is room for as
 /// many intermediate numbers.
 template <class F>
-void each_piece(std::span<RgbD> colours, F curve) {
+void each_piece(std::span<RgbD> colors, F curve) {
     static_assert(sizeof(RgbD) == 3 * sizeof(double));
     constexpr std::size_t piece = 384;
     std::array<double, piece> room;
-    double* const first = colours.empty() ? nullptr : &colours.front().r;
-    const std::size_t count = 3 * colours.size();
+    double* const first = colors.empty() ? nullptr : &colors.front().r;
+    const std::size_t count = 3 * colors.size();
     for (std::size_t i = 0; i < count; i += piece) {
         const std::size_t n = std::min(piece, count - i);
         curve(std::span(first + i, n), std::span(room).first(n));
     }
 }
 
-void log_line_decode_all(const LogLine& p, std::span<RgbD> colours);
-void log_line_encode_all(const LogLine& p, std::span<RgbD> colours);
+void log_line_decode_all(const LogLine& p, std::span<RgbD> colors);
+void log_line_encode_all(const LogLine& p, std::span<RgbD> colors);
 
 template <const LogLine& p>
 constexpr TransferCurve log_line_curve(std::string_view name, std::string_view label,
@@ -69,8 +69,8 @@ constexpr TransferCurve log_line_curve(std::string_view name, std::string_view l
             .brightest = largest_light,
             .decode = log_line_decode<p>,
             .encode = log_line_encode<p>,
-            .decode_all = [](std::span<RgbD> colours) { log_line_decode_all(p, colours); },
-            .encode_all = [](std::span<RgbD> colours) { log_line_encode_all(p, colours); }};
+            .decode_all = [](std::span<RgbD> colors) { log_line_decode_all(p, colors); },
+            .encode_all = [](std::span<RgbD> colors) { log_line_encode_all(p, colors); }};
 }
 
 } // namespace lutlib

@@ -33,18 +33,18 @@ class Session {
     Session(std::unique_ptr<Reader> reader, About about)
         : reader_(std::move(reader)), about_(std::move(about)) {}
 
-    void operator()(std::span<RgbD> colours) {
+    void operator()(std::span<RgbD> colors) {
         About about = about_;
-        about.colours = colours.size();
+        about.colors = colors.size();
         Outgoing asked = question(OcioCall::images, about);
-        asked.put_all(std::span<const RgbD>(colours));
+        asked.put_all(std::span<const RgbD>(colors));
         const std::lock_guard lock(mutex_);
         Incoming answer = reader_->ask(asked, about);
         const std::vector<RgbD> images = answer.take_all<RgbD>();
-        if (images.size() != colours.size()) {
+        if (images.size() != colors.size()) {
             throw Error("a boxed reader's answer makes no sense", {about.file, 0, {}});
         }
-        std::copy(images.begin(), images.end(), colours.begin());
+        std::copy(images.begin(), images.end(), colors.begin());
     }
 
   private:
@@ -55,7 +55,7 @@ class Session {
 
 Transform transform_of(std::unique_ptr<Reader> reader, const About& about) {
     return Transform::batch([session = std::make_shared<Session>(std::move(reader), about)](
-                                std::span<RgbD> colours) { (*session)(colours); },
+                                std::span<RgbD> colors) { (*session)(colors); },
                             Precision::float32);
 }
 
@@ -124,7 +124,7 @@ Reading BoxedOcio::read_at(const std::string& path, const std::string& file,
                            const ReadOptions& options) const {
     About about = about_file(path, file);
     const auto side = static_cast<std::size_t>(std::clamp(options.size, 65, 256));
-    about.colours = side * side * side; // as many as it may be sampled at
+    about.colors = side * side * side; // as many as it may be sampled at
     Outgoing asked = question(OcioCall::read, about);
     asked.put(std::string_view(path));
     asked.put(std::string_view(file));

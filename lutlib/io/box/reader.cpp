@@ -10,9 +10,9 @@
 namespace lutlib::io::box {
 std::uint32_t seconds_for(const About& about) {
     constexpr std::size_t least = 1, bytes_each = std::size_t{256} << 10;
-    constexpr std::size_t colours_each = 100'000;
+    constexpr std::size_t colors_each = 100'000;
     return static_cast<std::uint32_t>(least + about.bytes / bytes_each +
-                                      about.colours / colours_each);
+                                      about.colors / colors_each);
 }
 
 Reader::Reader(const Foreign& library, const Allowance& allowance) : library_(library) {

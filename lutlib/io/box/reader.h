@@ -22,9 +22,9 @@ inline constexpr Foreign opencolorio{"lutlib_ocio", "lutlib_ocio", "OpenColorIO"
 
 /// What a question is about.
 struct About {
-    std::string file;        ///< for messages
-    std::size_t bytes = 0;   ///< of the file: a reader may compute in proportion
-    std::size_t colours = 0; ///< to compute
+    std::string file;       ///< for messages
+    std::size_t bytes = 0;  ///< of the file: a reader may compute in proportion
+    std::size_t colors = 0; ///< to compute
 };
 
 /// The seconds of computing that a question may take.

@@ -70,9 +70,9 @@ Desk ocio_desk(const Ocio& library, const Held& held) {
         case OcioCall::write:
             return write(library, question, answer);
         case OcioCall::images: {
-            std::vector<RgbD> colours = question.take_all<RgbD>();
-            (*made)(std::span(colours));
-            return answer.put_all(std::span<const RgbD>(colours));
+            std::vector<RgbD> colors = question.take_all<RgbD>();
+            (*made)(std::span(colors));
+            return answer.put_all(std::span<const RgbD>(colors));
         }
         }
         throw Error("a boxed reader was asked what it does not know");

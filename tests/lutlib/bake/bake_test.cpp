@@ -50,16 +50,16 @@ TEST_P(BakeFor, verifies_for_every_look) {
     }
 }
 
-TEST(Bake, asks_for_many_colours_at_once) {
+TEST(Bake, asks_for_many_colors_at_once) {
     const Engine& engine = *engine_named("piccolo");
-    std::atomic<std::size_t> calls = 0, colours = 0;
+    std::atomic<std::size_t> calls = 0, colors = 0;
     bake(Transform::batch([&](std::span<RgbD> batch) {
              ++calls;
-             colours += batch.size();
+             colors += batch.size();
          }),
          engine, 16, 8);
-    EXPECT_EQ(colours, 16U * 16 * 16);
-    EXPECT_LE(calls, colours / 256);
+    EXPECT_EQ(colors, 16U * 16 * 16);
+    EXPECT_LE(calls, colors / 256);
 }
 
 TEST(Bake, counts_and_measures_what_it_clamps) {

@@ -62,7 +62,7 @@ TEST(DeltaE2000, gives_every_published_value_in_both_directions) {
     }
 }
 
-TEST(DeltaE2000, of_black_and_white_is_100_and_of_equal_colours_zero) {
+TEST(DeltaE2000, of_black_and_white_is_100_and_of_equal_colors_zero) {
     EXPECT_NEAR(delta_e_2000(RgbD{0, 0, 0}, RgbD{1, 1, 1}), 100, 1e-9);
     for (const RgbD c : {RgbD{0, 0, 0}, RgbD{.2, .9, .4}, RgbD{-.3, 7, 1}, RgbD{1e30, 0, 1}}) {
         EXPECT_EQ(delta_e_2000(c, c), 0);
@@ -83,7 +83,7 @@ TEST(DifferenceMetrics, are_infinite_when_a_channel_is_not_finite) {
     }
 }
 
-TEST(DifferenceMetrics, are_finite_on_the_largest_finite_colours) {
+TEST(DifferenceMetrics, are_finite_on_the_largest_finite_colors) {
     for (const double huge : {1e30, 3.4e38, -3.4e38}) {
         EXPECT_TRUE(std::isfinite(delta_e_2000(RgbD{huge, 0, 1}, RgbD{0, -huge, huge})));
         EXPECT_TRUE(std::isfinite(delta_e_itp(RgbD{huge, 0, 1}, RgbD{0, -huge, huge})));
@@ -127,12 +127,11 @@ bool jumps(const Lab& p, const Lab& q) {
     return opposite || across < 1e-6 * std::hypot(p.a, p.b) * std::hypot(q.a, q.b);
 }
 
-class ColourCounts : public testing::TestWithParam<std::size_t> {};
+class ColorCounts : public testing::TestWithParam<std::size_t> {};
 // Around the lengths of vectors, and beyond one piece.
-INSTANTIATE_TEST_SUITE_P(ManyColours, ColourCounts,
-                         testing::Values(0, 1, 2, 3, 7, 8, 9, 129, 5000));
+INSTANTIATE_TEST_SUITE_P(ManyColors, ColorCounts, testing::Values(0, 1, 2, 3, 7, 8, 9, 129, 5000));
 
-TEST_P(ColourCounts, differ_as_much_as_one_pair_at_a_time) {
+TEST_P(ColorCounts, differ_as_much_as_one_pair_at_a_time) {
     const std::size_t count = GetParam();
     std::mt19937 random(7);
     std::uniform_real_distribution<double> channel(-0.2, 1.2), near(-1e-3, 1e-3);
@@ -173,7 +172,7 @@ TEST_P(ColourCounts, differ_as_much_as_one_pair_at_a_time) {
     }
 }
 
-TEST(ManyColours, give_every_published_value) {
+TEST(ManyColors, give_every_published_value) {
     std::vector<Lab> a, b;
     for (const Pair& row : published) {
         a.push_back(row.a);
@@ -186,18 +185,18 @@ TEST(ManyColours, give_every_published_value) {
     }
 }
 
-TEST(ManyColours, that_are_not_finite_are_infinitely_far_and_huge_ones_finitely) {
+TEST(ManyColors, that_are_not_finite_are_infinitely_far_and_huge_ones_finitely) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     constexpr double inf = std::numeric_limits<double>::infinity();
     for (const double x : {nan, inf, -inf, 1e30, 3e90, -3e90}) {
-        const RgbD colours[] = {{.5, .5, .5}, {x, 0, 0}, {0, x, 0}, {0, 0, x}, {x, x, x}};
+        const RgbD colors[] = {{.5, .5, .5}, {x, 0, 0}, {0, x, 0}, {0, 0, x}, {x, x, x}};
         const RgbD greys[] = {{.5, .5, .5}, {.5, .5, .5}, {.1, .2, .3}, {0, 0, 0}, {1, 1, 1}};
         std::vector<Lab> a(5), b(5);
         std::vector<double> e_2000(5), e_itp(5);
-        lab_from_linear_all(colours, a);
+        lab_from_linear_all(colors, a);
         lab_from_linear_all(greys, b);
         delta_e_2000_all(a, b, e_2000);
-        delta_e_itp_nits_all(colours, greys, e_itp);
+        delta_e_itp_nits_all(colors, greys, e_itp);
         for (std::size_t i = 0; i < 5; ++i) {
             EXPECT_EQ(std::isfinite(e_2000[i]), i == 0 || std::isfinite(x)) << x;
             EXPECT_EQ(std::isfinite(e_itp[i]), i == 0 || std::isfinite(x)) << x;

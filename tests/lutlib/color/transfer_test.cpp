@@ -80,7 +80,7 @@ TEST_P(EveryEncoding, has_a_finite_answer_for_every_double) {
     EXPECT_EQ(e.encode(-infinity), e.encode(-3.4028234663852886e38));
 }
 
-TEST_P(EveryEncoding, is_the_same_on_many_colours_as_on_one) {
+TEST_P(EveryEncoding, is_the_same_on_many_colors_as_on_one) {
     std::vector<RgbD> in{{not_a_number, infinity, -infinity}};
     std::mt19937 random(1);
     std::uniform_real_distribution<double> near(-0.5, 1.5), exponent(-12, 38);

@@ -213,7 +213,7 @@ TEST(Repair, leaves_no_falling_neutrals_where_it_clamps) {
     EXPECT_EQ(examine(repaired.lut).outside, 0U);
 }
 
-TEST(Repair, stops_neutrals_from_falling_without_touching_saturated_colours) {
+TEST(Repair, stops_neutrals_from_falling_without_touching_saturated_colors) {
     Lut lut;
     lut.cube = identity_cube(17);
     // A dent about the neutral axis, too wide to be a spike.

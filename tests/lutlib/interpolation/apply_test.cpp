@@ -33,16 +33,16 @@ struct Shape {
 Lut random_look(const Shape& shape) {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> value(-0.2F, 1.2F);
-    const auto colour = [&] { return Rgb{value(random), value(random), value(random)}; };
+    const auto color = [&] { return Rgb{value(random), value(random), value(random)}; };
     Lut lut;
     if (shape.size > 0) {
         lut.cube = identity_cube(shape.size, shape.shaper_size > 0 ? Domain{} : shape.domain);
-        std::generate(lut.cube->nodes.begin(), lut.cube->nodes.end(), colour);
+        std::generate(lut.cube->nodes.begin(), lut.cube->nodes.end(), color);
     }
     if (shape.shaper_size > 0) {
         lut.shaper =
             Lut1D{shape.domain, std::vector<Rgb>(static_cast<std::size_t>(shape.shaper_size))};
-        std::generate(lut.shaper->entries.begin(), lut.shaper->entries.end(), colour);
+        std::generate(lut.shaper->entries.begin(), lut.shaper->entries.end(), color);
     }
     return lut;
 }
@@ -77,10 +77,10 @@ std::vector<Rgb> inputs_for(const Shape& shape) {
     return out;
 }
 
-std::vector<float> packed(const std::vector<Rgb>& colours, std::size_t channels) {
+std::vector<float> packed(const std::vector<Rgb>& colors, std::size_t channels) {
     std::vector<float> out;
-    for (std::size_t i = 0; i < colours.size(); ++i) {
-        out.insert(out.end(), {colours[i].r, colours[i].g, colours[i].b});
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        out.insert(out.end(), {colors[i].r, colors[i].g, colors[i].b});
         if (channels == 4) {
             out.push_back(i % 5 == 0 ? nan : static_cast<float>(i));
         }
@@ -169,7 +169,7 @@ TEST(Apply, takes_any_number_of_pixels_and_writes_no_more) {
     }
 }
 
-TEST(Apply, gives_finite_colours_for_every_input_of_the_largest_finite_nodes) {
+TEST(Apply, gives_finite_colors_for_every_input_of_the_largest_finite_nodes) {
     Lut lut;
     lut.cube = identity_cube(2);
     for (std::size_t i = 0; i < 8; ++i) {

@@ -184,11 +184,11 @@ struct Exact {
     const Picture& in;
 
     double operator()(std::size_t c, std::size_t x, std::size_t y) const {
-        RgbD colour;
+        RgbD color;
         for (std::size_t k = 0; k < 3; ++k) {
-            colour[k] = sample_value(in.view().element, in.view().at(k, x, y));
+            color[k] = sample_value(in.view().element, in.view().at(k, x, y));
         }
-        return evaluate_exact(lut, colour, how)[c];
+        return evaluate_exact(lut, color, how)[c];
     }
     // A cube passes on the roundings of the table before it.
     double bound() const { return lut.shaper && lut.cube ? 3e-7 : 2e-7; }
@@ -320,7 +320,7 @@ TEST_P(GradeEveryElement, gives_the_same_bytes_whatever_the_number_of_threads) {
     }
 }
 
-TEST_P(GradeEveryElement, looks_up_runs_of_one_colour_as_any_others) {
+TEST_P(GradeEveryElement, looks_up_runs_of_one_color_as_any_others) {
     const Lut lut = look_of({33, 0, {}});
     const Element element = GetParam().element;
     Picture in(packed_rgba, element, 1023, 5), wanted(packed_rgba, element, 1023, 5);

@@ -123,7 +123,7 @@ constexpr Display displays[] = {
     {"DISPLAY - CIE-XYZ-D65_to_REC.2100-PQ", "pq"},
 };
 
-TEST(Ocio, displays_colours_as_our_rows_do) {
+TEST(Ocio, displays_colors_as_our_rows_do) {
     for (const Display& row : displays) {
         const Encoding to = require_encoding(row.encoding);
         const Matrix3 to_xyz =

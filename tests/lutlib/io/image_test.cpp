@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
                (std::get<1>(row.param) ? "_alpha" : "");
     });
 
-TEST_P(EveryFileKind, comes_back_within_half_a_step_and_with_colours_not_multiplied_by_alpha) {
+TEST_P(EveryFileKind, comes_back_within_half_a_step_and_with_colors_not_multiplied_by_alpha) {
     const auto& [kind, alpha] = GetParam();
     const ScratchFolder folder;
     const std::string path = folder.file("a picture." + kind.extension);

@@ -59,7 +59,7 @@ ImageWriteOptions keeping(const FloatImage& image) {
     return {.depth = image.depth, .alpha = image.alpha, .text = {}, .keep = image.source.get()};
 }
 
-TEST(KeptParts, of_an_exr_are_bit_for_bit_those_of_the_file_but_for_the_picture_s_colours) {
+TEST(KeptParts, of_an_exr_are_bit_for_bit_those_of_the_file_but_for_the_picture_s_colors) {
     const ScratchFolder folder;
     std::vector<Part> parts{part("depth", {"Z"}, OIIO::TypeDesc::FLOAT),
                             part("rgba", {"R", "G", "B", "A", "motion.X"}, OIIO::TypeDesc::HALF)};
@@ -149,7 +149,7 @@ TEST(KeptParts, of_a_jpeg_are_its_orientation_profile_and_subsampling) {
     EXPECT_EQ(after[0].spec.get_string_attribute("jpeg:subsampling"), "4:4:4");
 }
 
-TEST(KeptParts, of_a_tiff_say_whether_its_colours_are_multiplied_by_alpha) {
+TEST(KeptParts, of_a_tiff_say_whether_its_colors_are_multiplied_by_alpha) {
     const ScratchFolder folder;
     for (const bool straight : {true, false}) {
         std::vector<Part> parts{part("", {"R", "G", "B", "A"}, OIIO::TypeDesc::UINT16)};

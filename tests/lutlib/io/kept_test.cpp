@@ -63,7 +63,7 @@ TEST(Alpha, is_divided_out_and_multiplied_back_and_light_without_alpha_is_kept) 
     }
 }
 
-TEST(KeptChunks, go_from_png_to_png_as_they_are_and_those_of_colour_only_where_they_stay_true) {
+TEST(KeptChunks, go_from_png_to_png_as_they_are_and_those_of_color_only_where_they_stay_true) {
     const ScratchFolder folder;
     PngImage png;
     png.width = png.height = 2;

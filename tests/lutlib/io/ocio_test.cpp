@@ -58,7 +58,7 @@ TEST_P(Oracle, agrees_with_our_evaluation_of_a_file_that_it_parses_itself) {
     }
 }
 
-TEST(Ocio, answers_one_colour_as_it_answers_many_and_says_that_it_computes_in_float) {
+TEST(Ocio, answers_one_color_as_it_answers_many_and_says_that_it_computes_in_float) {
     for (const auto& [name, lut] : looks_of_every_shape(33)) {
         const Transform oracle = ocio().from_lut(lut, {});
         EXPECT_EQ(oracle.precision(), Precision::float32);

@@ -183,7 +183,7 @@ TEST(PictureFormat, reads_pictures_of_other_types_and_depths_and_with_alpha) {
     }
 }
 
-TEST(PictureFormat, says_that_jpeg_is_lossy_and_divides_colours_by_the_alpha_in_them) {
+TEST(PictureFormat, says_that_jpeg_is_lossy_and_divides_colors_by_the_alpha_in_them) {
     const ScratchFolder folder;
     const Picture picture = decoded(baked(*engine_named("piccolo"), graded()).picture);
     FloatImage image;

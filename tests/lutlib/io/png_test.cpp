@@ -134,7 +134,7 @@ TEST(Png, reads_grey_of_low_depth_scaled_to_8_bits) {
               (std::vector<std::uint16_t>{0, 0, 0, 85, 85, 85, 170, 170, 170, 255, 255, 255}));
 }
 
-TEST(Png, reads_a_palette_as_its_colours_and_its_transparency_as_alpha) {
+TEST(Png, reads_a_palette_as_its_colors_and_its_transparency_as_alpha) {
     Encoder encoder{PNG_COLOR_TYPE_PALETTE, 8};
     encoder.palette = {{1, 2, 3}, {200, 100, 50}};
     const PngImage opaque = read_png(encoder(2, 1, {{1, 0}}), "");

@@ -25,12 +25,12 @@ using support::is_thorough;
 double found_by_force(const Transform& a, const Transform& b, const Domain& domain,
                       const std::function<double(RgbD, RgbD)>& distance) {
     const auto error_at = [&](Rgb in) { return distance(a(to_double(in)), b(to_double(in))); };
-    const std::size_t tasks = 64, colours = is_thorough() ? 20'000 : 1500;
+    const std::size_t tasks = 64, colors = is_thorough() ? 20'000 : 1500;
     std::vector<double> largest(tasks);
     tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
         std::mt19937 random(static_cast<unsigned>(task) + 1);
         std::uniform_real_distribution<float> beyond(-0.1F, 1.1F), sign(-1, 1);
-        std::vector<std::pair<double, Rgb>> found(colours);
+        std::vector<std::pair<double, Rgb>> found(colors);
         const auto held = [&](Rgb place) {
             for (std::size_t c = 0; c < 3; ++c) {
                 place[c] = std::clamp(place[c], domain.min[c], domain.max[c]);
@@ -230,7 +230,7 @@ TEST(Measure, finds_the_largest_error_beside_a_single_wrong_node) {
     }
 }
 
-TEST(Measure, takes_means_and_percentiles_of_evenly_spread_colours_alone) {
+TEST(Measure, takes_means_and_percentiles_of_evenly_spread_colors_alone) {
     Lut look;
     look.cube = family_cube(9, 3, 0.05F, {});
     const Transform a = Transform::of(look, Interpolation::trilinear), b;
@@ -268,7 +268,7 @@ TEST(ErrorSamples, of_even_spread_are_in_step_with_no_waves_of_two_lattices) {
     }
 }
 
-TEST(ErrorSamples, hold_every_colour_of_a_union_grid_that_is_small_enough) {
+TEST(ErrorSamples, hold_every_color_of_a_union_grid_that_is_small_enough) {
     Lut look;
     look.cube = identity_cube(5);
     const Breaks both =

@@ -68,7 +68,7 @@ inline Operation extreme_operation(const Op& op, bool high) {
 }
 
 /// Colours within and around 0..1, neutrals, zeros of both signs, denormals and the largest floats.
-inline std::vector<RgbD> many_colours(std::size_t count) {
+inline std::vector<RgbD> many_colors(std::size_t count) {
     constexpr double huge = std::numeric_limits<float>::max();
     constexpr double tiny = std::numeric_limits<float>::denorm_min();
     constexpr double values[] = {0, -0.0, 1, -1, tiny, -tiny, 1e-6, 4, -4, 65504, huge, -huge};

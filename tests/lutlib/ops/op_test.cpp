@@ -19,7 +19,7 @@ namespace {
 
 using support::test_name;
 using test::extreme_operation;
-using test::many_colours;
+using test::many_colors;
 using test::some_operation;
 
 class EveryOperator : public testing::TestWithParam<const Op*> {};
@@ -46,7 +46,7 @@ RgbD at_hue(double dial, double chroma) {
 TEST_P(EveryOperator, is_exactly_the_identity_at_its_defaults) {
     const Operation operation = default_operation(*GetParam());
     EXPECT_TRUE(is_identity(operation));
-    const std::vector<RgbD> before = many_colours(100000);
+    const std::vector<RgbD> before = many_colors(100000);
     // The operator itself, in its own space, and the recipe around it.
     std::vector<RgbD> own = before, recipe = before;
     GetParam()->compile(operation.values, {})(own);
@@ -57,18 +57,18 @@ TEST_P(EveryOperator, is_exactly_the_identity_at_its_defaults) {
     }
 }
 
-TEST_P(EveryOperator, is_finite_on_every_finite_colour_in_every_encoding) {
+TEST_P(EveryOperator, is_finite_on_every_finite_color_in_every_encoding) {
     std::mt19937 random(1);
-    const std::vector<RgbD> before = many_colours(16000);
+    const std::vector<RgbD> before = many_colors(16000);
     for (const Encoding& encoding : encodings()) {
         for (const Operation& operation :
              {extreme_operation(*GetParam(), false), extreme_operation(*GetParam(), true),
               some_operation(*GetParam(), random)}) {
-            std::vector<RgbD> colours = before;
-            edit_of(operation, encoding)(colours);
+            std::vector<RgbD> colors = before;
+            edit_of(operation, encoding)(colors);
             for (std::size_t i = 0; i < before.size(); ++i) {
-                ASSERT_TRUE(std::isfinite(colours[i].r) && std::isfinite(colours[i].g) &&
-                            std::isfinite(colours[i].b))
+                ASSERT_TRUE(std::isfinite(colors[i].r) && std::isfinite(colors[i].g) &&
+                            std::isfinite(colors[i].b))
                     << encoding.name() << ' ' << before[i].r << ' ' << before[i].g << ' '
                     << before[i].b;
             }

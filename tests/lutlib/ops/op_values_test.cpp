@@ -147,7 +147,7 @@ TEST(SaturationPerceptual, scales_chroma_and_keeps_lightness_and_hue) {
     expect_near(got, {.6, .12, -.06}, 1e-13);
 }
 
-TEST(Vibrance, moves_pale_colours_more_than_vivid_ones) {
+TEST(Vibrance, moves_pale_colors_more_than_vivid_ones) {
     const Transform edit = edit_with("vibrance", {{"amount", 0.5}}, "linear");
     const auto factor = [&](double C) { return chroma(in_oklab(edit, {.6, C, 0})) / C; };
     EXPECT_GT(factor(.02), 1.4);

@@ -26,12 +26,12 @@ TEST(HeatMap, letters_rise_with_errors_by_equal_factors) {
     EXPECT_EQ(share_letter(2), letters.back());
 }
 
-TEST(HeatMap, lightness_of_its_colours_rises) {
+TEST(HeatMap, lightness_of_its_colors_rises) {
     double last = -1;
     for (std::size_t level = 0; level < heat_levels; ++level) {
-        const std::string colour = heat_colour(level);
+        const std::string color = heat_color(level);
         const auto channel = [&](std::size_t at) {
-            return std::stoi(colour.substr(at, 2), nullptr, 16);
+            return std::stoi(color.substr(at, 2), nullptr, 16);
         };
         const double luma = 0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5);
         EXPECT_GT(luma, last) << level;
@@ -52,14 +52,14 @@ TEST(HeatMap, draws_a_cell_for_every_letter_from_the_bottom_up) {
     EXPECT_EQ(unbalanced_element(text), "");
     const auto fills = all_of(text, "<path fill=\"([^\"]+)\"");
     EXPECT_EQ(fills,
-              (std::vector<std::string>{heat_colour(0), heat_colour(63), "none", heat_colour(0)}));
+              (std::vector<std::string>{heat_color(0), heat_color(63), "none", heat_color(0)}));
     const auto y = numbers_of(text, "<path fill=\"[^\"]+\" d=\"M[0-9.]+ ([0-9.]+)");
     EXPECT_GT(y[0], y[2]);
     EXPECT_NE(text.find("a &lt; b"), std::string::npos);
     EXPECT_EQ(all_of(text, "class=\"(node)\"").size(), 1U);
 }
 
-TEST(Band, has_a_colour_for_every_three_letters) {
+TEST(Band, has_a_color_for_every_three_letters) {
     const std::string text = svg(Band{"b", "band", "000___0_0"});
     EXPECT_EQ(all_of(text, "<path fill=\"([^\"]+)\""),
               (std::vector<std::string>{"#000000", "#ffffff", "#00ff00"}));

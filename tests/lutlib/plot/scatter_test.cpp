@@ -136,7 +136,7 @@ TEST(Scatter, names_the_knees_of_the_front_and_shows_intervals_that_are_wide_eno
     EXPECT_EQ(all_of(text, "class=\"(interval)\"").size(), 1U);
 }
 
-TEST(Scatter, series_have_colours_of_their_own) {
+TEST(Scatter, series_have_colors_of_their_own) {
     Scatter scatter = scatter_of({{5, 1}, {6, 1}, {1, 1}, {10, 10}});
     scatter.series = {{"nearest"}, {"trilinear"}};
     scatter.marks[1].series = 1;

@@ -81,7 +81,7 @@ TEST(Invert, undoes_an_invertible_look_within_a_bound_that_falls_with_the_square
     EXPECT_LT(fine, coarse / 8);
 }
 
-TEST(Invert, says_where_a_colour_cannot_be_given) {
+TEST(Invert, says_where_a_color_cannot_be_given) {
     // Outputs fill 0.25..0.75 only.
     const Lut look = cube_look(sampled(
         [](RgbD c) {
@@ -104,7 +104,7 @@ TEST(Invert, says_where_a_colour_cannot_be_given) {
     EXPECT_NEAR(out.lut.cube->at(8, 4, 0).g, 0.5, 1e-6);
 }
 
-TEST(Invert, finds_the_nearest_colour_that_a_look_can_give) {
+TEST(Invert, finds_the_nearest_color_that_a_look_can_give) {
     const Lut look = cube_look(sampled(gentle, 17));
     const Inversion out = invert(look, {.outside = Outside::nearest});
     ASSERT_GT(out.out_of_gamut.count, 0U);
@@ -158,7 +158,7 @@ TEST(Invert, undoes_a_clipped_look_where_it_is_not_clipped) {
 }
 
 // Every input above 0.75 gives white, every one below 0.25 black: they come back as themselves.
-TEST(Invert, of_a_flat_set_takes_the_input_nearest_to_the_colour_itself) {
+TEST(Invert, of_a_flat_set_takes_the_input_nearest_to_the_color_itself) {
     const Lut look = cube_look(sampled(
         [](RgbD c) {
             const double y = test_luma(c);
@@ -216,7 +216,7 @@ TEST(Invert, goes_on_from_what_can_be_undone_into_flat_sets) {
     EXPECT_GT(mean_error(Outside::nearest), 2 * mean_error(Outside::extrapolate));
 }
 
-TEST(Invert, continues_beyond_the_gamut_where_a_cell_holds_colours_inside) {
+TEST(Invert, continues_beyond_the_gamut_where_a_cell_holds_colors_inside) {
     const auto smaller = [](RgbD c) {
         const double y = test_luma(c);
         return RgbD{.01 + .97 * (.2 * y + .8 * c.r), .01 + .97 * (.2 * y + .8 * c.g),

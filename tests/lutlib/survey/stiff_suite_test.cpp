@@ -63,7 +63,7 @@ TEST_P(EveryStiffLook, has_the_stiffness_that_the_table_says) {
     EXPECT_NEAR(steepest_edge(GetParam().make()), stated, 5e-3 * stated);
 }
 
-TEST_P(EveryStiffLook, gives_finite_colours_for_every_input_with_every_interpolation) {
+TEST_P(EveryStiffLook, gives_finite_colors_for_every_input_with_every_interpolation) {
     constexpr float inf = std::numeric_limits<float>::infinity();
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     const Lut lut = GetParam().make();

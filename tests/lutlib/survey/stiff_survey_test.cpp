@@ -14,7 +14,7 @@ StiffSettings quick() {
     StiffSettings out;
     out.sizes = {8, 12, 16, 24, 33};
     out.phases = 8;
-    out.colours = 400;
+    out.colors = 400;
     out.largest_fitted = 8;
     out.whole_phases = 2;
     return out;

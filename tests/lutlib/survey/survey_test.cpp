@@ -207,7 +207,7 @@ TEST(Recommendation, is_the_smallest_that_keeps_the_promise_and_then_the_fastest
     EXPECT_EQ(none.row, 4u);
 }
 
-TEST(Budget, keeps_its_promise_on_colours_that_it_has_not_seen) {
+TEST(Budget, keeps_its_promise_on_colors_that_it_has_not_seen) {
     const Transform look = test_looks()[1].transform();
     for (const char* name : support::all_or<const char*>({"piccolo", "hald"}, {"piccolo"})) {
         const Engine& engine = *engine_named(name);

@@ -206,7 +206,7 @@ TEST_F(Diagnosed, nodes_that_stop_one_short) {
               std::string::npos);
 }
 
-TEST_F(Diagnosed, colour_at_half_resolution) {
+TEST_F(Diagnosed, color_at_half_resolution) {
     // What JPEG 4:2:0 does at any quality: luma stays, chroma becomes means of 2 x 2.
     CodeImage picture = right;
     for (int y = 0; y < picture.height; y += 2) {

@@ -149,7 +149,7 @@ TEST_P(Moved, every_exchange_of_axes_and_of_channels) {
     }
 }
 
-TEST_P(Moved, colours_of_a_palette_plain_and_dithered) {
+TEST_P(Moved, colors_of_a_palette_plain_and_dithered) {
     // Of each 27 nodes the one in the middle; dithered, every other texel is its neighbour's.
     for (const int dither : {0, 1}) {
         CodeImage picture = right;
@@ -177,7 +177,7 @@ TEST_P(Moved, no_palette_in_greys_or_in_noise) {
         codes.fill(codes[1]);
         return codes;
     });
-    EXPECT_FALSE(few_colours(grey, engine, n, look));
+    EXPECT_FALSE(few_colors(grey, engine, n, look));
     const CodeImage noise = each_texel([](std::array<std::uint16_t, 3> codes, std::size_t i) {
         for (std::size_t c = 0; c < 3; ++c) {
             codes[c] = static_cast<std::uint16_t>(
@@ -185,7 +185,7 @@ TEST_P(Moved, no_palette_in_greys_or_in_noise) {
         }
         return codes;
     });
-    EXPECT_FALSE(few_colours(noise, engine, n, look));
+    EXPECT_FALSE(few_colors(noise, engine, n, look));
 }
 
 } // namespace

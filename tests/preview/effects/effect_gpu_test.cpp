@@ -135,7 +135,7 @@ TEST_F(EffectTest, chromatic_aberration_equals_its_twin) {
     }
 }
 
-TEST_F(EffectTest, sharpening_equals_its_twin_and_leaves_flat_colours_alone) {
+TEST_F(EffectTest, sharpening_equals_its_twin_and_leaves_flat_colors_alone) {
     const Image picture = scene_of_edges();
     for (const double reach : {1.0, 45.0}) {
         const Image wanted =
@@ -203,7 +203,7 @@ TEST_F(EffectTest, pointillism_equals_its_twin) {
     }
 }
 
-TEST_F(EffectTest, pointillism_keeps_the_mean_colour) {
+TEST_F(EffectTest, pointillism_keeps_the_mean_color) {
     for (const RgbD color : {RgbD{0.9, 0.8, 0.5}, RgbD{0.3, 0.5, 0.7}, RgbD{0.05, 0.1, 0.02}}) {
         Image flat(120, 120);
         std::fill(flat.pixels.begin(), flat.pixels.end(), color);

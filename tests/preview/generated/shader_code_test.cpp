@@ -27,7 +27,7 @@ lutlib::Picture noise(lutlib::PictureSize size) {
 }
 
 // Colours of 0..1 and a little beyond, ends, and what is no number.
-std::vector<std::array<float, 4>> colours() {
+std::vector<std::array<float, 4>> colors() {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(),
                     infinite = std::numeric_limits<float>::infinity();
     std::vector<std::array<float, 4>> out{{0, 0, 0, 1},
@@ -46,10 +46,10 @@ std::vector<std::array<float, 4>> colours() {
 
 // In double: where the engine's row puts a colour, its nodes by layout.pixel(), weighed.
 lutlib::RgbD expected(const lutlib::Engine& engine, const lutlib::Picture& picture, int n,
-                      lutlib::Interpolation how, const std::array<float, 4>& colour) {
+                      lutlib::Interpolation how, const std::array<float, 4>& color) {
     lutlib::RgbD place;
     for (std::size_t c = 0; c < 3; ++c) {
-        const double in = colour[c] > 0 ? std::min<double>(colour[c], 1) : 0;
+        const double in = color[c] > 0 ? std::min<double>(color[c], 1) : 0;
         place[c] = engine.place(in, n);
     }
     const lutlib::NodeWeights weights = lutlib::node_weights(how, n, place);
@@ -74,8 +74,8 @@ lutlib::RgbD expected(const lutlib::Engine& engine, const lutlib::Picture& pictu
 }
 
 // Nodes at half a place between them are either's.
-bool is_tie(const lutlib::Engine& engine, int n, const std::array<float, 4>& colour) {
-    return std::any_of(colour.begin(), colour.begin() + 3, [&](float in) {
+bool is_tie(const lutlib::Engine& engine, int n, const std::array<float, 4>& color) {
+    return std::any_of(color.begin(), color.begin() + 3, [&](float in) {
         const double place = engine.place(in > 0 ? std::min<double>(in, 1) : 0, n);
         return std::abs(place - std::floor(place) - 0.5) < 1e-4;
     });
@@ -108,7 +108,7 @@ class ShaderCode : public GpuTest {
 };
 
 TEST_F(ShaderCode, of_every_engine_and_interpolation_gives_what_the_cpu_does) {
-    const std::vector<std::array<float, 4>> in = colours();
+    const std::vector<std::array<float, 4>> in = colors();
     for (const lutlib::Engine& engine : lutlib::engines()) {
         const int n = engine.default_size;
         lutlib::Picture picture = noise(*lutlib::layout_named(engine.layout)->picture(n));
@@ -122,8 +122,8 @@ TEST_F(ShaderCode, of_every_engine_and_interpolation_gives_what_the_cpu_does) {
         }
         for (const lutlib::InterpolationInfo& row : lutlib::interpolations()) {
             std::vector<lutlib::RgbD> right;
-            for (const auto& colour : in) {
-                right.push_back(expected(engine, picture, n, row.kind, colour));
+            for (const auto& color : in) {
+                right.push_back(expected(engine, picture, n, row.kind, color));
             }
             for (const char* const suffix : {".comp", ".comp.hlsl"}) {
                 const std::string shader =

@@ -72,7 +72,7 @@ TEST(GraphTest, a_pass_lives_for_any_one_of_its_outputs) {
     EXPECT_EQ(order(graph, make_plan(graph)), "two ");
 }
 
-TEST(GraphTest, a_colour_target_that_nobody_reads_gets_no_memory) {
+TEST(GraphTest, a_color_target_that_nobody_reads_gets_no_memory) {
     Graph graph;
     Pass pass = graph.raster("g-buffer", "x.vert", "x.frag");
     const ImageHandle albedo = pass.color(graph.image("albedo", small), {});

@@ -107,7 +107,7 @@ TEST(CubeDrawingTest, has_twelve_edges_and_both_neutral_axes) {
     EXPECT_EQ(drawing.dots.size(), 729U);
 }
 
-TEST(CubeDrawingTest, leaves_out_what_is_not_finite_and_clamps_and_recolours_when_asked) {
+TEST(CubeDrawingTest, leaves_out_what_is_not_finite_and_clamps_and_recolors_when_asked) {
     lutlib::Lut look = identity_look(3);
     look.cube->nodes[0] = {NAN, 0, 0};
     look.cube->nodes[1] = {0, INFINITY, 0};

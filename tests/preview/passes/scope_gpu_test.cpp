@@ -85,7 +85,7 @@ TEST_P(EveryScope, counts_what_its_twin_counts_and_each_texel_once_in_each_plane
     }
 }
 
-TEST_P(EveryScope, counts_black_white_and_full_colours_in_their_outermost_places) {
+TEST_P(EveryScope, counts_black_white_and_full_colors_in_their_outermost_places) {
     for (const std::array<std::uint8_t, 4>& code :
          std::vector<std::array<std::uint8_t, 4>>{{0, 0, 0, 0},
                                                   {255, 255, 255, 255},

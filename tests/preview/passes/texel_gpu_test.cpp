@@ -63,7 +63,7 @@ class ProbeTest : public FinishTest {
     }
 };
 
-TEST_F(ProbeTest, tells_the_tone_mapped_colour_before_the_looks) {
+TEST_F(ProbeTest, tells_the_tone_mapped_color_before_the_looks) {
     const std::vector<Rgb> colors = finite_colors();
     FinishSettings settings;
     settings.tonemap = tonemap_named("agx");

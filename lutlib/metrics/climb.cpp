@@ -89,25 +89,35 @@ struct Climber {
     Rgb reach;
 };
 
+// Those that look around together: a call of a foreign process costs more than some colours.
+std::size_t group_of(std::size_t climbers) {
+    return std::clamp<std::size_t>(climbers / 16, 4, 32);
+}
+
 // Ridges run in any direction, so each look is in others.
-void climb(Climber& climber, std::span<const Rgb> around, const Axes& axis,
+void climb(std::span<Climber> climbers, std::span<const Rgb> around, const Axes& axis,
            const ErrorsOf& errors_of) {
-    std::array<Rgb, directions> next;
-    std::array<double, directions> error{};
+    std::vector<Rgb> next(climbers.size() * directions);
+    std::vector<double> error(next.size());
     for (; !around.empty(); around = around.subspan(directions)) {
-        for (std::size_t i = 0; i < directions; ++i) {
+        for (std::size_t i = 0; i < next.size(); ++i) {
+            const Climber& climber = climbers[i / directions];
             for (std::size_t c = 0; c < 3; ++c) {
-                next[i][c] = std::clamp(climber.peak.at[c] + around[i][c] * climber.reach[c],
-                                        axis[c].front(), axis[c].back());
+                next[i][c] =
+                    std::clamp(climber.peak.at[c] + around[i % directions][c] * climber.reach[c],
+                               axis[c].front(), axis[c].back());
             }
         }
         errors_of(next, error);
-        const auto best =
-            static_cast<std::size_t>(std::max_element(error.begin(), error.end()) - error.begin());
-        if (error[best] > climber.peak.error) {
-            climber.peak = {error[best], next[best]};
-        } else {
-            climber.reach = climber.reach * shrink;
+        for (std::size_t k = 0; k < climbers.size(); ++k) {
+            const auto first = error.begin() + static_cast<std::ptrdiff_t>(k * directions);
+            const auto best = static_cast<std::size_t>(std::max_element(first, first + directions) -
+                                                       error.begin());
+            if (error[best] > climbers[k].peak.error) {
+                climbers[k].peak = {error[best], next[best]};
+            } else {
+                climbers[k].reach = climbers[k].reach * shrink;
+            }
         }
     }
 }
@@ -132,11 +142,14 @@ Peak climbed(std::span<const Rgb> colors, std::span<const double> errors,
     std::size_t looked = 0;
     for (const Round& round : rounds) {
         climbers.resize(std::min(climbers.size(), round.climbers));
-        tbb::parallel_for(std::size_t{0}, climbers.size(), [&](std::size_t i) {
-            climb(climbers[i],
-                  std::span(around).subspan(looked * directions, round.looks * directions), axis,
-                  errors_of);
-        });
+        const std::size_t group = group_of(climbers.size());
+        tbb::parallel_for(
+            std::size_t{0}, (climbers.size() + group - 1) / group, [&](std::size_t i) {
+                const std::size_t first = i * group;
+                climb(std::span(climbers).subspan(first, std::min(group, climbers.size() - first)),
+                      std::span(around).subspan(looked * directions, round.looks * directions),
+                      axis, errors_of);
+            });
         looked += round.looks;
         std::sort(climbers.begin(), climbers.end(),
                   [](const Climber& a, const Climber& b) { return a.peak.error > b.peak.error; });

@@ -8,8 +8,8 @@
 
 namespace lutlib {
 
-/// Errors of colours, into a span of the same length. Called from several threads, with a few dozen
-/// colours at once.
+/// Errors of colours, into a span of the same length. Called from several threads, with some
+/// hundred colours at once.
 using ErrorsOf = std::function<void(std::span<const Rgb> colors, std::span<double> errors)>;
 
 struct Peak {

@@ -41,16 +41,16 @@ function(lut_public_library target export)
     endif()
 endfunction()
 
-function(lut_install_beside_library target)
+# `component` is the package that it goes into.
+function(lut_install_beside_library target component)
     set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/..")
     if(LUT_INSTALL)
         install(TARGETS ${target}
-            RUNTIME DESTINATION ${lutlib_module_folder} COMPONENT lutconv
-            LIBRARY DESTINATION ${lutlib_module_folder} COMPONENT lutconv)
+            RUNTIME DESTINATION ${lutlib_module_folder} COMPONENT ${component}
+            LIBRARY DESTINATION ${lutlib_module_folder} COMPONENT ${component})
     endif()
 endfunction()
 
-# `component` is the package that it goes into.
 function(lut_install_program target component)
     set_target_properties(${target} PROPERTIES
         INSTALL_RPATH "$ORIGIN/${from_programs_to_libraries}")

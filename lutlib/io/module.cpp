@@ -20,11 +20,16 @@ namespace fs = std::filesystem;
 struct ModuleLibrary {
     std::string_view module, library, package;
 };
-constexpr std::array<ModuleLibrary, 2> module_libraries{{
+constexpr std::array<ModuleLibrary, 3> module_libraries{{
     {"lutlib_ocio", "OpenColorIO", "libopencolorio2.1"},
     {"lutlib_oiio", "OpenImageIO", "libopenimageio2.4"},
+    {"lutpreview_obj", "assimp", "libassimp5"},
 }};
-constexpr const char* own_package = "lutconv";
+
+// Of ours, which holds the file.
+std::string own_package_with(const std::string& file) {
+    return file.starts_with("liblutpreview") ? "lutpreview" : "lutconv";
+}
 
 std::mutex chosen_mutex;
 std::string chosen_folder;
@@ -100,7 +105,7 @@ std::string module_path(const std::string& file, const std::vector<std::string>&
         }
         tried += (tried.empty() ? "" : ", ") + folder;
     }
-    throw Error("install the Debian package " + std::string(own_package) +
+    throw Error("install the Debian package " + own_package_with(file) +
                 ", or name the folder that holds " + file +
                 " in LUTLIB_MODULE_PATH: it is not in " + tried);
 }

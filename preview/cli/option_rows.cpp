@@ -170,7 +170,8 @@ constexpr OptionRow rows[] = {
      .help = "Run under Vulkan's validation layers",
      .of = [](O& o) -> bool& { return o.validate; }},
     {.flag = "--no-sandbox",
-     .help = "Let OpenImageIO and OpenColorIO read files in this process, with all that it may do",
+     .help = "Let OpenImageIO, OpenColorIO and Assimp read files in this process, with all that it "
+             "may do",
      .of = [](O& o) -> bool& { return o.no_sandbox; }},
     {.flag = "--allow-outside",
      .help = "Let models and recipes name files outside their own folder",

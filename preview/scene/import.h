@@ -1,5 +1,5 @@
 // A model file as a scene: glTF 2.0 (.gltf, .glb) by a reader of our own, which checks what it
-// uses, and Wavefront OBJ with its materials by Assimp.
+// uses, and Wavefront OBJ with its materials by Assimp, in a process of its own.
 //
 // Taken over of glTF: triangles (also sparse, quantized and skinned in the bind pose) with their
 // nodes' transforms, metallic-roughness materials with textures and colours of vertices, cut-outs,

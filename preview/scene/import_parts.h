@@ -2,6 +2,7 @@
 #pragma once
 
 #include "preview/scene/import.h"
+#include "preview/scene/printable.h"
 
 #include <glm/mat4x4.hpp>
 
@@ -12,9 +13,6 @@
 #include <vector>
 
 namespace preview {
-
-/// The first bytes of a file's text, without control characters: it may go to a terminal.
-std::string printable(std::string_view text, std::size_t longest = 80);
 
 /// What is left out, counted.
 class LeftOut {

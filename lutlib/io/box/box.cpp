@@ -30,10 +30,10 @@ std::size_t memory() {
 
 std::string holding_text() {
     if (!is_used()) {
-        return "OpenImageIO and OpenColorIO read files in this process, without a sandbox";
+        return "OpenImageIO, OpenColorIO and Assimp read files in this process, without a sandbox";
     }
     const Held held = BoxedOiio().held();
-    return "OpenImageIO and OpenColorIO read files in processes of " +
+    return "OpenImageIO, OpenColorIO and Assimp read files in processes of " +
            std::to_string(memory() >> 20) + " MiB" +
            (held.landlock > 0 ? ", held from files by Landlock " + std::to_string(held.landlock)
                               : ", not held from files (this system has no Landlock)") +

@@ -8,11 +8,18 @@
 #include <sys/wait.h>
 
 namespace lutlib::io::box {
+
 std::uint32_t seconds_for(const About& about) {
     constexpr std::size_t least = 1, bytes_each = std::size_t{256} << 10;
     constexpr std::size_t colors_each = 100'000;
     return static_cast<std::uint32_t>(least + about.bytes / bytes_each +
                                       about.colors / colors_each);
+}
+
+Outgoing question(const About& about) {
+    Outgoing out;
+    out.put(seconds_for(about));
+    return out;
 }
 
 Reader::Reader(const Foreign& library, const Allowance& allowance) : library_(library) {

@@ -31,10 +31,10 @@ struct About {
 std::uint32_t seconds_for(const About& about);
 
 /// The beginning of a question; what it needs follows.
+Outgoing question(const About& about);
 template <Plain Call>
 Outgoing question(Call call, const About& about) {
-    Outgoing out;
-    out.put(seconds_for(about));
+    Outgoing out = question(about);
     out.put(call);
     return out;
 }

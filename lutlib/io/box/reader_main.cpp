@@ -1,5 +1,7 @@
-// lutlib-reader MODULE ENTRY: loads OpenImageIO's or OpenColorIO's module and makes readers of it,
-// processes that read strangers' files within limits. Speaks with its program over descriptor 3.
+// lutlib-reader MODULE ENTRY: loads OpenImageIO's or OpenColorIO's module, or one of a program's
+// own, and makes readers of it, processes that read strangers' files within limits. Speaks with its
+// program over descriptor 3.
+#include "lutlib/io/box/module_desk.h"
 #include "lutlib/io/box/serve.h"
 #include "lutlib/io/box/values.h"
 
@@ -30,8 +32,13 @@ MakeDesk desk_of(const char* module, const std::string& entry) {
             return oiio_desk(*it, held);
         };
     }
-    return [it = reinterpret_cast<const Ocio* (*)()>(found)()](const Held& held) {
-        return ocio_desk(*it, held);
+    if (entry == "lutlib_ocio") {
+        return [it = reinterpret_cast<const Ocio* (*)()>(found)()](const Held& held) {
+            return ocio_desk(*it, held);
+        };
+    }
+    return [it = reinterpret_cast<const ModuleDesk* (*)()>(found)()](const Held&) {
+        return [it](Incoming& question, Outgoing& answer) { it->answer(question, answer); };
     };
 }
 

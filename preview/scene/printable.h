@@ -1,0 +1,13 @@
+// Text from models, which may go to a terminal.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace preview {
+
+/// The first bytes of a file's text, without control characters.
+std::string printable(std::string_view text, std::size_t longest = 80);
+
+} // namespace preview

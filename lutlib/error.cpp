@@ -14,6 +14,19 @@ std::string printable(const std::string& text) {
     return text.size() > longest ? out + "..." : out;
 }
 
+// A file's own words may be in it, of any length.
+std::string shortened(const std::string& message) {
+    constexpr std::size_t longest = 2000;
+    if (message.size() <= longest) {
+        return message;
+    }
+    std::size_t end = longest;
+    while (end > 0 && (static_cast<unsigned char>(message[end]) & 0xc0U) == 0x80U) {
+        --end; // not within a character of UTF-8
+    }
+    return message.substr(0, end) + "...";
+}
+
 std::string full_text(const std::string& message, const Where& where) {
     std::string out = where.file;
     if (where.line > 0) {
@@ -32,7 +45,8 @@ std::string full_text(const std::string& message, const Where& where) {
 } // namespace
 
 Error::Error(const std::string& message, Where where)
-    : std::runtime_error(full_text(message, where)), message_(message), where_(std::move(where)) {}
+    : std::runtime_error(full_text(shortened(message), where)), message_(shortened(message)),
+      where_(std::move(where)) {}
 
 Error Error::in_file(const std::string& file) const {
     return Error(message_, Where{file, where_.line, where_.text});

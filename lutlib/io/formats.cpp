@@ -140,9 +140,15 @@ Reading decode_lut(std::string_view bytes, const std::string& file, const ReadOp
     if (!row.read) {
         throw UsageError("the format '" + std::string(row.name) + "' can only be written");
     }
-    Reading out = row.read(row, bytes, file, options);
-    out.lut.provenance = file;
-    return out;
+    try {
+        Reading out = row.read(row, bytes, file, options);
+        out.lut.provenance = file;
+        return out;
+    } catch (const UsageError&) {
+        throw;
+    } catch (const Error& error) { // of a check that knows no file
+        throw error.where().file.empty() ? error.in_file(file) : error;
+    }
 }
 
 Reading read_lut(const std::string& path, const ReadOptions& options, std::string_view format) {

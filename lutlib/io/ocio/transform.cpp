@@ -1,5 +1,7 @@
 #include "lutlib/io/ocio/transform.h"
 
+#include "lutlib/io/condensed.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -37,18 +39,6 @@ OCIO::TransformRcPtr domain_matrix(const Domain& domain) {
     return out;
 }
 
-// OpenColorIO's messages quote the temporary path; the reader knows the file's own name.
-std::string with_name(std::string text, const std::string& path, const std::string& file) {
-    for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path, at)) {
-        text.replace(at, path.size(), file);
-        at += file.size();
-    }
-    for (char& c : text) {
-        c = c == '\n' ? ' ' : c;
-    }
-    return text;
-}
-
 } // namespace
 
 OCIO::ConstConfigRcPtr plain_config() {
@@ -78,7 +68,8 @@ OCIO::ConstProcessorRcPtr processor_at(const std::string& path, const std::strin
         return processor;
     } catch (const OCIO::Exception& e) {
         OCIO::ClearAllCaches();
-        throw Error("OpenColorIO cannot read it: " + with_name(e.what(), path, file),
+        throw Error("OpenColorIO cannot read it: " +
+                        condensed(reason_of_opencolorio(e.what()), path, file),
                     {file, 0, {}});
     }
 }

@@ -1,6 +1,7 @@
 #include "lutlib/io/oiio/depths.h"
 
 #include "lutlib/error.h"
+#include "lutlib/io/condensed.h"
 #include "lutlib/limits.h"
 
 #include <algorithm>
@@ -39,11 +40,7 @@ Depth depth_of(const OIIO::TypeDesc& type) {
 
 void fail(const std::string& message, std::string reason, const std::string& path,
           const std::string& file) {
-    for (std::size_t at = reason.find(path); at != std::string::npos; at = reason.find(path, at)) {
-        reason.replace(at, path.size(), file);
-        at += file.size();
-    }
-    std::replace(reason.begin(), reason.end(), '\n', ' ');
+    reason = condensed(std::move(reason), path, file);
     throw Error(message + (reason.empty() ? ": it is damaged or cut; fetch or export it again"
                                           : ": OpenImageIO: " + reason),
                 {file, 0, {}});

@@ -93,6 +93,8 @@ Graded report_of(const lutlib::LookPlace& place, const io::ImageInfo& image, io:
             .height = image.height,
             .has_alpha = image.alpha,
             .counts = {.pixels = image.pixels()},
+            .share =
+                1 - static_cast<double>(image.missing_pixels) / static_cast<double>(image.pixels()),
             .depth = &io::info_of(depth),
             .place = place};
 }
@@ -238,7 +240,7 @@ std::vector<io::Depth> require_depth(const std::string& depth, const std::string
 
 Graded grade_file(const Grading& grading, const std::string& picture, const std::string& output,
                   std::span<const io::Depth> held) {
-    io::SampleImage stored = io::read_samples(picture, grading.layer);
+    io::SampleImage stored = io::read_samples(picture, grading.reading);
     const std::shared_ptr<const io::PictureSource> source = stored.source;
     const lutlib::LookPlace place = place_of(grading, stored);
     if (grading.strength != 1) {
@@ -247,6 +249,11 @@ Graded grade_file(const Grading& grading, const std::string& picture, const std:
     const io::Depth depth = choose_depth(grading.depth, output, held, stored.depth);
     Graded report = report_of(place, stored, depth);
     report.remarks = source->remarks;
+    if (stored.missing_pixels > 0) {
+        report.remarks.push_back(
+            fmt::format("only {:.1f} % of the picture is in its file; the rest was taken as black",
+                        100 * report.share));
+    }
     const io::ImageWriteOptions options{.depth = depth,
                                         .alpha = stored.alpha,
                                         .text = {{"Source", io::input_name(picture)}},

@@ -30,8 +30,8 @@ struct Grading {
     std::optional<lutlib::Encoding> picture_encoding, output_encoding; ///< as they were named
     bool converts = true;                                              ///< between encodings
     const lutlib::Adaptation& adaptation;
-    std::string depth{};   ///< of the result; empty: the nearest to the picture's own
-    std::string layer{};   ///< of the picture
+    std::string depth{}; ///< of the result; empty: the nearest to the picture's own
+    lutlib::io::ImageReadOptions reading{}; ///< of the picture
     double strength = 1;   ///< of the look: 0 the picture's own codes, 1 the graded ones
     bool explains = false; ///< what was left out is said
     LookOfPixels pixels{look};
@@ -52,6 +52,7 @@ struct Graded {
     int width = 0, height = 0;
     bool has_alpha = false;
     PixelCounts counts;
+    double share = 1; ///< of its pixels that its file holds
     const lutlib::io::DepthInfo* depth = nullptr;
     lutlib::LookPlace place;
     std::vector<std::string> remarks{};  ///< of channels that were chosen

@@ -38,7 +38,7 @@ struct Options {
     PlacingOptions placing;
     ManyOptions many;
     double strength = 1;
-    bool explain = false, json = false;
+    bool partial = false, explain = false, json = false;
 };
 
 std::optional<lutlib::Encoding> named_encoding(const std::string& name, const char* option) {
@@ -130,7 +130,7 @@ int run(const Options& o, const Verb& verb) {
                           o.placing.convert(),
                           o.placing.adaptation(),
                           o.depth,
-                          o.layer,
+                          {o.layer, o.partial},
                           o.strength,
                           o.explain};
     if (is_one && !routes.empty() && routes[0].from.path == io::standard_stream) {
@@ -199,6 +199,9 @@ Run declare_apply(Verb& verb) {
                     "the look keeps its encoding, else what the look gives)");
     o->placing.declare(verb);
     o->many.declare(verb);
+    verb.add_flag("--partial", o->partial,
+                  "grade what is there of a picture that is cut short or damaged; else that is an "
+                  "error");
     verb.add_flag("--explain", o->explain,
                   "say what a picture did not need of the look, and was left out");
     verb.add_flag("--json", o->json, "print the results as JSON");

@@ -40,6 +40,8 @@ SampleImage described(const PngPicture& codes) {
     out.srgb_tag = codes.srgb_tag;
     out.profile_tag = codes.profile_tag;
     out.depth = codes.bits == 16 ? Depth::uint16 : Depth::uint8;
+    out.missing_pixels =
+        static_cast<std::size_t>(codes.missing_rows) * static_cast<std::size_t>(codes.width);
     return out;
 }
 
@@ -126,19 +128,19 @@ const DepthInfo& info_of(Depth depth) {
 }
 
 SampleImage decode_samples(std::string_view bytes, const std::string& extension,
-                           const std::string& file, const std::string& layer) {
+                           const std::string& file, const ImageReadOptions& options) {
     if (is_png(bytes)) {
-        if (!layer.empty()) {
+        if (!options.layer.empty()) {
             throw UsageError("a PNG has no layers; leave out --layer", {file, 0, {}});
         }
-        PngPicture picture = read_png_picture(bytes, file);
+        PngPicture picture = read_png_picture(bytes, file, options.partial);
         SampleImage out = described(picture);
         out.samples = std::move(picture.samples);
         out.source = source_of(std::move(picture), bytes);
         return out;
     }
     const TemporaryFile copy(bytes, file, extension);
-    return oiio().read(copy.path(), file, layer);
+    return oiio().read(copy.path(), file, options);
 }
 
 std::size_t bytes_in_work(const std::string& path) {
@@ -156,22 +158,22 @@ std::size_t bytes_in_work(const std::string& path) {
     }
 }
 
-SampleImage read_samples(const std::string& path, const std::string& layer) {
+SampleImage read_samples(const std::string& path, const ImageReadOptions& options) {
     constexpr std::size_t enough_to_tell = 8;
     const auto head = head_of_regular_file(path, enough_to_tell);
     if (!head || is_png(*head)) {
-        return decode_samples(read_file(path), extension_of(path), input_name(path), layer);
+        return decode_samples(read_file(path), extension_of(path), input_name(path), options);
     }
-    return oiio().read(path, path, layer);
+    return oiio().read(path, path, options);
 }
 
 FloatImage decode_image(std::string_view bytes, const std::string& extension,
-                        const std::string& file, const std::string& layer) {
-    return floats_of(decode_samples(bytes, extension, file, layer));
+                        const std::string& file, const ImageReadOptions& options) {
+    return floats_of(decode_samples(bytes, extension, file, options));
 }
 
-FloatImage read_image(const std::string& path, const std::string& layer) {
-    return floats_of(read_samples(path, layer));
+FloatImage read_image(const std::string& path, const ImageReadOptions& options) {
+    return floats_of(read_samples(path, options));
 }
 
 std::vector<Depth> depths_of(const std::string& path) {

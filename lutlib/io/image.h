@@ -43,6 +43,8 @@ struct ImageInfo {
     bool srgb_tag = false;        ///< a PNG with the chunk sRGB
     bool profile_tag = false;     ///< a PNG with a colour profile, the chunk iCCP
     bool holds_light = false;     ///< its file type is defined to hold linear light (EXR, HDR)
+    /// That the file does not hold, of a picture that was read in part. Their samples are 0.
+    std::size_t missing_pixels = 0;
     /// Red, green, blue and white, x and y each, where the file says them.
     std::optional<std::array<float, 8>> chromaticities{};
     /// What else its file holds.
@@ -77,14 +79,18 @@ std::optional<Encoding> encoding_of(const ImageInfo& image);
 /// of one whose header cannot be read 0. Reading it says why.
 std::size_t bytes_in_work(const std::string& path);
 
-/// `-` reads standard input. `layer` names one of several pictures in the file
-/// (picture_channels.h). Throws Error for what is no readable picture within limits.h.
-SampleImage read_samples(const std::string& path, const std::string& layer = {});
+struct ImageReadOptions {
+    std::string layer{};  ///< one of several pictures in the file (picture_channels.h)
+    bool partial = false; ///< of a picture that is not whole, what is there; else that is an error
+};
+
+/// `-` reads standard input. Throws Error for what is no readable picture within limits.h.
+SampleImage read_samples(const std::string& path, const ImageReadOptions& options = {});
 SampleImage decode_samples(std::string_view bytes, const std::string& extension,
-                           const std::string& file, const std::string& layer = {});
-FloatImage read_image(const std::string& path, const std::string& layer = {});
+                           const std::string& file, const ImageReadOptions& options = {});
+FloatImage read_image(const std::string& path, const ImageReadOptions& options = {});
 FloatImage decode_image(std::string_view bytes, const std::string& extension,
-                        const std::string& file, const std::string& layer = {});
+                        const std::string& file, const ImageReadOptions& options = {});
 
 struct ImageWriteOptions {
     Depth depth = Depth::half; ///< one of depths_of(), of the file that write_image() makes

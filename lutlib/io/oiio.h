@@ -19,7 +19,7 @@ class Oiio {
     virtual std::string version() const = 0;
     /// `file` names the picture at `path` in errors. Its type is told by its bytes.
     virtual SampleImage read(const std::string& path, const std::string& file,
-                             const std::string& layer = {},
+                             const ImageReadOptions& options = {},
                              const Allocate& allocate = {}) const = 0;
     /// Pixels of all parts, and their bytes in the file's own types, by its header; zeros where it
     /// cannot be read.

@@ -74,6 +74,37 @@ std::size_t stored_bytes(const spng_ihdr& header) {
     return (header.width * channels * header.bit_depth + 7) / 8 * header.height;
 }
 
+// From the top until one is damaged or missing; the answer is how many are. The rest is cleared.
+int decode_rows(spng_ctx* context, PngPicture& image, std::size_t length, int format, int flags,
+                const std::string& file) {
+    const std::size_t row_bytes = length / static_cast<std::size_t>(image.height);
+    int status = spng_decode_image(context, nullptr, 0, format, flags | SPNG_DECODE_PROGRESSIVE);
+    check_read(status, file);
+    int whole = 0;
+    for (std::byte* to = image.samples.data(); whole < image.height; ++whole, to += row_bytes) {
+        status = spng_decode_row(context, to, row_bytes);
+        const bool is_last = whole + 1 == image.height;
+        if (status != SPNG_OK && !(is_last && status == SPNG_EOI)) {
+            break;
+        }
+    }
+    if (whole == 0) {
+        check_read(status, file);
+    }
+    const std::size_t there = row_bytes * static_cast<std::size_t>(whole);
+    std::fill(image.samples.data() + there, image.samples.data() + length, std::byte{0});
+    return image.height - whole;
+}
+
+void check_end(spng_ctx* context, std::string_view bytes, const std::string& file) {
+    // Text may follow the pixels; this also finds a file that ends before its IEND chunk.
+    check_read(spng_decode_chunks(context), file);
+    // libspng does not read the check sum of IEND, the last 4 bytes.
+    if (bytes.rfind("IEND") + 8 > bytes.size()) {
+        check_read(SPNG_IO_EOF, file);
+    }
+}
+
 // Drops the alpha that libspng adds, in place.
 template <class Code>
 void drop_alpha(std::span<Code> codes) {
@@ -96,6 +127,21 @@ void read_text(spng_ctx* context, PngTags& image, const std::string& file) {
     for (const spng_text& chunk : chunks) {
         image.text.emplace_back(chunk.keyword, std::string(chunk.text, chunk.length));
     }
+}
+
+void read_tags(spng_ctx* context, PngTags& image, const std::string& file) {
+    std::uint8_t intent = 0;
+    std::uint32_t gamma = 0;
+    spng_iccp profile{};
+    spng_chrm_int primaries{};
+    image.srgb_tag = spng_get_srgb(context, &intent) == SPNG_OK;
+    image.gamma_tag = spng_get_gama_int(context, &gamma) == SPNG_OK;
+    image.profile_tag = spng_get_iccp(context, &profile) == SPNG_OK;
+    if (image.profile_tag) {
+        image.icc_profile.assign(profile.profile, profile.profile_len);
+    }
+    image.primaries_tag = spng_get_chrm_int(context, &primaries) == SPNG_OK;
+    read_text(context, image, file);
 }
 
 bool is_ascii(const std::string& text) {
@@ -177,7 +223,7 @@ std::vector<PngChunk> kept_chunks(std::string_view png) {
     return out;
 }
 
-PngPicture read_png_picture(std::string_view bytes, const std::string& file) {
+PngPicture read_png_picture(std::string_view bytes, const std::string& file, bool partial) {
     if (!is_png(bytes)) {
         throw Error("this is not a PNG file", {file, 0, {}});
     }
@@ -214,31 +260,26 @@ PngPicture read_png_picture(std::string_view bytes, const std::string& file) {
     std::size_t length = 0;
     check_read(spng_decoded_image_size(context.get(), format, &length), file);
     image.samples = SampleBuffer(length);
-    check_read(spng_decode_image(context.get(), image.samples.data(), length, format,
-                                 alpha ? SPNG_DECODE_TRNS : 0),
-               file);
-    // Text may follow the pixels; this also finds a file that ends before its IEND chunk.
-    check_read(spng_decode_chunks(context.get()), file);
-    // libspng does not read the check sum of IEND, the last 4 bytes.
-    if (bytes.rfind("IEND") + 8 > bytes.size()) {
-        check_read(SPNG_IO_EOF, file);
+    const int flags = alpha ? SPNG_DECODE_TRNS : 0;
+    if (partial) { // damaged pixels leave libspng without what came before them
+        read_tags(context.get(), image, file);
+    }
+    if (partial && !image.interlaced) {
+        image.missing_rows = decode_rows(context.get(), image, length, format, flags, file);
+    } else {
+        check_read(spng_decode_image(context.get(), image.samples.data(), length, format, flags),
+                   file);
+    }
+    if (!partial) {
+        check_end(context.get(), bytes, file);
     }
     if (format == SPNG_FMT_RGBA16 && !alpha) {
         drop_alpha(image.samples.as<std::uint16_t>());
     }
 
-    std::uint8_t intent = 0;
-    std::uint32_t gamma = 0;
-    spng_iccp profile{};
-    spng_chrm_int primaries{};
-    image.srgb_tag = spng_get_srgb(context.get(), &intent) == SPNG_OK;
-    image.gamma_tag = spng_get_gama_int(context.get(), &gamma) == SPNG_OK;
-    image.profile_tag = spng_get_iccp(context.get(), &profile) == SPNG_OK;
-    if (image.profile_tag) {
-        image.icc_profile.assign(profile.profile, profile.profile_len);
+    if (!partial) {
+        read_tags(context.get(), image, file);
     }
-    image.primaries_tag = spng_get_chrm_int(context.get(), &primaries) == SPNG_OK;
-    read_text(context.get(), image, file);
     return image;
 }
 

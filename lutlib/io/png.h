@@ -51,6 +51,8 @@ struct PngPicture : PngTags {
     int width = 0, height = 0;
     int channels = 3; ///< 3 RGB or 4 RGBA
     int bits = 8;     ///< or 16
+    int missing_rows =
+        0; ///< the last ones, which a file that was read in part does not hold: zeros
     SampleBuffer samples{};
 };
 
@@ -63,8 +65,9 @@ std::size_t pixels_of_png(std::string_view head);
 /// Decodes a PNG file of any colour type and depth. Grey and palette become RGB; 1, 2 and 4 bit
 /// grey is scaled to 8; transparency becomes alpha. Throws Error for anything that is not a whole,
 /// undamaged PNG within limits.h; sizes are checked before pixels are allocated. `file` names the
-/// input in errors.
-PngPicture read_png_picture(std::string_view bytes, const std::string& file);
+/// input in errors. With `partial` the rows that come before the damage are taken, of a picture
+/// that is not interlaced and has one.
+PngPicture read_png_picture(std::string_view bytes, const std::string& file, bool partial = false);
 PngImage read_png(std::string_view bytes, const std::string& file);
 
 /// The bytes of an RGB or RGBA file; srgb_tag, icc_profile, text and chunks are written, the other

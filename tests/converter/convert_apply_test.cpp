@@ -145,6 +145,27 @@ INSTANTIATE_TEST_SUITE_P(Apply, ApplyRoute,
                              return row.param.in.substr(2) + "_to_" + row.param.out.substr(2);
                          });
 
+TEST(Apply, partial_grades_what_is_there_and_says_how_much) {
+    const Folder folder;
+    const std::string look = folder.write("look.cube", saturated_cube(5));
+    const std::string picture = folder.path("a.exr"), out = folder.path("b.exr");
+    io::FloatImage image;
+    image.width = 16;
+    image.height = 64;
+    image.rgba.assign(4 * image.pixels(), 0.5F);
+    io::write_image(picture, image, {io::Depth::float32, true, {}});
+    const std::string whole = contents(picture);
+    folder.write("a.exr", whole.substr(0, whole.size() - 40)); // within the last rows
+    EXPECT_EQ(lutconv({"apply", look, picture, "-o", out}).exit_code, 2);
+    EXPECT_FALSE(std::filesystem::exists(out));
+    const Result part = lutconv({"apply", look, picture, "-o", out, "--partial"});
+    ASSERT_EQ(part.exit_code, 0) << part.err;
+    EXPECT_NE(part.out.find(" % of the picture is in its file"), std::string::npos)
+        << part.out;
+    const io::FloatImage graded = io::read_image(out);
+    EXPECT_NE(graded.rgba[0], graded.rgba[4 * (graded.pixels() - 1)]);
+}
+
 TEST_P(ApplyRoute, evaluates_the_lut_at_every_pixel_and_keeps_alpha) {
     const Route& route = GetParam();
     const Folder folder;

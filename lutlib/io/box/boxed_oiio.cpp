@@ -108,12 +108,13 @@ Oiio::Size BoxedOiio::size(const std::string& path) const {
 }
 
 SampleImage BoxedOiio::read(const std::string& path, const std::string& file,
-                            const std::string& layer, const Allocate&) const {
+                            const ImageReadOptions& options, const Allocate&) const {
     const Descriptor copy(new_memory_file());
     const About about{file, copy_into(copy.get(), path, file)};
     Outgoing asked = question(OiioCall::read, about);
     asked.put(std::string_view(file));
-    asked.put(std::string_view(layer));
+    asked.put(std::string_view(options.layer));
+    asked.put(std::uint8_t{options.partial});
     asked.attach(copy.get());
     Incoming answer = ask(asked, about);
     SampleImage out = take_image(answer, Sharing::ended);

@@ -19,7 +19,8 @@ class BoxedOiio final : public Oiio {
     std::string version() const override;
     Size size(const std::string& path) const override;
     SampleImage read(const std::string& path, const std::string& file,
-                     const std::string& layer = {}, const Allocate& allocate = {}) const override;
+                     const ImageReadOptions& options = {},
+                     const Allocate& allocate = {}) const override;
     bool writes(const std::string& path) const override;
     std::vector<std::string> written_extensions() const override;
     Depth written_depth(const std::string& path, const std::string& name, const std::string& file,

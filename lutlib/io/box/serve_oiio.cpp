@@ -25,10 +25,13 @@ SharedBytes shared(std::string_view bytes) {
 }
 
 void read(const Oiio& library, Incoming& question, Outgoing& answer) {
-    const std::string file = question.take_text(), layer = question.take_text();
+    const std::string file = question.take_text();
+    ImageReadOptions options;
+    options.layer = question.take_text();
+    options.partial = question.take_bool();
     const Descriptor opened(question.take_file());
     const SampleImage image =
-        library.read(path_of(opened.get()), file, layer, [](std::size_t bytes) {
+        library.read(path_of(opened.get()), file, options, [](std::size_t bytes) {
             constexpr std::size_t bytes_a_second = 1 << 22;
             limit_computing(static_cast<unsigned>(1 + bytes / bytes_a_second));
             return SharedBytes(bytes).samples();

@@ -115,6 +115,7 @@ void put(Outgoing& to, const SampleImage& image) {
     to.put(std::uint8_t{image.srgb_tag});
     to.put(std::uint8_t{image.profile_tag});
     to.put(std::uint8_t{image.holds_light});
+    to.put(std::uint64_t{image.missing_pixels});
     to.put(std::uint8_t{image.chromaticities.has_value()});
     to.put(image.chromaticities.value_or(std::array<float, 8>{}));
     if (image.samples.descriptor() >= 0) {
@@ -137,6 +138,7 @@ SampleImage take_image(Incoming& from, Sharing sharing) {
     out.srgb_tag = from.take_bool();
     out.profile_tag = from.take_bool();
     out.holds_light = from.take_bool();
+    out.missing_pixels = static_cast<std::size_t>(from.take<std::uint64_t>());
     const bool has_chromaticities = from.take_bool();
     const auto chromaticities = from.take<std::array<float, 8>>();
     if (has_chromaticities) {
@@ -146,7 +148,7 @@ SampleImage take_image(Incoming& from, Sharing sharing) {
     const bool has_sides = out.width > 0 && out.height > 0 && out.width <= limits::max_image_side &&
                            out.height <= limits::max_image_side;
     if (!has_sides || out.channels < 1 || out.channels > 4 || out.depth > Depth::float32 ||
-        shared.bytes().size() != out.bytes()) {
+        out.missing_pixels > out.pixels() || shared.bytes().size() != out.bytes()) {
         throw Error("the process that reads the file sent a damaged picture; run it again, and "
                     "report the file if that fails too");
     }

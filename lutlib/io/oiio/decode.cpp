@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
-#include <string_view>
 
 namespace lutlib::io {
 namespace {
@@ -54,8 +53,8 @@ bool has_others(const OIIO::ImageSpec& spec, const PictureChannels& picture) {
     return spec.nchannels > (picture.has_alpha() ? 4 : 3);
 }
 
-void decode(OIIO::ImageInput& input, const PictureChannels& picture, const std::string& path,
-            const std::string& file, SampleImage& image) {
+void decode(const PartReader& reader, const PictureChannels& picture, const std::string& file,
+            SampleImage& image) {
     const auto [least, most] =
         std::minmax_element(picture.at.begin(), picture.at.end() - (image.alpha ? 0 : 1));
     const int first = *least, last = *most + 1;
@@ -65,13 +64,8 @@ void decode(OIIO::ImageInput& input, const PictureChannels& picture, const std::
                              (!image.alpha || picture.at[3] == first + 3);
     SampleBuffer apart = is_in_place ? SampleBuffer() : SampleBuffer(image.pixels() * count * size);
     std::byte* const to = is_in_place ? image.samples.data() : apart.data();
-    const bool is_read =
-        input.read_image(static_cast<int>(picture.part), 0, first, last, type_of(image.depth), to);
-    // Of a file that ends early some readers tell so only here. WebP's complains whenever it goes
-    // back to the first frame, which it has decoded by then.
-    if (!is_read || (input.has_error() && std::string_view(input.format_name()) != "webp")) {
-        fail("cannot read the pixels", input.geterror(), path, file);
-    }
+    image.missing_pixels =
+        reader.read({static_cast<int>(picture.part), first, last, type_of(image.depth)}, to, file);
     if (!is_in_place) {
         Channels all{apart.data(), count * size, {}, {count, type_of(image.depth)}};
         for (std::size_t c = 0; c < count; ++c) {
@@ -81,9 +75,9 @@ void decode(OIIO::ImageInput& input, const PictureChannels& picture, const std::
     }
 }
 
-std::vector<KeptPart> kept_parts(OIIO::ImageInput& input, std::vector<OIIO::ImageSpec> specs,
-                                 const PictureChannels& picture, const std::string& path,
-                                 const std::string& file) {
+std::vector<KeptPart> kept_parts(const PartReader& reader, std::vector<OIIO::ImageSpec> specs,
+                                 const PictureChannels& picture, const std::string& file,
+                                 std::size_t& missing) {
     std::vector<KeptPart> out;
     std::size_t bytes = 0;
     for (std::size_t i = 0; i < specs.size(); ++i) {
@@ -98,11 +92,10 @@ std::vector<KeptPart> kept_parts(OIIO::ImageInput& input, std::vector<OIIO::Imag
                             {file, 0, {}});
             }
             part.pixels.resize(own);
-            if (!input.read_image(static_cast<int>(i), 0, 0, part.spec.nchannels,
-                                  OIIO::TypeDesc::UNKNOWN, part.pixels.data()) ||
-                input.has_error()) {
-                fail("cannot read the other channels", input.geterror(), path, file);
-            }
+            const std::size_t lacks =
+                reader.read({static_cast<int>(i), 0, part.spec.nchannels, OIIO::TypeDesc::UNKNOWN},
+                            part.pixels.data(), file);
+            missing = i == picture.part ? lacks : missing;
         }
         out.push_back(std::move(part));
     }

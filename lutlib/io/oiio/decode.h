@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lutlib/io/oiio/kept.h"
+#include "lutlib/io/oiio/part_reader.h"
 
 #include <string>
 #include <vector>
@@ -15,14 +16,15 @@ Depth picture_depth(const OIIO::ImageSpec& spec, const PictureChannels& picture)
 bool has_others(const OIIO::ImageSpec& spec, const PictureChannels& picture);
 
 /// The picture alone into `image`, whose samples are as large as image.bytes(). Throws Error about
-/// `file`, which lies at `path`.
-void decode(OIIO::ImageInput& input, const PictureChannels& picture, const std::string& path,
-            const std::string& file, SampleImage& image);
+/// `file`.
+void decode(const PartReader& reader, const PictureChannels& picture, const std::string& file,
+            SampleImage& image);
 
-/// All parts, each with its pixels where the picture's are not all of them. Throws Error.
-std::vector<KeptPart> kept_parts(OIIO::ImageInput& input, std::vector<OIIO::ImageSpec> specs,
-                                 const PictureChannels& picture, const std::string& path,
-                                 const std::string& file);
+/// All parts, each with its pixels where the picture's are not all of them; of the picture's part,
+/// how many are missing, to `missing`. Throws Error.
+std::vector<KeptPart> kept_parts(const PartReader& reader, std::vector<OIIO::ImageSpec> specs,
+                                 const PictureChannels& picture, const std::string& file,
+                                 std::size_t& missing);
 
 /// The picture out of a part that kept_parts() has read.
 void gather(const KeptPart& part, const PictureChannels& picture, SampleImage& image);

@@ -104,18 +104,18 @@ class Library final : public Oiio {
 
     std::string version() const override { return OIIO_VERSION_STRING; }
 
-    SampleImage read(const std::string& path, const std::string& file, const std::string& layer,
-                     const Allocate& allocate) const override {
+    SampleImage read(const std::string& path, const std::string& file,
+                     const ImageReadOptions& options, const Allocate& allocate) const override {
         const auto input = opened(path, file);
         check_size(input->spec(), file);
         const std::string_view type = input->format_name();
         const std::vector<OIIO::ImageSpec> specs = parts_of(*input, file);
         const std::vector<PicturePart> parts = named_parts(specs, type);
         const std::vector<PictureChannels> pictures = pictures_among(parts, file);
-        const PictureChannels picture = require_picture(pictures, parts, layer, file);
+        const PictureChannels picture = require_picture(pictures, parts, options.layer, file);
         const OIIO::ImageSpec& spec = specs[picture.part];
         check_size(spec, file);
-        check_packing(spec, type, std::filesystem::file_size(path), file);
+        check_packing(spec, type, std::filesystem::file_size(path), file, options.partial);
 
         SampleImage image;
         image.width = spec.width;
@@ -135,10 +135,11 @@ class Library final : public Oiio {
         const auto source = source_of(*input, spec, picture);
         source->premultiplied = image.premultiplied;
         source->remarks = channel_remarks(picture, pictures, parts);
+        const PartReader reader(*input, path, options.partial);
         if (!has_others(spec, picture)) {
-            decode(*input, picture, path, file, image);
+            decode(reader, picture, file, image);
         }
-        source->parts = kept_parts(*input, specs, picture, path, file);
+        source->parts = kept_parts(reader, specs, picture, file, image.missing_pixels);
         if (has_others(spec, picture)) {
             gather(source->parts[picture.part], picture, image);
         }
@@ -159,7 +160,9 @@ class Library final : public Oiio {
     bool writes(const std::string& path) const override {
         const auto output = OIIO::ImageOutput::create(path);
         OIIO::geterror(); // else it is printed when the program ends
-        return output && is_read_by(output->format_name());
+        // JPEG 2000's writer makes nothing under a name without its extension, as boxes have them.
+        return output && is_read_by(output->format_name()) &&
+               std::string_view(output->format_name()) != "jpeg2000";
     }
 
     std::vector<std::string> written_extensions() const override {

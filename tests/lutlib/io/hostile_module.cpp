@@ -91,7 +91,7 @@ class Hostile final : public Oiio {
     std::string version() const override { return "1"; }
 
     Size size(const std::string&) const override { return {}; }
-    SampleImage read(const std::string& path, const std::string&, const std::string&,
+    SampleImage read(const std::string& path, const std::string&, const ImageReadOptions&,
                      const Allocate& allocate) const override {
         static const std::map<std::string, void (*)()> deeds{{"crash", crash},
                                                              {"abort", std::abort},

@@ -165,6 +165,7 @@ TEST(Image, of_an_extension_that_no_type_has_is_told_which_there_are) {
     }
     for (const std::string& extension : known) {
         EXPECT_TRUE(oiio().writes("picture." + extension)) << extension;
+        EXPECT_FALSE(depths_of(ScratchFolder().file("x." + extension)).empty()) << extension;
     }
     const auto refusal = [](const std::string& path) {
         try {

@@ -31,6 +31,7 @@ void open_look(State& state, const io::Look& look) {
     const bool is_recipe = look.recipe() != nullptr;
     next.recipe = look.as_recipe();
     next.recipe.title = look.title();
+    next.saved = next.recipe;
     next.told = told_of(look);
     next.recipe_path = is_recipe ? look.path() : "";
     next.base_path = is_recipe ? io::base_path(next.recipe, look.path()) : look.path();
@@ -50,9 +51,11 @@ void open_side(Side& side, const io::Look& look) {
     side.source = SideSource::file;
 }
 
-void save_recipe(State& state, const std::string& path) {
+void save_recipe(History& history, const std::string& path) {
+    State& state = history.draft();
     io::save_recipe(state.recipe, path, state.base_path);
     state.recipe_path = path;
+    history.mark_saved();
 }
 
 std::string export_strip(const State& state, const Side& side, const std::string& path) {

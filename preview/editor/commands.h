@@ -13,7 +13,7 @@ void open_look(State& state, const lutlib::io::Look& look);
 /// The side shows another look, as a table.
 void open_side(Side& side, const lutlib::io::Look& look);
 
-void save_recipe(State& state, const std::string& path);
+void save_recipe(History& history, const std::string& path);
 
 /// The recipe as a strip for the engine of `side`, as `lutconv bake` makes it; what it lost.
 std::string export_strip(const State& state, const Side& side, const std::string& path);

@@ -36,8 +36,12 @@ std::string title_of(const Side& side) {
            (side.engine != nullptr ? " " + std::string(side.engine->name) : "");
 }
 
+bool same(const lutlib::Recipe& a, const lutlib::Recipe& b) {
+    return values_of(a) == values_of(b);
+}
+
 bool operator==(const State& a, const State& b) {
-    return values_of(a) == values_of(b) && values_of(a.recipe) == values_of(b.recipe) &&
+    return values_of(a) == values_of(b) && same(a.recipe, b.recipe) &&
            static_cast<const PictureSettings&>(a) == static_cast<const PictureSettings&>(b) &&
            values_of(a.orbit) == values_of(b.orbit);
 }
@@ -53,6 +57,13 @@ State initial_state() {
 }
 
 History::History(State first) : states_{first}, draft_(std::move(first)) {}
+
+void History::mark_saved() {
+    draft_.saved = draft_.recipe;
+    for (State& state : states_) {
+        state.saved = draft_.recipe;
+    }
+}
 
 bool History::settle() {
     if (draft_ == states_[at_]) {

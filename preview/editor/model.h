@@ -73,6 +73,7 @@ struct State : PictureSettings {
     lutlib::Recipe recipe;
     std::string recipe_path;       ///< empty: never saved
     std::string base_path;         ///< where the recipe's base lies
+    lutlib::Recipe saved;          ///< the recipe as it was opened or saved last
     std::vector<std::string> told; ///< what the reading of the look lost, guessed or left undone
     std::array<Side, 2> sides;
     PictureCodes picture;
@@ -84,6 +85,11 @@ struct State : PictureSettings {
     CubeChoice cube;
 };
 bool operator==(const State& a, const State& b);
+
+bool same(const lutlib::Recipe& a, const lutlib::Recipe& b);
+inline bool is_unsaved(const State& state) {
+    return !same(state.recipe, state.saved);
+}
 
 /// An empty recipe on side B, beside no look; engines' rows are the first engine's.
 State initial_state();
@@ -101,6 +107,8 @@ class History {
     /// What is not settled is settled first.
     bool undo();
     bool redo();
+    /// A file holds the draft's recipe now: every other state's is unsaved.
+    void mark_saved();
     bool can_undo() const { return at_ > 0; }
     bool can_redo() const { return at_ + 1 < states_.size(); }
 

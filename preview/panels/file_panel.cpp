@@ -59,7 +59,7 @@ void file_panel(Ui& ui) {
     if (path_line(ui, "Save recipe", ui.recipe_file, recipe, "save")) {
         const std::string path = path_or(ui.recipe_file, recipe);
         attempt_writing(ui, path, [&ui, path] {
-            save_recipe(ui.history.draft(), path);
+            save_recipe(ui.history, path);
             ui.report = "saved " + path + "\n";
         });
     }

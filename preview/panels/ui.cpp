@@ -54,7 +54,7 @@ constexpr Shortcut shortcuts[] = {
          if (state.recipe_path.empty()) {
              ui.errors.emplace_back("the recipe has no file yet: save it under Files");
          } else {
-             attempt(ui, [&] { save_recipe(state, state.recipe_path); });
+             attempt(ui, [&] { save_recipe(ui.history, state.recipe_path); });
          }
      }},
     {"Ctrl+Shift+R", "make everything on the GPU anew", Key::r, true, true,

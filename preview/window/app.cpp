@@ -6,10 +6,13 @@
 #include "preview/editor/commands.h"
 #include "preview/editor/look_baker.h"
 #include "preview/scene/import.h"
+#include "preview/window/autosave.h"
+#include "preview/window/display_end.h"
 #include "preview/window/gui.h"
 #include "preview/window/opening.h"
 #include "preview/window/present.h"
 #include "preview/window/screen.h"
+#include "preview/window/settings_folder.h"
 #include "preview/window/window_events.h"
 #include "preview/window/window_frame.h"
 
@@ -18,12 +21,21 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace preview {
 
 namespace {
 
 // Dear ImGui needs a frame to notice an event, and one to show what it led to.
 constexpr int frames_after_event = 3;
+
+// Bad input or a machine that cannot.
+constexpr int code_of_lost_display = 2;
+
+std::string shown_path(const std::filesystem::path& path) {
+    return lutlib::io::shown_text(path.string());
+}
 
 void print_validation(const gpu::Device& device) {
     for (const std::string& message : device.validation_messages()) {
@@ -34,10 +46,14 @@ void print_validation(const gpu::Device& device) {
 class App {
   public:
     explicit App(WindowSetup setup);
+    ~App() { at_end_of_display({}, code_of_lost_display); }
+    App(const App&) = delete;
+    App& operator=(const App&) = delete;
     void run();
 
   private:
     void wake() { frames_due_ = frames_after_event; }
+    void tell(const std::string& notice);
     void open(const std::string& path);
     void make_screen();
     void follow_shown();
@@ -47,6 +63,8 @@ class App {
     void take_looks();
     void render(const panels::Rect& area);
     void write_places() const;
+    void keep_look();
+    void show_title();
 
     WindowSetup setup_;
     Window window_;
@@ -62,6 +80,8 @@ class App {
     std::optional<Graph> drawn_;
     int frames_due_ = frames_after_event;
     Recovery recovery_;
+    Autosave autosave_{settings_folder()};
+    bool shows_unsaved_ = false; ///< in the window's title
 };
 
 App::App(WindowSetup setup)
@@ -71,6 +91,24 @@ App::App(WindowSetup setup)
     if (!gui_->notice().empty()) {
         ui_.errors.push_back(gui_->notice());
     }
+    if (settings_folder().empty()) {
+        tell("name a folder in XDG_CONFIG_HOME or HOME: without one an unsaved look is not kept "
+             "when "
+             "the window ends, and the panels' places are not remembered");
+    }
+    for (const std::string& found : autosave_.found()) {
+        tell(found);
+    }
+    at_end_of_display(
+        [this] {
+            keep_look();
+            lutlib::io::print_err("lutpreview: the display server has ended" +
+                                  (autosave_.kept()
+                                       ? "; the unsaved look is in " + shown_path(*autosave_.kept())
+                                       : std::string()) +
+                                  "\n");
+        },
+        code_of_lost_display);
     make_screen();
 }
 
@@ -144,6 +182,7 @@ void App::run() {
             recovery_.drew();
         } catch (const vk::SystemError& error) {
             if (!is_lost(error)) {
+                glfwPollEvents(); // which ends the program when the display server is gone
                 throw;
             }
             ui_.errors.push_back(recovery_.lost(error));
@@ -151,7 +190,32 @@ void App::run() {
             make_screen();
         }
     }
+    autosave_.forget();
     print_validation(screen_->device);
+}
+
+/// In the window, and on standard error for who started it from there.
+void App::tell(const std::string& notice) {
+    ui_.errors.push_back(notice);
+    lutlib::io::print_err("lutpreview: " + lutlib::io::shown_text(notice) + "\n");
+}
+
+void App::keep_look() {
+    try {
+        autosave_.keep(ui_.history.draft());
+    } catch (const lutlib::Error& error) {
+        if (std::find(ui_.errors.begin(), ui_.errors.end(), error.what()) == ui_.errors.end()) {
+            ui_.errors.emplace_back(error.what());
+        }
+    }
+}
+
+void App::show_title() {
+    const bool is_unsaved = editor::is_unsaved(ui_.history.draft());
+    if (is_unsaved != shows_unsaved_) {
+        glfwSetWindowTitle(window_.handle(), is_unsaved ? "* lutpreview" : "lutpreview");
+        shows_unsaved_ = is_unsaved;
+    }
 }
 
 void App::resize_if_asked() {
@@ -193,7 +257,9 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
     request_looks();
     take_looks();
     render(area);
+    show_title();
     if (frames_due_ == 0 && !baker_.is_busy()) {
+        keep_look();
         write_places();
     }
 }

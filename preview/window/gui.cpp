@@ -1,10 +1,11 @@
 #include "preview/window/gui.h"
 
+#include "preview/window/settings_folder.h"
+
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui/backends/imgui_impl_glfw.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -94,23 +95,8 @@ void Gui::begin_frame(const std::vector<editor::InputEvent>& events) {
 }
 
 std::string layout_path() {
-    namespace fs = std::filesystem;
-    const auto folder_in = [](const char* variable) {
-        const char* const value = std::getenv(variable);
-        const fs::path path = value != nullptr ? value : "";
-        return path.is_absolute() ? path : fs::path();
-    };
-    fs::path folder = folder_in("XDG_CONFIG_HOME");
-    if (folder.empty()) {
-        if (folder = folder_in("HOME"); folder.empty()) {
-            return {};
-        }
-        folder /= ".config";
-    }
-    folder /= "lutpreview";
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    return failed ? std::string() : (folder / "layout.ini").string();
+    const std::filesystem::path folder = settings_folder();
+    return folder.empty() ? std::string() : (folder / "layout.ini").string();
 }
 
 } // namespace preview

@@ -36,9 +36,7 @@ class Gui {
     std::string layout_path_, notice_;
 };
 
-/// Where the panels' layout is remembered: in a folder of the user's configuration by the XDG Base
-/// Directory Specification, which does not count what is empty or relative. The folder is made.
-/// Empty when there can be none.
+/// Where the panels' layout is remembered. Empty when there is no settings_folder().
 std::string layout_path();
 
 } // namespace preview

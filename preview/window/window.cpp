@@ -9,17 +9,18 @@ namespace preview {
 
 namespace {
 
+/// Behind what failed.
 std::string glfw_error() {
     const char* text = nullptr;
     glfwGetError(&text);
-    return text != nullptr ? text : "no reason given";
+    return text != nullptr ? std::string(": ") + text : std::string();
 }
 
 } // namespace
 
 Window::Library::Library() {
     if (glfwInit() != GLFW_TRUE) {
-        throw lutlib::Error("cannot open a window: " + glfw_error() +
+        throw lutlib::Error("cannot open a window" + glfw_error() +
                             "; --headless -o FILE renders without one");
     }
     if (glfwVulkanSupported() != GLFW_TRUE) {
@@ -38,7 +39,7 @@ Window::Window(Size size) {
     handle_ = glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height),
                                "lutpreview", nullptr, nullptr);
     if (handle_ == nullptr) {
-        throw lutlib::Error("cannot open a window: " + glfw_error());
+        throw lutlib::Error("cannot open a window" + glfw_error());
     }
 }
 
@@ -66,7 +67,7 @@ gpu::DeviceOptions Window::device_options(const std::string& wanted, bool valida
 VkSurfaceKHR Window::make_surface(const gpu::Device& device) const {
     VkSurfaceKHR surface = VK_NULL_HANDLE;
     if (glfwCreateWindowSurface(*device.instance(), handle_, nullptr, &surface) != VK_SUCCESS) {
-        throw lutlib::Error("cannot draw in the window: no Vulkan surface: " + glfw_error());
+        throw lutlib::Error("cannot draw in the window: no Vulkan surface" + glfw_error());
     }
     return surface;
 }

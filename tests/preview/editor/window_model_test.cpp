@@ -204,17 +204,37 @@ TEST(Operations, move_to_any_place_and_keep_the_others_in_order) {
 
 TEST(Commands, save_a_recipe_that_opens_as_it_was) {
     const Folder folder;
-    State state = initial_state();
+    History history(initial_state());
+    State& state = history.draft();
     for (const lutlib::Op* op : lutlib::ops()) {
         add_operation(state.recipe, *op);
     }
     state.recipe.title = "All";
-    save_recipe(state, folder.file("all.json"));
+    EXPECT_TRUE(is_unsaved(state));
+    save_recipe(history, folder.file("all.json"));
+    EXPECT_FALSE(is_unsaved(state));
     State opened = initial_state();
     const auto saved = lutlib::io::Look::open_if_look(folder.file("all.json"));
     ASSERT_TRUE(saved);
     open_look(opened, *saved);
     EXPECT_TRUE(opened == state);
+    EXPECT_FALSE(is_unsaved(opened));
+}
+
+TEST(Commands, that_undo_what_was_saved_leave_it_unsaved) {
+    const Folder folder;
+    History history(initial_state());
+    add_operation(history.draft().recipe, *lutlib::op_named("exposure"));
+    history.settle();
+    save_recipe(history, folder.file("a.json"));
+    history.settle();
+    history.undo();
+    history.undo();
+    EXPECT_TRUE(history.draft().recipe.operations.empty());
+    EXPECT_TRUE(is_unsaved(history.draft()));
+    history.redo();
+    history.redo();
+    EXPECT_FALSE(is_unsaved(history.draft()));
 }
 
 TEST(Commands, make_an_exported_lut_the_base_of_a_new_recipe) {

@@ -88,6 +88,8 @@ class Desktop {
     const std::filesystem::path& folder() const { return folder_; }
     /// ":7"; for the environment of programs.
     const std::string& display() const { return display_; }
+    /// As when its user logs out, or it crashes.
+    void end_server() { server_.reset(); }
     Screen grab() const;
     /// xdotool's commands, one after another. Throws std::runtime_error.
     void xdotool(std::vector<std::string> words) const;

@@ -105,27 +105,18 @@ RgbD khronos_neutral(RgbD c) {
 }
 
 constexpr auto table = std::to_array<Tonemap>({
-    {.name = "aces-hill",
-     .label = "ACES (Hill)",
-     .encoding = "sRGB",
-     .mix = aces_hill,
-     .shader = "aces_hill"},
-    {.name = "aces-narkowicz",
-     .label = "ACES (Narkowicz)",
-     .encoding = "sRGB",
-     .curve = aces_narkowicz},
-    {.name = "agx", .label = "AgX", .encoding = "power 2.2", .mix = agx, .shader = "agx"},
+    {.name = "aces-hill", .label = "ACES (Hill)", .mix = aces_hill, .shader = "aces_hill"},
+    {.name = "aces-narkowicz", .label = "ACES (Narkowicz)", .curve = aces_narkowicz},
+    {.name = "agx", .label = "AgX, codes of power 2.2", .mix = agx, .shader = "agx"},
     {.name = "khronos-neutral",
      .label = "Khronos PBR Neutral",
-     .encoding = "sRGB",
      .mix = khronos_neutral,
      .shader = "khronos_neutral"},
-    {.name = "reinhard", .label = "Reinhard", .encoding = "sRGB", .curve = reinhard},
+    {.name = "reinhard", .label = "Reinhard", .curve = reinhard},
     {.name = "uncharted2",
-     .label = "Uncharted 2, as in Piccolo",
-     .encoding = "power 2.2",
+     .label = "Uncharted 2, as in Piccolo, codes of power 2.2",
      .curve = uncharted2},
-    {.name = "none", .label = "none: clip at 1", .encoding = "sRGB", .curve = srgb_encode},
+    {.name = "none", .label = "none: clip at 1", .curve = srgb_encode},
 });
 
 std::vector<float> tabulate(const Tonemap& row) {

@@ -17,8 +17,7 @@ namespace preview {
 
 struct Tonemap {
     std::string_view name;
-    std::string_view label;
-    std::string_view encoding; ///< how its result is encoded for the display
+    std::string_view label; ///< with how its result is encoded for the display, where not as sRGB
     /// Of each channel by itself, for light of 0..65504; what it gives above 1 is clipped.
     double (*curve)(double light) = nullptr;
     /// Of colours of 0..65504, for a row without a curve, and the GLSL function that does the same.

@@ -6,6 +6,7 @@
 #include "lutlib/io/file.h"
 #include "lutlib/io/png.h"
 #include "preview/cli/headless.h"
+#include "preview/cli/look_options.h"
 #include "preview/cli/picture_file.h"
 #include "preview/effects/effect.h"
 #include "preview/look/gpu_look.h"
@@ -29,6 +30,7 @@ struct Golden {
     const char* bloom;
     /// No code may be off by more: about what a surface differs from what lies behind it.
     int largest = 64;
+    const char* look = nullptr; ///< of side B, among the sample looks; null: a warm one
 };
 
 constexpr Golden goldens[] = {
@@ -38,6 +40,9 @@ constexpr Golden goldens[] = {
     {"sample_a", "sample", "a", "agx", "none", 96}, // white linen on black glass
     {"night_b", "night", "b", "agx", "glare"},
     {"exterior_a", "exterior", "a", "agx", "none"},
+    // Looks that stand before the tone map, fed what they expect.
+    {"log_to_display", "sample", "split", "agx", "none", 96, "log_to_display.json"},
+    {"hdr_domain4", "sample", "split", "agx", "none", 96, "hdr_domain4.json"},
 };
 
 /// What drivers may make of edges: so many codes may be off by more than 2.
@@ -58,8 +63,17 @@ lutlib::Lut warm_look() {
     return look;
 }
 
+LookData look_of(const Golden& golden) {
+    if (golden.look == nullptr) {
+        return look_for(warm_look(), *gpu_lookup_named("piccolo")).data;
+    }
+    Options options;
+    options.look_b = std::string(LUT_LOOKS_FOLDER) + "/" + golden.look;
+    return load_look(options.look_b, use_b(options, true)).data;
+}
+
 lutlib::io::PngImage rendered(const gpu::Device& device, const Golden& golden) {
-    const GpuLook look(device, look_for(warm_look(), *gpu_lookup_named("piccolo")).data);
+    const GpuLook look(device, look_of(golden));
     const Scene scene = scene_at(*scene_named(golden.scene), 0);
     const GpuScene gpu_scene(device, scene);
     FrameInputs inputs;

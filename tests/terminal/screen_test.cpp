@@ -85,7 +85,7 @@ TEST(Screen, is_as_wide_as_the_tables_and_the_help_on_it) {
     EXPECT_LE(longest_line(on_terminal(200, {"encodings"}, {"COLUMNS=70"})), 70U);
 }
 
-TEST(Screen, shows_colours_unless_it_has_none_or_they_are_unwanted) {
+TEST(Screen, shows_colors_unless_it_has_none_or_they_are_unwanted) {
     EXPECT_TRUE(has_color(on_terminal(80, {"formats"})));
     EXPECT_TRUE(has_color(on_terminal(80, {"bake"})));
     EXPECT_TRUE(has_color(on_terminal(80, {"formats"}, {"NO_COLOR="}))) << "empty is unset";
@@ -94,7 +94,7 @@ TEST(Screen, shows_colours_unless_it_has_none_or_they_are_unwanted) {
     EXPECT_FALSE(has_color(on_terminal(80, {"formats"}, {"TERM=dumb"})));
 }
 
-TEST(Pipe, has_neither_width_nor_colours) {
+TEST(Pipe, has_neither_width_nor_colors) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
     EXPECT_EQ(terminal::columns_of(ends[1]), 0U);

@@ -79,7 +79,7 @@ TEST(Table, counts_characters_and_spells_out_what_would_command_the_terminal) {
     EXPECT_EQ(out.text(), "Gr\u00fcn  a\nBlau  \\x1b[2Jb\n");
 }
 
-TEST(Table, has_colours_only_where_the_style_has_them) {
+TEST(Table, has_colors_only_where_the_style_has_them) {
     EXPECT_EQ(table().text().find('\x1b'), std::string::npos);
     const std::string text = table().text(0, Style(true));
     EXPECT_NE(text.find("  \x1b[1mlogc3\x1b[0m  ARRI"), std::string::npos) << text;

@@ -55,13 +55,12 @@ thread_local std::string last_opened;
 
 constexpr const char* empty_file = "the file is empty";
 
-// Devices, pipes and sockets have no old content to protect and cannot be renamed over.
+} // namespace
+
 bool is_special(const std::string& path) {
     struct stat info {};
     return ::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode);
 }
-
-} // namespace
 
 std::string input_name(const std::string& path) {
     return path == standard_stream ? "standard input" : path;

@@ -51,6 +51,10 @@ class FileInput final : public ByteSource {
 /// does.
 std::optional<std::string> head_of_regular_file(const std::string& path, std::size_t bytes);
 
+/// Whether a device, a pipe or a socket is there: it has no old content to protect, and must not be
+/// replaced by a file.
+bool is_special(const std::string& path);
+
 /// Replaces `path` by `bytes` at once, or writes them to standard output for `-`. A new file gets
 /// the permissions of the umask, a replaced one keeps its own, a symbolic link stays a link.
 /// Devices and pipes are written in place. Throws Error; the old file is then unchanged.

@@ -189,9 +189,13 @@ std::vector<Depth> depths_of(const std::string& path) {
             {path, 0, {}});
     }
     std::vector<Depth> out;
-    const PendingFile trial(path);
+    std::optional<PendingFile> beside; // so that a folder that takes no file is told now
+    std::optional<TemporaryFile> elsewhere;
+    const std::string& trial = is_special(path)
+                                   ? elsewhere.emplace(std::string_view(), path, "").path()
+                                   : beside.emplace(path).path();
     for (const DepthInfo& row : table) {
-        const Depth written = oiio().written_depth(trial.path(), path, path, row.depth);
+        const Depth written = oiio().written_depth(trial, path, path, row.depth);
         if (std::find(out.begin(), out.end(), written) == out.end()) {
             out.push_back(written);
         }
@@ -238,6 +242,12 @@ std::vector<std::string> write_image(const std::string& path, const FloatImage& 
 
 std::vector<std::string> write_samples(const std::string& path, SampleImage image,
                                        const ImageWriteOptions& options) {
+    if (is_special(path) && !is_png_name(path)) {
+        const TemporaryFile whole({}, path, "");
+        std::vector<std::string> lost = oiio().write(whole.path(), path, path, image, options);
+        write_file(path, read_file(whole.path()));
+        return lost;
+    }
     if (!is_png_name(path)) {
         PendingFile pending(path);
         std::vector<std::string> lost = oiio().write(pending.path(), path, path, image, options);

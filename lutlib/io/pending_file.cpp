@@ -96,6 +96,10 @@ int made_for(const std::string& target, const std::string& name, std::string& pa
     if (exists && S_ISDIR(info.st_mode)) {
         throw Error("this is a directory; name a file in it", {name, 0, {}});
     }
+    if (exists && !S_ISREG(info.st_mode)) {
+        throw Error("this is a device or a pipe, which no file may replace; name a file",
+                    {name, 0, {}});
+    }
     // A rename would pass over the target's own write protection.
     if (exists && ::access(target.c_str(), W_OK) != 0) {
         fail("cannot replace the file", name, errno);

@@ -197,6 +197,13 @@ TEST(PendingFile, removes_what_a_killed_one_for_the_same_target_left_and_nothing
     EXPECT_EQ(read_file(at_work.path()), "mine");
 }
 
+TEST(PendingFile, refuses_a_target_that_no_file_may_replace) {
+    const ScratchFolder folder;
+    ASSERT_EQ(::mkfifo(folder.file("pipe").c_str(), 0600), 0);
+    EXPECT_THROW(PendingFile{folder.file("pipe")}, Error);
+    EXPECT_EQ(folder.count(), 1U);
+}
+
 TEST(PendingFile, is_removed_when_it_is_not_committed) {
     const ScratchFolder folder;
     put(folder.file("x.exr"), "old");

@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <sys/stat.h>
 #include <thread>
@@ -193,6 +195,29 @@ TEST(Image, comes_through_a_pipe_that_is_read_but_once) {
         writer.join();
         EXPECT_EQ(piped.rgba, read_image(path).rgba);
         EXPECT_EQ(piped.depth, read_image(path).depth);
+    }
+}
+
+TEST(Image, goes_into_a_pipe_or_a_device_and_never_replaces_it) {
+    const ScratchFolder folder;
+    for (const std::string& extension : oiio().written_extensions()) {
+        const std::string pipe = folder.file("pipe." + extension);
+        ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+        const Depth depth = depths_of(pipe).front();
+        std::string got;
+        std::thread reader([&] {
+            std::ifstream in(pipe, std::ios::binary);
+            got.assign(std::istreambuf_iterator<char>(in), {});
+        });
+        write_image(pipe, ramp(false), {depth, false, {}});
+        reader.join();
+        EXPECT_TRUE(std::filesystem::is_fifo(pipe)) << extension;
+        EXPECT_NO_THROW(decode_image(got, extension, "what came through")) << extension;
+        // Always full: an error, whatever the library says that it has written.
+        const std::string full = folder.file("full." + extension);
+        std::filesystem::create_symlink("/dev/full", full);
+        EXPECT_THROW(write_image(full, ramp(false), {depth, false, {}}), Error) << extension;
+        EXPECT_TRUE(std::filesystem::is_character_file("/dev/full")) << extension;
     }
 }
 

@@ -6,7 +6,13 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace {
 
@@ -59,6 +65,70 @@ TEST(Quiet, leaves_out_figures_and_verbose_says_what_is_written) {
     EXPECT_NE(verbose.find("lutpreview: rendered by "), std::string::npos) << verbose;
     EXPECT_NE(verbose.find("lutpreview: " + path + "\n"), std::string::npos) << verbose;
     std::remove(path.c_str());
+}
+
+/// Its exit code.
+int status_of(const std::string& arguments) {
+    const int status = std::system((std::string(LUTPREVIEW) + " " + arguments).c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+class Outputs : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string pattern = testing::TempDir() + "outputs_XXXXXX";
+        folder_ = mkdtemp(pattern.data());
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string bytes(const std::string& name) const {
+        std::ifstream in(path(name), std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    /// A picture that needs no GPU, to a file.
+    std::string drawing(const std::string& name) const {
+        return "--cube-view a --a " LUT_LOOKS_FOLDER "/warm_teal.cube --size 64x48 -o " +
+               path(name) + " ";
+    }
+
+    std::filesystem::path folder_;
+};
+
+TEST_F(Outputs, are_whole_whatever_standard_streams_are_closed) {
+    ASSERT_EQ(status_of(drawing("open.png")), 0);
+    for (const char* const streams : {"<&- >&- 2>&-", ">&- 2>/dev/null", "<&- 2>&- >/dev/null"}) {
+        EXPECT_EQ(status_of(drawing("closed.png") + streams), 0) << streams;
+        EXPECT_EQ(bytes("closed.png"), bytes("open.png")) << streams;
+    }
+}
+
+TEST_F(Outputs, that_are_full_are_an_error) {
+    for (const char* const words : {"--list", "--help", "--version"}) {
+        EXPECT_EQ(status_of(std::string(words) + " >/dev/full 2>/dev/null"), 2) << words;
+    }
+    for (const char* const name : {"x.png", "x.exr", "x.jpg", "x.tif"}) {
+        std::filesystem::create_symlink("/dev/full", path(name));
+        EXPECT_EQ(status_of(drawing(name) + "2>" + path("said")), 2) << name;
+        EXPECT_NE(bytes("said").find("No space left on device"), std::string::npos)
+            << bytes("said");
+        EXPECT_TRUE(std::filesystem::is_character_file("/dev/full")) << name;
+    }
+}
+
+TEST_F(Outputs, of_a_program_that_is_killed_are_the_old_or_the_whole_new_file) {
+    ASSERT_EQ(status_of(drawing("new.png")), 0);
+    const std::string whole = bytes("new.png");
+    for (int hundredths = 0; hundredths < 10; ++hundredths) {
+        std::ofstream(path("x.png"), std::ios::binary) << "old";
+        status_of(drawing("x.png") + "& sleep 0.0" + std::to_string(hundredths) +
+                  "; kill -9 $! 2>/dev/null; wait 2>/dev/null");
+        const std::string found = bytes("x.png");
+        EXPECT_TRUE(found == "old" || found == whole) << found.size() << " bytes";
+    }
+    ASSERT_EQ(status_of(drawing("x.png")), 0);
+    const auto count = std::distance(std::filesystem::directory_iterator(folder_), {});
+    EXPECT_EQ(count, 2) << "what a killed program left is still there";
 }
 
 } // namespace

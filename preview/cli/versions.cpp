@@ -4,7 +4,6 @@
 #include "terminal/versions.h"
 
 #include <GLFW/glfw3.h>
-#include <assimp/version.h>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <vulkan/vulkan.h>
@@ -16,11 +15,9 @@ std::string versions(bool verbose) {
     vkEnumerateInstanceVersion(&loader);
     int major = 0, minor = 0, revision = 0;
     glfwGetVersion(&major, &minor, &revision);
-    return fmt::format("lutpreview {}\nVulkan loader {}.{}.{}\nGLFW {}.{}.{}\nDear ImGui {}\n"
-                       "Assimp {}.{}.{}\n{}{}",
+    return fmt::format("lutpreview {}\nVulkan loader {}.{}.{}\nGLFW {}.{}.{}\nDear ImGui {}\n{}{}",
                        lutlib::version, VK_API_VERSION_MAJOR(loader), VK_API_VERSION_MINOR(loader),
                        VK_API_VERSION_PATCH(loader), major, minor, revision, ImGui::GetVersion(),
-                       aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch(),
                        terminal::loaded_versions(), verbose ? terminal::holding_line() : "");
 }
 

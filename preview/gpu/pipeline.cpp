@@ -87,7 +87,8 @@ const Pipeline& Pipelines::get(const PipelineKey& key) {
     return pipelines_.emplace(key, make(key)).first->second;
 }
 
-Pipeline Pipelines::make(const PipelineKey& key) {
+/// The stages that run, and what they see.
+Pipeline Pipelines::with_layout(const PipelineKey& key) const {
     Pipeline made;
     made.stages = vk::ShaderStageFlagBits::eCompute;
     if (key.raster) {
@@ -109,30 +110,12 @@ Pipeline Pipelines::make(const PipelineKey& key) {
         layout_info.setPushConstantRanges(range);
     }
     made.layout = {device_.vk(), layout_info};
+    return made;
+}
 
-    std::vector<vk::SpecializationMapEntry> entries;
-    for (std::uint32_t id = 0; id < key.constants.size(); ++id) {
-        entries.emplace_back(id, id * 4, 4);
-    }
-    const vk::SpecializationInfo constants(static_cast<std::uint32_t>(entries.size()),
-                                           entries.data(), key.constants.size() * 4,
-                                           key.constants.data());
-    const auto stage = [&](vk::ShaderStageFlagBits bit, const std::string& shader) {
-        return vk::PipelineShaderStageCreateInfo({}, bit, *module_of(shader), "main", &constants);
-    };
-
-    if (!key.raster) {
-        const vk::ComputePipelineCreateInfo info(
-            {}, stage(vk::ShaderStageFlagBits::eCompute, key.shader), *made.layout);
-        made.pipeline = {device_.vk(), nullptr, info};
-        return made;
-    }
-
-    std::vector<vk::PipelineShaderStageCreateInfo> stages{
-        stage(vk::ShaderStageFlagBits::eVertex, key.shader)};
-    if (!key.fragment_shader.empty()) {
-        stages.push_back(stage(vk::ShaderStageFlagBits::eFragment, key.fragment_shader));
-    }
+vk::raii::Pipeline
+Pipelines::graphics(const PipelineKey& key, vk::PipelineLayout layout,
+                    const std::vector<vk::PipelineShaderStageCreateInfo>& stages) {
     // Vertices are pulled from storage buffers by gl_VertexIndex.
     const vk::PipelineVertexInputStateCreateInfo vertex_input;
     const vk::PipelineInputAssemblyStateCreateInfo assembly({},
@@ -168,8 +151,37 @@ Pipeline Pipelines::make(const PipelineKey& key) {
         0, color_formats, key.depth ? vk_format(*key.depth) : vk::Format::eUndefined);
     const vk::GraphicsPipelineCreateInfo info(
         {}, stages, &vertex_input, &assembly, nullptr, &viewport, &raster, &multisample, &depth,
-        &blend, &dynamic, *made.layout, nullptr, 0, nullptr, -1, &rendering);
-    made.pipeline = {device_.vk(), nullptr, info};
+        &blend, &dynamic, layout, nullptr, 0, nullptr, -1, &rendering);
+    return {device_.vk(), nullptr, info};
+}
+
+Pipeline Pipelines::make(const PipelineKey& key) {
+    Pipeline made = with_layout(key);
+
+    std::vector<vk::SpecializationMapEntry> entries;
+    for (std::uint32_t id = 0; id < key.constants.size(); ++id) {
+        entries.emplace_back(id, id * 4, 4);
+    }
+    const vk::SpecializationInfo constants(static_cast<std::uint32_t>(entries.size()),
+                                           entries.data(), key.constants.size() * 4,
+                                           key.constants.data());
+    const auto stage = [&](vk::ShaderStageFlagBits bit, const std::string& shader) {
+        return vk::PipelineShaderStageCreateInfo({}, bit, *module_of(shader), "main", &constants);
+    };
+
+    if (!key.raster) {
+        const vk::ComputePipelineCreateInfo info(
+            {}, stage(vk::ShaderStageFlagBits::eCompute, key.shader), *made.layout);
+        made.pipeline = {device_.vk(), nullptr, info};
+        return made;
+    }
+
+    std::vector<vk::PipelineShaderStageCreateInfo> stages{
+        stage(vk::ShaderStageFlagBits::eVertex, key.shader)};
+    if (!key.fragment_shader.empty()) {
+        stages.push_back(stage(vk::ShaderStageFlagBits::eFragment, key.fragment_shader));
+    }
+    made.pipeline = graphics(key, *made.layout, stages);
     return made;
 }
 

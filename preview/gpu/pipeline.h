@@ -48,6 +48,9 @@ class Pipelines {
 
   private:
     const vk::raii::ShaderModule& module_of(const std::string& shader);
+    Pipeline with_layout(const PipelineKey& key) const;
+    vk::raii::Pipeline graphics(const PipelineKey& key, vk::PipelineLayout layout,
+                                const std::vector<vk::PipelineShaderStageCreateInfo>& stages);
     Pipeline make(const PipelineKey& key);
 
     const Device& device_;

@@ -136,6 +136,44 @@ void draw_knots(ImDrawList& list, const Canvas& canvas, const Knots& knots,
     }
 }
 
+/// What the mouse does to the knots: a click adds one or catches the one `under` it, to be dragged,
+/// the right button removes it. Whether anything changed.
+bool edit_knots(const Parameter& parameter, Knots& knots, const Knot& mouse, bool hovered,
+                bool active, std::optional<std::size_t>& under,
+                std::optional<std::size_t>& dragged) {
+    bool changed = false;
+    if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        dragged = under;
+        if (!dragged) {
+            dragged = add_knot(parameter, knots, mouse);
+            changed = true;
+        }
+    } else if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right) && under) {
+        remove_knot(parameter, knots, *under);
+        under.reset();
+        changed = true;
+    } else if (active && dragged && *dragged < knots.size() &&
+               ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1)) {
+        move_knot(parameter, knots, *dragged, mouse);
+        changed = true;
+    }
+    return changed;
+}
+
+void draw_curves(const Ui& ui, const Canvas& canvas, const Parameter& parameter, const Knots& knots,
+                 ImVec2 origin, ImVec2 corner) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(origin, corner, IM_COL32(24, 24, 28, 255));
+    list.PushClipRect(origin, corner, true);
+    if (parameter.axis.periodic) {
+        draw_ribbon(list, canvas);
+    }
+    draw_counts(list, canvas, parameter, ui.facts.measured.axis_counts);
+    draw_grid(list, canvas);
+    draw_curve(list, canvas, parameter, knots);
+    list.PopClipRect();
+}
+
 } // namespace
 
 bool curve_editor(Ui& ui, const Parameter& parameter, Knots& knots, const std::string& place) {
@@ -172,34 +210,10 @@ bool curve_editor(Ui& ui, const Parameter& parameter, Knots& knots, const std::s
         under = knot_at(canvas.view, knots, mouse, canvas.reach_share());
     }
 
-    bool changed = false;
-    if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-        dragged = under;
-        if (!dragged) {
-            dragged = add_knot(parameter, knots, mouse);
-            changed = true;
-        }
-    } else if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right) && under) {
-        remove_knot(parameter, knots, *under);
-        under.reset();
-        changed = true;
-    } else if (active && dragged && *dragged < knots.size() &&
-               ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1)) {
-        move_knot(parameter, knots, *dragged, mouse);
-        changed = true;
-    }
+    const bool changed = edit_knots(parameter, knots, mouse, hovered, active, under, dragged);
 
+    draw_curves(ui, canvas, parameter, knots, origin, {origin.x + size.x, origin.y + size.y});
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 corner(origin.x + size.x, origin.y + size.y);
-    list.AddRectFilled(origin, corner, IM_COL32(24, 24, 28, 255));
-    list.PushClipRect(origin, corner, true);
-    if (parameter.axis.periodic) {
-        draw_ribbon(list, canvas);
-    }
-    draw_counts(list, canvas, parameter, ui.facts.measured.axis_counts);
-    draw_grid(list, canvas);
-    draw_curve(list, canvas, parameter, knots);
-    list.PopClipRect();
     draw_knots(list, canvas, knots, active ? dragged : under);
     if (hovered || active) {
         const Knot shown = active && dragged && *dragged < knots.size() ? knots[*dragged] : mouse;

@@ -195,38 +195,27 @@ std::vector<std::byte> pixels_of(const OiioSource& keep, const OIIO::ImageSpec& 
     return out;
 }
 
-std::vector<std::string> give_metadata(OIIO::ImageSpec& spec, const OIIO::ImageOutput& output,
-                                       const PictureSource& keep, bool keep_color) {
-    std::vector<std::string> lost, names;
-    const auto* const source = dynamic_cast<const OiioSource*>(&keep);
-    if (!keep.icc_profile.empty()) {
-        if (!keep_color) {
-            lost.emplace_back("the colour profile, which is not true of the result");
-        } else if (!holds_profile(output)) {
-            lost.emplace_back("the colour profile");
-        } else {
-            spec.attribute(
-                icc_name,
-                OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(keep.icc_profile.size())),
-                keep.icc_profile.data());
-        }
+namespace {
+
+void give_profile(OIIO::ImageSpec& spec, const OIIO::ImageOutput& output, const PictureSource& keep,
+                  bool keep_color, std::vector<std::string>& lost) {
+    if (keep.icc_profile.empty()) {
+        return;
     }
-    const bool any_text = output.supports("arbitrary_metadata") != 0;
-    for (const auto& [key, value] : keep.text) {
-        if (any_text || output.supports("exif")) {
-            spec.attribute(key, value);
-        } else {
-            names.push_back(key);
-        }
+    if (!keep_color) {
+        lost.emplace_back("the colour profile, which is not true of the result");
+    } else if (!holds_profile(output)) {
+        lost.emplace_back("the colour profile");
+    } else {
+        spec.attribute(
+            icc_name,
+            OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(keep.icc_profile.size())),
+            keep.icc_profile.data());
     }
-    if (!source) {
-        if (!names.empty()) {
-            lost.push_back("what it says of " + joined(names));
-        }
-        return lost;
-    }
-    const OIIO::ImageSpec& from = source->picture_spec();
-    const bool is_same_type = keep.type == output.format_name();
+}
+
+void give_window(OIIO::ImageSpec& spec, const OIIO::ImageOutput& output,
+                 const OIIO::ImageSpec& from, std::vector<std::string>& lost) {
     if (has_display_window(from)) {
         const bool is_negative = from.x < 0 || from.y < 0;
         if (output.supports("displaywindow") && output.supports("origin") &&
@@ -241,7 +230,14 @@ std::vector<std::string> give_metadata(OIIO::ImageSpec& spec, const OIIO::ImageO
             lost.push_back(window_text(from));
         }
     }
-    for (const auto& attribute : from.extra_attribs) {
+}
+
+/// What can be given of the numbers and texts of a file; the names of the others to `names`.
+void give_attributes(OIIO::ImageSpec& spec, const OIIO::ImageOutput& output,
+                     const OiioSource& source, bool keep_color, std::vector<std::string>& names) {
+    const bool any_text = output.supports("arbitrary_metadata") != 0;
+    const bool is_same_type = source.type == output.format_name();
+    for (const auto& attribute : source.picture_spec().extra_attribs) {
         const std::string name = attribute.name().string();
         if ((!is_same_type && about_file(name)) || (!keep_color && about_color(name)) ||
             name.substr(0, std::strlen(icc_name)) == icc_name || name == "oiio:ColorSpace") {
@@ -257,6 +253,31 @@ std::vector<std::string> give_metadata(OIIO::ImageSpec& spec, const OIIO::ImageO
             names.push_back(name);
         }
     }
+}
+
+} // namespace
+
+std::vector<std::string> give_metadata(OIIO::ImageSpec& spec, const OIIO::ImageOutput& output,
+                                       const PictureSource& keep, bool keep_color) {
+    std::vector<std::string> lost, names;
+    const auto* const source = dynamic_cast<const OiioSource*>(&keep);
+    give_profile(spec, output, keep, keep_color, lost);
+    const bool any_text = output.supports("arbitrary_metadata") != 0;
+    for (const auto& [key, value] : keep.text) {
+        if (any_text || output.supports("exif")) {
+            spec.attribute(key, value);
+        } else {
+            names.push_back(key);
+        }
+    }
+    if (!source) {
+        if (!names.empty()) {
+            lost.push_back("what it says of " + joined(names));
+        }
+        return lost;
+    }
+    give_window(spec, output, source->picture_spec(), lost);
+    give_attributes(spec, output, *source, keep_color, names);
     const std::vector<std::string> others = source->beside_picture();
     lost.insert(lost.end(), others.begin(), others.end());
     if (!names.empty()) {

@@ -6,14 +6,18 @@
 #include <cerrno>
 #include <ctime>
 #include <fcntl.h>
+#include <linux/filter.h>
 #include <linux/landlock.h>
+#include <linux/seccomp.h>
 #include <sched.h>
 #include <seccomp.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+#include <vector>
 
 namespace lutlib::io::box {
 namespace {
@@ -127,9 +131,28 @@ constexpr std::array forbidden_calls{SCMP_SYS(socket),
                                      SCMP_SYS(fsetxattr),
                                      SCMP_SYS(utimensat)};
 
-bool forbid_calls() {
+using Program = std::vector<sock_filter>;
+
+// As bytes for the kernel; empty where libseccomp cannot make it.
+Program exported(scmp_filter_ctx filter) {
+    const Descriptor file(::memfd_create("filter", MFD_CLOEXEC));
+    struct stat info {};
+    if (file.get() < 0 || ::seccomp_export_bpf(filter, file.get()) != 0 ||
+        ::fstat(file.get(), &info) != 0) {
+        return {};
+    }
+    Program out(static_cast<std::size_t>(info.st_size) / sizeof(sock_filter));
+    const auto bytes = static_cast<ssize_t>(out.size() * sizeof(sock_filter));
+    return ::pread(file.get(), out.data(), static_cast<std::size_t>(bytes), 0) == bytes ? out
+                                                                                        : Program();
+}
+
+Program made_filter() {
     const scmp_filter_ctx filter = ::seccomp_init(SCMP_ACT_ALLOW);
-    bool is_whole = filter != nullptr;
+    if (filter == nullptr) {
+        return {};
+    }
+    bool is_whole = true;
     for (const int call : forbidden_calls) {
         is_whole = is_whole && ::seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), call, 0) == 0;
     }
@@ -138,15 +161,30 @@ bool forbid_calls() {
     is_whole = is_whole &&
                ::seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0) == 0 &&
                ::seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), 1,
-                                  SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0)) == 0 &&
-               ::seccomp_load(filter) == 0;
-    if (filter != nullptr) {
-        ::seccomp_release(filter);
-    }
-    return is_whole;
+                                  SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0)) == 0;
+    const Program out = is_whole ? exported(filter) : Program();
+    ::seccomp_release(filter);
+    return out;
+}
+
+// Made once: it takes as long as a reader's other preparations together.
+const Program& filter_of_calls() {
+    static const Program made = made_filter();
+    return made;
+}
+
+bool forbid_calls() {
+    const Program& filter = filter_of_calls();
+    sock_fprog program{static_cast<unsigned short>(filter.size()),
+                       const_cast<sock_filter*>(filter.data())};
+    return !filter.empty() && ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
 } // namespace
+
+void prepare_to_confine() {
+    filter_of_calls();
+}
 
 Held confine(const Allowance& allowance) {
     if (!has_shadow_memory) {

@@ -23,6 +23,9 @@ struct Held {
 /// and not told among `Held`.
 Held confine(const Allowance& allowance);
 
+/// What confine() does in the same way for all processes that come of this one, beforehand.
+void prepare_to_confine();
+
 /// Ends the process (SIGXCPU) when it computes for so many seconds from now on.
 void limit_computing(unsigned seconds);
 

@@ -21,6 +21,19 @@ constexpr int program_socket = 3;
 
 using MakeDesk = std::function<Desk(const Held&)>;
 
+// What the libraries make at their first use is made here once, of nobody's bytes, and not again in
+// each reader.
+void warm_up(const Oiio& library) {
+    library.writes("picture.exr");
+}
+
+void warm_up(const Ocio& library) {
+    library.readable_extensions();
+    Lut lut;
+    lut.cube = identity_cube(2);
+    library.from_lut(lut, {})(RgbD{});
+}
+
 MakeDesk desk_of(const char* module, const std::string& entry) {
     void* const library = ::dlopen(module, RTLD_NOW | RTLD_LOCAL);
     void* const found = library ? ::dlsym(library, entry.c_str()) : nullptr;
@@ -28,14 +41,14 @@ MakeDesk desk_of(const char* module, const std::string& entry) {
         return {};
     }
     if (entry == "lutlib_oiio") {
-        return [it = reinterpret_cast<const Oiio* (*)()>(found)()](const Held& held) {
-            return oiio_desk(*it, held);
-        };
+        const Oiio* const it = reinterpret_cast<const Oiio* (*)()>(found)();
+        warm_up(*it);
+        return [it](const Held& held) { return oiio_desk(*it, held); };
     }
     if (entry == "lutlib_ocio") {
-        return [it = reinterpret_cast<const Ocio* (*)()>(found)()](const Held& held) {
-            return ocio_desk(*it, held);
-        };
+        const Ocio* const it = reinterpret_cast<const Ocio* (*)()>(found)();
+        warm_up(*it);
+        return [it](const Held& held) { return ocio_desk(*it, held); };
     }
     return [it = reinterpret_cast<const ModuleDesk* (*)()>(found)()](const Held&) {
         return [it](Incoming& question, Outgoing& answer) { it->answer(question, answer); };
@@ -104,6 +117,7 @@ class Nursery {
 
 int run(const char* module, const std::string& entry) {
     const MakeDesk make_desk = desk_of(module, entry);
+    prepare_to_confine();
     Outgoing greeting =
         make_desk ? answered([](Outgoing&) {}) : failure(Outcome::error, ::dlerror());
     if (!send(program_socket, greeting) || !make_desk) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace lutlib::io::box {
 namespace {
@@ -41,19 +42,44 @@ std::vector<Loss> take_losses(Incoming& from) {
     return out;
 }
 
+// Large tables travel as shared memory, which a socket need not carry.
+constexpr std::size_t few_nodes = 4096;
+
+void put_table(Outgoing& to, std::span<const Rgb> nodes) {
+    const bool is_shared = nodes.size() > few_nodes;
+    to.put(std::uint8_t{is_shared});
+    if (!is_shared) {
+        to.put_all(nodes);
+        return;
+    }
+    const SharedBytes shared(nodes.size_bytes());
+    std::memcpy(shared.bytes().data(), nodes.data(), nodes.size_bytes());
+    to.attach(shared.descriptor());
+}
+
+std::vector<Rgb> take_table(Incoming& from) {
+    if (!from.take_bool()) {
+        return from.take_all<Rgb>();
+    }
+    const SharedBytes shared = SharedBytes::adopt(from.take_file());
+    std::vector<Rgb> out(shared.bytes().size() / sizeof(Rgb));
+    std::memcpy(out.data(), shared.bytes().data(), out.size() * sizeof(Rgb));
+    return out;
+}
+
 } // namespace
 
 void put(Outgoing& to, const Lut& lut) {
     to.put(std::uint8_t{lut.shaper.has_value()});
     if (lut.shaper) {
         to.put(lut.shaper->domain);
-        to.put_all(std::span<const Rgb>(lut.shaper->entries));
+        put_table(to, lut.shaper->entries);
     }
     to.put(std::uint8_t{lut.cube.has_value()});
     if (lut.cube) {
         to.put(lut.cube->domain);
         to.put(std::int32_t{lut.cube->size});
-        to.put_all(std::span<const Rgb>(lut.cube->nodes));
+        put_table(to, lut.cube->nodes);
     }
     put_interpolation(to, lut.interpolation);
     to.put(std::string_view(lut.title));
@@ -70,13 +96,13 @@ Lut take_lut(Incoming& from) {
     if (from.take_bool()) {
         out.shaper.emplace();
         out.shaper->domain = from.take<Domain>();
-        out.shaper->entries = from.take_all<Rgb>();
+        out.shaper->entries = take_table(from);
     }
     if (from.take_bool()) {
         out.cube.emplace();
         out.cube->domain = from.take<Domain>();
         out.cube->size = from.take<std::int32_t>();
-        out.cube->nodes = from.take_all<Rgb>();
+        out.cube->nodes = take_table(from);
     }
     out.interpolation = take_interpolation(from);
     out.title = from.take_text();

@@ -11,6 +11,7 @@
 #include "converter/unused.h"
 #include "converter/usage.h"
 #include "lutlib/bake/budget.h"
+#include "lutlib/bake/stack.h"
 #include "lutlib/error.h"
 #include "lutlib/io/bake_report.h"
 #include "lutlib/io/file.h"
@@ -21,6 +22,8 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -44,7 +47,8 @@ struct Options {
     ConfigOptions config;
     double max_delta_e = 0, max_delta_itp = 0;
     double reference_white = lutlib::reference_white_nits;
-    bool fit = false, measure = false, no_measure = false, explain = false, json = false;
+    bool stack = false, fit = false, measure = false, no_measure = false, explain = false,
+         json = false;
 };
 
 std::optional<Promise> promise_of(const Options& o) {
@@ -193,11 +197,68 @@ int bake_one(const Options& o, const Verb& verb) {
     return ok;
 }
 
+// Engines whose row says so read several lattices in one picture.
+const lutlib::Engine& stacking_engine(const Options& o, const Verb& verb) {
+    const std::vector<const lutlib::Engine*> named = o.engines.all();
+    if (!verb.given("--engine")) {
+        const auto all = lutlib::engines();
+        return *std::find_if(all.begin(), all.end(),
+                             [](const lutlib::Engine& engine) { return reads_stacks(engine); });
+    }
+    if (named.size() > 1) {
+        throw lutlib::UsageError("--stack makes one picture, for one engine");
+    }
+    return *named.front();
+}
+
+int bake_stacked(const Options& o, const Verb& verb) {
+    require_png_name(o.output_template, "bake");
+    const lutlib::Engine& engine = stacking_engine(o, verb);
+    std::vector<Bake> rows;
+    std::string sources, titles, text;
+    nlohmann::ordered_json json{{"output", o.output_template},
+                                {"engine", engine.name},
+                                {"rows", nlohmann::ordered_json::array()}};
+    std::vector<BakeResult> results;
+    for (const LookRoute& route : routes_of_looks(o.inputs, "", std::array{&engine})) {
+        Options one = o;
+        one.input = route.route.from.path;
+        one.output = o.output_template;
+        one.engine = &engine;
+        results.push_back(make_result(one, verb));
+        const BakeResult& result = results.back();
+        const char* const between = rows.empty() ? "" : ", ";
+        sources += between + made_of(one);
+        titles += between + result.title;
+        text += fmt::format("row {}: ", rows.size()) + to_text(result);
+        json["rows"].push_back(to_json(result));
+        rows.push_back(result.filled.bake);
+    }
+    const Bake all = lutlib::stacked(rows);
+    const BakeResult& first = results.front();
+    lutlib::io::write_file(
+        o.output_template,
+        lutlib::io::picture_bytes(all, {.source = sources,
+                                        .title = titles,
+                                        .interpolation = name_of(first.interpolation),
+                                        .fitted = o.fit,
+                                        .encodings = names_of(first.place.shown()),
+                                        .look = names_of(first.place.look)}));
+    text += fmt::format("  {0} lattices below each other, {1}x{2} pixels: set {3} to {0} tables of "
+                        "{4} nodes; --row picks one of them in other verbs\n",
+                        rows.size(), all.picture.width, all.picture.height, engine.label, all.size);
+    o.json ? print(json, o.output_template) : print(text, o.output_template);
+    return ok;
+}
+
 int run(const Options& o, const Verb& verb) {
     o.config.check();
     o.config.require_alone(o.placing.given());
     if (o.no_measure && (o.fit || promise_of(o))) {
         throw lutlib::UsageError("a fit and a promise are measured; leave --no-measure out");
+    }
+    if (o.stack) {
+        return bake_stacked(o, verb);
     }
     const std::vector<const lutlib::Engine*> engines = o.engines.all();
     return run_over(routes_of_looks(o.inputs, o.output_template, engines),
@@ -208,6 +269,14 @@ int run(const Options& o, const Verb& verb) {
                         one.engine = route.engine;
                         return bake_one(one, verb);
                     });
+}
+
+std::string stacking_engines() {
+    std::string out;
+    for (const lutlib::Engine& engine : lutlib::engines()) {
+        out += reads_stacks(engine) ? (out.empty() ? "" : ", ") + std::string(engine.name) : "";
+    }
+    return out;
 }
 
 } // namespace
@@ -229,6 +298,10 @@ Run declare_bake(Verb& verb) {
         .takes(Takes::picture_bits);
     o->interpolation.declare(verb, "how to interpolate the look between its own nodes");
     o->placing.declare(verb);
+    verb.add_flag("--stack", o->stack,
+                  "put all looks below each other into one picture, in the order given, for "
+                  "engines that read several lattices: " +
+                      stacking_engines());
     verb.add_flag("--fit", o->fit,
                   fmt::format("choose the nodes so that the engine's lookup comes nearest to the "
                               "look between them; keeps point samples where that does not help, "
@@ -238,12 +311,13 @@ Run declare_bake(Verb& verb) {
             "--max-delta-e", o->max_delta_e,
             "take the smallest combination of size, bits and fit that the engine accepts and "
             "that stays within this dE2000; writes nothing, with exit code 1, when none does")
-        .takes(Takes::above_zero);
+        .takes(Takes::above_zero)
+        .excludes({"--stack"});
     verb.add_option(
             "--max-delta-itp", o->max_delta_itp,
             "the same of dE-ITP (ITU-R BT.2124), for HDR outputs, where dE2000 means little")
         .takes(Takes::above_zero)
-        .excludes({"--max-delta-e"});
+        .excludes({"--max-delta-e", "--stack"});
     declare_reference_white(verb, o->reference_white);
     verb.add_flag(
         "--measure", o->measure,

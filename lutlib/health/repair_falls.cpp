@@ -3,39 +3,12 @@
 #include "lutlib/health/parts.h"
 #include "lutlib/health/repair_parts.h"
 #include "lutlib/nodes.h"
+#include "lutlib/rising.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace lutlib::health {
-namespace {
-
-// The closest sequence that does not fall, by least squares (pool adjacent violators: Ayer et al.,
-// Annals of Mathematical Statistics 26(4), 1955).
-std::vector<double> rising(const std::vector<double>& values) {
-    struct Pool {
-        double sum;
-        std::size_t count;
-        double mean() const { return sum / static_cast<double>(count); }
-    };
-    std::vector<Pool> pools;
-    for (const double v : values) {
-        pools.push_back({v, 1});
-        while (pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
-            const Pool top = pools.back();
-            pools.pop_back();
-            pools.back().sum += top.sum;
-            pools.back().count += top.count;
-        }
-    }
-    std::vector<double> out;
-    for (const Pool& pool : pools) {
-        out.insert(out.end(), pool.count, pool.mean());
-    }
-    return out;
-}
-
-} // namespace
 
 std::string straighten_table(Lut& lut, const RepairOptions& /*options*/) {
     bool done = false;

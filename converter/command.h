@@ -37,6 +37,7 @@ Run declare_edit(Verb& verb);
 Run declare_encodings(Verb& verb);
 Run declare_engines(Verb& verb);
 Run declare_eval(Verb& verb);
+Run declare_extract(Verb& verb);
 Run declare_formats(Verb& verb);
 Run declare_identity(Verb& verb);
 Run declare_info(Verb& verb);

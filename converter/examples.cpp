@@ -12,7 +12,8 @@ struct Examples {
 constexpr Examples table[] = {
     {"bake", "lutconv bake look.cube -o strip.png\n"
              "lutconv bake look.cube -o strip.png --engine unreal --measure\n"
-             "lutconv bake looks --engine unity,unreal -o out/{name}.{engine}.png\n"},
+             "lutconv bake looks --engine unity,unreal -o out/{name}.{engine}.png\n"
+             "lutconv bake day.cube night.cube --stack -o multi.png\n"},
     {"verify", "lutconv verify strip.png --against look.cube --engine unreal\n"
                "lutconv verify strip.png --against look.json --json\n"},
     {"check", "lutconv check look.cube --strict\n"
@@ -28,6 +29,9 @@ constexpr Examples table[] = {
     {"blend", "lutconv blend a.cube b.cube --amount 0.3 -o mixed.cube\n"},
     {"compare", "lutconv compare a.cube b.cube\n"
                 "lutconv compare look.cube identity --max-delta-e 2\n"},
+    {"extract", "lutconv extract graded.png -o look.cube\n"
+                "lutconv extract graded.png --original shot.png --denoise -o look.cube\n"
+                "lutconv extract graded.png --engine unity -o strip.png\n"},
     {"apply", "lutconv apply look.cube picture.exr -o graded.exr --picture-encoding linear\n"
               "lutconv apply look.cube shot.####.exr -o graded/{name}.{ext}\n"},
     {"report", "lutconv report look.cube -o report.html\n"
@@ -42,7 +46,8 @@ constexpr Examples table[] = {
                   "lutconv operators --json\n"},
     {"formats", "lutconv formats\n"},
     {"eval", "lutconv eval look.cube 0.18 0.18 0.18\n"},
-    {"identity", "lutconv identity --size 33 -o identity.cube\n"},
+    {"identity", "lutconv identity --size 33 -o identity.cube\n"
+                 "lutconv identity --engine unreal --into shot.png -o for_grading.png\n"},
 };
 
 } // namespace

@@ -1,34 +1,49 @@
-// lutconv identity: a LUT that changes nothing, as a file of any kind or an engine's picture.
+// lutconv identity: a LUT that changes nothing, as a file of any kind or an engine's picture, alone
+// or in a screenshot that is to be graded.
 #include "converter/command.h"
 #include "converter/options.h"
+#include "converter/paint_picture.h"
+#include "converter/report.h"
 #include "converter/usage.h"
 #include "lutlib/bake/bake.h"
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/formats.h"
 #include "lutlib/io/lut_picture.h"
+#include "lutlib/named.h"
+#include "lutlib/paint/frame.h"
 
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
 #include <memory>
 
 namespace converter {
 namespace {
 
+namespace io = lutlib::io;
+
 struct Options {
-    std::string output;
+    std::string output, into, place;
     EngineOption engine;
     int size = 0, bits = 0;
+    bool force = false;
 };
 
 constexpr int usual_size = 33;
 
+const lutlib::Engine& engine_of(const Options& o) {
+    return o.engine.given() ? o.engine.get() : *lutlib::engine_named("piccolo");
+}
+
 std::string bytes_of(const Options& o) {
-    if (lutlib::io::extension_of(o.output) == "png" || o.engine.given()) {
+    if (io::extension_of(o.output) == "png" || o.engine.given()) {
         require_png_name(o.output, "--engine");
-        const lutlib::Engine& engine =
-            o.engine.given() ? o.engine.get() : *lutlib::engine_named("piccolo");
+        const lutlib::Engine& engine = engine_of(o);
         const lutlib::Bake picture = lutlib::bake({}, engine, o.size ? o.size : engine.default_size,
                                                   o.bits ? o.bits : engine.default_bits);
-        return lutlib::io::picture_bytes(picture, {"identity", "Identity", {}});
+        return io::picture_bytes(picture, {"identity", "Identity", {}});
     }
     if (o.bits) {
         throw lutlib::UsageError("--bits is for pictures: give -o a .png name, or add --engine");
@@ -36,7 +51,157 @@ std::string bytes_of(const Options& o) {
     lutlib::Lut lut;
     lut.cube = lutlib::identity_cube(o.size ? o.size : usual_size);
     lut.title = "Identity";
-    return lutlib::io::encode_lut(lut, lutlib::io::format_for_writing(o.output, lut)).bytes;
+    return io::encode_lut(lut, io::format_for_writing(o.output, lut)).bytes;
+}
+
+/// Where a frame goes in a screenshot.
+struct Place {
+    std::string_view name, help;
+    /// The extent of the whole, and where in it the frame lies.
+    lutlib::PictureSize (*extent)(lutlib::PictureSize shot, lutlib::PictureSize frame);
+    lutlib::Pixel (*at)(lutlib::PictureSize shot, lutlib::PictureSize frame);
+};
+
+lutlib::PictureSize shot_alone(lutlib::PictureSize shot, lutlib::PictureSize /*frame*/) {
+    return shot;
+}
+
+constexpr std::array<Place, 4> places{{
+    {.name = "below",
+     .help = "under the screenshot, which stays whole",
+     .extent =
+         [](lutlib::PictureSize shot, lutlib::PictureSize frame) {
+             return lutlib::PictureSize{std::max(shot.width, frame.width),
+                                        shot.height + frame.height};
+         },
+     .at =
+         [](lutlib::PictureSize shot, lutlib::PictureSize /*frame*/) {
+             return lutlib::Pixel{0, shot.height};
+         }},
+    {.name = "right",
+     .help = "beside it",
+     .extent =
+         [](lutlib::PictureSize shot, lutlib::PictureSize frame) {
+             return lutlib::PictureSize{shot.width + frame.width,
+                                        std::max(shot.height, frame.height)};
+         },
+     .at =
+         [](lutlib::PictureSize shot, lutlib::PictureSize /*frame*/) {
+             return lutlib::Pixel{shot.width, 0};
+         }},
+    {.name = "top-left",
+     .help = "over its corner",
+     .extent = shot_alone,
+     .at =
+         [](lutlib::PictureSize, lutlib::PictureSize) {
+             return lutlib::Pixel{0, 0};
+         }},
+    {.name = "bottom-left",
+     .help = "over its other corner",
+     .extent = shot_alone,
+     .at =
+         [](lutlib::PictureSize shot, lutlib::PictureSize frame) {
+             return lutlib::Pixel{0, shot.height - frame.height};
+         }},
+}};
+
+// Of types that keep codes as they are.
+void require_exact_type(const std::string& path) {
+    constexpr std::array<std::string_view, 5> exact{"png", "tif", "tiff", "tga", "bmp"};
+    const std::string extension = io::extension_of(path);
+    if (path != io::standard_stream &&
+        std::find(exact.begin(), exact.end(), extension) == exact.end()) {
+        throw lutlib::UsageError("--into writes codes that must stay as they are: give -o a name "
+                                 "that ends in .png, .tif, .tga or .bmp");
+    }
+}
+
+int frame_bits(const Options& o, const io::FloatImage& shot) {
+    return o.bits ? o.bits : shot.depth == io::Depth::uint16 ? 16 : 8;
+}
+
+int run_into(const Options& o) {
+    require_exact_type(o.output);
+    const Place& place = lutlib::require_named(places, "place", o.place);
+    const lutlib::Engine& engine = engine_of(o);
+    const int size = o.size ? o.size : engine.default_size;
+    check_contract(engine, size, engine.default_bits);
+    require_replaceable(o.output, {o.into}, o.force);
+    const PaintPicture shot = read_paint_picture(o.into);
+    const std::string name = io::input_name(o.into);
+    if (shot.image.holds_light || !io::info_of(shot.image.depth).integer) {
+        throw lutlib::Error("it holds light or floats, and a strip codes of 0..1; save the "
+                            "screenshot as the display shows it, as PNG or TIFF",
+                            {name, 0, {}});
+    }
+    const lutlib::Framed framed{lutlib::layout_named(engine.layout), size,
+                                frame_bits(o, shot.image)};
+    const lutlib::CodeImage frame = neutral_frame(framed);
+    const lutlib::PictureSize extent_of_shot = shot.colours.size(),
+                              of_frame{frame.width, frame.height};
+    const lutlib::PictureSize whole = place.extent(extent_of_shot, of_frame);
+    const lutlib::Pixel at = place.at(extent_of_shot, of_frame);
+    if (at.y < 0 || at.x + of_frame.width > whole.width || at.y + of_frame.height > whole.height) {
+        throw lutlib::Error(
+            fmt::format("the strip with its border has {}x{} pixels and this picture {}x{}, and a "
+                        "strip must not be scaled; take --place below, a larger screenshot or "
+                        "fewer nodes (--size)",
+                        of_frame.width, of_frame.height, extent_of_shot.width,
+                        extent_of_shot.height),
+            {name, 0, {}});
+    }
+    io::FloatImage out;
+    static_cast<io::ImageInfo&>(out) = shot.image;
+    out.width = whole.width;
+    out.height = whole.height;
+    out.premultiplied = false;
+    const float quiet = lutlib::quiet_code / 255.0F;
+    out.rgba.resize(out.pixels() * 4);
+    const auto maximum = static_cast<float>(frame.depth.maximum());
+    for (int y = 0; y < whole.height; ++y) {
+        for (int x = 0; x < whole.width; ++x) {
+            float* const pixel =
+                &out.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(whole.width) +
+                               static_cast<std::size_t>(x))];
+            const bool framed_pixel =
+                x >= at.x && y >= at.y && x < at.x + of_frame.width && y < at.y + of_frame.height;
+            const bool shown = x < extent_of_shot.width && y < extent_of_shot.height;
+            for (std::size_t c = 0; c < 3; ++c) {
+                pixel[c] = framed_pixel
+                               ? static_cast<float>(frame.at({x - at.x, y - at.y}, c)) / maximum
+                           : shown ? shot.colours.at(x, y)[c]
+                                   : quiet;
+            }
+            pixel[3] = !framed_pixel && shown && shot.image.alpha
+                           ? shot.alpha[static_cast<std::size_t>(y) *
+                                            static_cast<std::size_t>(extent_of_shot.width) +
+                                        static_cast<std::size_t>(x)]
+                           : 1.0F;
+        }
+    }
+    const std::vector<io::Depth> held = io::depths_of(o.output);
+    const io::Depth depth = framed.bits == 16 ? io::Depth::uint16 : io::Depth::uint8;
+    if (std::find(held.begin(), held.end(), depth) == held.end()) {
+        throw lutlib::UsageError(fmt::format("{} holds no {} bits a sample; write a .png or .tif",
+                                             io::output_name(o.output), framed.bits));
+    }
+    const std::vector<std::string> lost = io::write_image(o.output, out,
+                                                          {.depth = depth,
+                                                           .alpha = shot.image.alpha,
+                                                           .text = {{"Software", "lutconv"}},
+                                                           .keep = shot.image.source.get()});
+    const lutlib::FrameGeometry where = geometry_of(framed);
+    std::string text = fmt::format(
+        "{} <- {} and the neutral strip for {}\n  {}x{} pixels; the strip, {} of {} nodes and {} "
+        "bits, at {},{}, its mark and border around it\n  grade the whole picture alike, save it "
+        "as PNG or TIFF of this size, then: lutconv extract GRADED -o look.cube\n",
+        output_text(o.output), input_text(o.into), engine.label, whole.width, whole.height,
+        engine.layout, size, framed.bits, at.x + where.strip_at.x, at.y + where.strip_at.y);
+    for (const std::string& what : lost) {
+        text += "  lost: " + one_line(what) + "\n";
+    }
+    print(text, o.output);
+    return ok;
 }
 
 } // namespace
@@ -52,8 +217,23 @@ Run declare_identity(Verb& verb) {
     verb.add_option("--bits", o->bits, "bits per sample of a picture: 8 or 16")
         .takes(Takes::picture_bits);
     o->engine.declare(verb, "");
+    verb.add_option("--into", o->into,
+                    "a screenshot to place the neutral strip in, with a border and a mark by "
+                    "which extract finds it once both are graded");
+    o->place = places.front().name;
+    std::string help = "where:";
+    for (const Place& place : places) {
+        help +=
+            fmt::format(" {} ({}){}", place.name, place.help, &place == &places.back() ? "" : ",");
+    }
+    verb.add_option("--place", o->place, help).capture_default_str();
+    verb.add_flag("--force", o->force,
+                  "overwrite the screenshot itself, or a picture that lutconv did not make");
     return [o] {
-        lutlib::io::write_file(o->output, bytes_of(*o));
+        if (!o->into.empty()) {
+            return run_into(*o);
+        }
+        io::write_file(o->output, bytes_of(*o));
         return static_cast<int>(ok);
     };
 }

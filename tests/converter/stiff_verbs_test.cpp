@@ -44,6 +44,7 @@ Runs runs_of(const std::string& verb, const std::string& look, const Folder& fol
         {"blend", {{look, look, "--size", "9", "-o", cube}}},
         {"compare", {{look, "identity", "--samples", "1000"}}},
         {"apply", {{look, baked, "-o", png}}},
+        {"extract", {{baked, "--engine", "unity", "--damaged", "-o", png}, {baked, "-o", cube}}},
         {"info", {{look}, {look, "--json"}}},
         {"eval", {{look, "0.5", "0.25", "1", "nan", "inf", "-inf", "-0", "1e30", "1e-45"}}},
         {"identity", {{"--size", "5", "-o", cube}}},

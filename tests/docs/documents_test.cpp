@@ -43,6 +43,7 @@ constexpr Promise promises[] = {
     {"-o look.spi3d --strict", 2, "--strict: not written"},
     {"--look-input logc3 --look-output srgb", 0, "srgb is converted to logc3 before the look"},
     {"--picture-encoding linear", 0, "linear is converted to srgb before the look"},
+    {"--original shot.png", 0, "dE2000 mean"},
     {"--repair", 0, "repair"},
     {"--max-delta-e 1", 0, "stays within dE2000 1"},
     {"--measure", 0, "dE2000: p99"},

@@ -111,6 +111,9 @@ void fill_workplace(const fs::path& folder) {
     for (const char* const name : {"shot.1001.exr", "shot.1002.exr", "shot.1003.exr"}) {
         fs::copy(folder / "picture.exr", folder / name);
     }
+    make(folder, "lutconv apply identity.cube luts/before_after.png -o shot.png");
+    make(folder, "lutconv identity --into shot.png -o for_grading.png");
+    make(folder, "lutconv apply look.cube for_grading.png -o graded.png");
     fs::create_directory(folder / "looks");
     for (const char* const name : {"a.cube", "b.cube"}) {
         fs::copy(folder / name, folder / "looks" / name);

@@ -68,6 +68,10 @@ const std::vector<Part>& parts() {
          {"lutlib", "lutlib/bake", "lutlib/color", "lutlib/engine", "lutlib/fit",
           "lutlib/interpolation", "lutlib/metrics", "lutlib/recipe", "lutlib/resample"},
          no_big_library},
+        // Strips on their way through paint programs.
+        {"lutlib/paint",
+         {"lutlib", "lutlib/color", "lutlib/engine", "lutlib/interpolation", "lutlib/metrics"},
+         no_big_library},
         {"lutlib/io",
          {"lutlib", "lutlib/bake", "lutlib/bake/fitted.*", "lutlib/color", "lutlib/engine",
           "lutlib/formats", "lutlib/interpolation", "lutlib/metrics", "lutlib/ops", "lutlib/recipe",

@@ -41,10 +41,10 @@ PaintPicture read_paint_picture(const std::string& path) {
         out.lossy = type->harm;
     }
     out.profile = profile_of(bytes, file);
-    out.colours = {out.image.width, out.image.height, {}};
-    out.colours.pixels.reserve(out.image.pixels());
+    out.colors = {out.image.width, out.image.height, {}};
+    out.colors.pixels.reserve(out.image.pixels());
     for (std::size_t i = 0; i < out.image.rgba.size(); i += 4) {
-        out.colours.pixels.push_back(
+        out.colors.pixels.push_back(
             {out.image.rgba[i], out.image.rgba[i + 1], out.image.rgba[i + 2]});
         if (out.image.alpha) {
             out.alpha.push_back(out.image.rgba[i + 3]);

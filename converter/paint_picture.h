@@ -11,7 +11,7 @@ namespace converter {
 
 struct PaintPicture {
     lutlib::io::FloatImage image; ///< colours straight
-    lutlib::Picture colours;
+    lutlib::Picture colors;
     std::vector<float> alpha; ///< empty: the file has none
     std::string lossy;        ///< what its file type does to codes; empty: it keeps them
     std::string profile;      ///< what it says of its colours that is no sRGB; empty: nothing

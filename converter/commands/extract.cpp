@@ -107,23 +107,23 @@ void take_strip(const Options& o, PaintPicture& graded, Extracted& out) {
         search.layout = &lutlib::require_named(lutlib::layouts(), "layout", o.layout);
     }
     search.size = o.size;
-    std::vector<lutlib::FoundStrip> found = find_strips(graded.colours, search);
+    std::vector<lutlib::FoundStrip> found = find_strips(graded.colors, search);
     if (found.empty() || found.front().scale != 1) {
-        if (std::optional<lutlib::Reduced> small = lutlib::reduced(graded.colours)) {
+        if (std::optional<lutlib::Reduced> small = lutlib::reduced(graded.colors)) {
             std::vector<lutlib::FoundStrip> again = find_strips(small->picture, search);
             if (!again.empty() && again.front().scale == 1) {
                 found = std::move(again);
-                graded.colours = std::move(small->picture);
+                graded.colors = std::move(small->picture);
                 graded.alpha.clear();
                 out.reduced_by = small->by;
             }
         }
     }
     out.strip = the_strip(found, o);
-    out.upright = turned(graded.colours, out.strip.turn);
+    out.upright = turned(graded.colors, out.strip.turn);
     const std::vector<float> alpha =
         graded.alpha.empty() ? graded.alpha
-                             : turned(graded.alpha, graded.colours.size(), out.strip.turn);
+                             : turned(graded.alpha, graded.colors.size(), out.strip.turn);
     out.whole = wholeness_of(out.upright, out.strip, alpha, graded.lossy);
 }
 
@@ -151,7 +151,7 @@ void tell_of_strip(const PaintPicture& graded, Extracted& out) {
 }
 
 void check_original(const Options& o, const PaintPicture& original, Extracted& out) {
-    const lutlib::Picture &before = original.colours, &after = out.upright;
+    const lutlib::Picture &before = original.colors, &after = out.upright;
     const lutlib::Area frame = lutlib::frame_area(out.strip);
     // As identity places it: below, or to the right.
     const bool below = frame.left == 0 && frame.top == before.height &&
@@ -218,21 +218,21 @@ Extracted extract(const Options& o) {
 std::string heat_png(const lutlib::OnPicture& on) {
     constexpr double most = 10;
     lutlib::Picture out{on.size.width, on.size.height, {}};
-    std::vector<lutlib::Rgb> colours;
+    std::vector<lutlib::Rgb> colors;
     for (std::size_t level = 0; level < plot::heat_levels; ++level) {
-        const std::string text = plot::heat_colour(level);
-        lutlib::Rgb colour;
+        const std::string text = plot::heat_color(level);
+        lutlib::Rgb color;
         for (std::size_t c = 0; c < 3; ++c) {
             int code = 0;
             std::from_chars(&text[1 + 2 * c], &text[3 + 2 * c], code, 16);
-            colour[c] = static_cast<float>(code) / 255;
+            color[c] = static_cast<float>(code) / 255;
         }
-        colours.push_back(colour);
+        colors.push_back(color);
     }
     for (const float error : on.map) {
         const double level = static_cast<double>(error) / most * (plot::heat_levels - 1);
         out.pixels.push_back(error < 0 ? lutlib::Rgb{0.5F, 0.5F, 0.5F}
-                                       : colours[static_cast<std::size_t>(std::min(
+                                       : colors[static_cast<std::size_t>(std::min(
                                              level, static_cast<double>(plot::heat_levels - 1)))]);
     }
     return png_of(out, "dE2000 of 0 to 10 between the look and the graded picture");

@@ -137,7 +137,7 @@ int run_into(const Options& o) {
     const lutlib::Framed framed{lutlib::layout_named(engine.layout), size,
                                 frame_bits(o, shot.image)};
     const lutlib::CodeImage frame = neutral_frame(framed);
-    const lutlib::PictureSize extent_of_shot = shot.colours.size(),
+    const lutlib::PictureSize extent_of_shot = shot.colors.size(),
                               of_frame{frame.width, frame.height};
     const lutlib::PictureSize whole = place.extent(extent_of_shot, of_frame);
     const lutlib::Pixel at = place.at(extent_of_shot, of_frame);
@@ -169,7 +169,7 @@ int run_into(const Options& o) {
             for (std::size_t c = 0; c < 3; ++c) {
                 pixel[c] = framed_pixel
                                ? static_cast<float>(frame.at({x - at.x, y - at.y}, c)) / maximum
-                           : shown ? shot.colours.at(x, y)[c]
+                           : shown ? shot.colors.at(x, y)[c]
                                    : quiet;
             }
             pixel[3] = !framed_pixel && shown && shot.image.alpha

@@ -3,6 +3,7 @@
 #include "lutlib/error.h"
 #include "lutlib/io/pending_file.h"
 #include "lutlib/io/reason.h"
+#include "lutlib/io/terminal.h"
 
 #include <algorithm>
 #include <array>
@@ -179,6 +180,8 @@ void write_files(std::span<const FileToWrite> files) {
     for (const FileToWrite* const file : in_place) {
         if (instead && file->path == standard_stream) {
             instead->output += file->bytes;
+        } else if (file->path == standard_stream && standard_output_was_closed()) {
+            throw Error("standard output is closed; name a file", {output_name(file->path), 0, {}});
         } else if (file->path == standard_stream) {
             write_all(STDOUT_FILENO, file->bytes, output_name(file->path));
         } else {

@@ -119,6 +119,11 @@ const FileFormat& recognise_format(std::string_view bytes, const std::string& fi
         return recognise_format(*utf8, file);
     }
     const FileFormat* const best = find_format(bytes, file);
+    if (!best && extension_of(file) == "json") {
+        throw Error("this is no recipe: a recipe is a JSON object with \"schema_version\"; look at "
+                    "how it begins",
+                    {file, 0, {}});
+    }
     if (!best) {
         throw Error(
             "no known LUT format by content or extension; 'lutconv convert --from NAME' reads it "

@@ -145,7 +145,12 @@ void Look::read_recipe() {
     if (recipe_->base.empty()) {
         return;
     }
-    Reading base = decode_lut(read_reference(path_, recipe_->base), base_path(*recipe_, path_),
+    const std::string base_bytes = read_reference(path_, recipe_->base);
+    if (is_recipe(base_bytes)) {
+        throw Error("its base is a recipe too; bake that one into a LUT and name it here",
+                    {name_, 0, recipe_->base});
+    }
+    Reading base = decode_lut(base_bytes, base_path(*recipe_, path_),
                               {.layout = options_.layout, .engine = options_.engine});
     files_.push_back({base.lut.provenance, base.all_losses(), base.lut.keywords,
                       remarks_of(base.remarks, base.lut)});

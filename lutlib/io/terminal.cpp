@@ -66,6 +66,8 @@ std::string spelled(char32_t code) {
     }
 }
 
+bool output_was_closed = false;
+
 } // namespace
 
 std::string shown_text(std::string_view text, char kept) {
@@ -100,8 +102,13 @@ void open_standard_streams() {
     int lowest_free = 0;
     do {
         lowest_free = ::open("/dev/null", O_RDWR);
+        output_was_closed = output_was_closed || lowest_free == STDOUT_FILENO;
     } while (lowest_free >= 0 && lowest_free <= STDERR_FILENO);
     ::close(lowest_free);
+}
+
+bool standard_output_was_closed() {
+    return output_was_closed;
 }
 
 void print_marked(const std::string& shown) {

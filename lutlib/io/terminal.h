@@ -17,6 +17,9 @@ bool is_utf8(std::string_view text);
 /// To be called before anything else: a file that is opened while one of the standard streams is
 /// closed would get that stream's number, and what is printed would go into it.
 void open_standard_streams();
+/// Whether open_standard_streams() found it so: whatever is printed is lost, which is its user's
+/// will, but a file that is to go there is not.
+bool standard_output_was_closed();
 
 /// The text, shown, on standard output. Throws Error when it cannot be written.
 void print_out(std::string_view text);

@@ -5,7 +5,6 @@
 #include "lutlib/io/box/module_desk.h"
 #include "preview/scene/import.h"
 #include "preview/scene/obj_file.h"
-#include "preview/scene/printable.h"
 
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
@@ -145,7 +144,7 @@ class ObjDesk final : public lutlib::io::box::ModuleDesk {
             return;
         }
         if (file == nullptr || file->mRootNode == nullptr || file->mNumMaterials == 0) {
-            const std::string why = printable(importer.GetErrorString());
+            const std::string why = importer.GetErrorString();
             throw lutlib::Error(
                 "not a usable OBJ file: " +
                 (why.empty() ? "no line of it is one of an OBJ; save it as UTF-8" : why));

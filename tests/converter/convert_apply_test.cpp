@@ -156,12 +156,13 @@ TEST(Apply, partial_grades_what_is_there_and_says_how_much) {
     io::write_image(picture, image, {io::Depth::float32, true, {}});
     const std::string whole = contents(picture);
     folder.write("a.exr", whole.substr(0, whole.size() - 40)); // within the last rows
-    EXPECT_EQ(lutconv({"apply", look, picture, "-o", out}).exit_code, 2);
+    const Result refused = lutconv({"apply", look, picture, "-o", out});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find("which --partial grades"), std::string::npos) << refused.err;
     EXPECT_FALSE(std::filesystem::exists(out));
     const Result part = lutconv({"apply", look, picture, "-o", out, "--partial"});
     ASSERT_EQ(part.exit_code, 0) << part.err;
-    EXPECT_NE(part.out.find(" % of the picture is in its file"), std::string::npos)
-        << part.out;
+    EXPECT_NE(part.out.find(" % of the picture is in its file"), std::string::npos) << part.out;
     const io::FloatImage graded = io::read_image(out);
     EXPECT_NE(graded.rgba[0], graded.rgba[4 * (graded.pixels() - 1)]);
 }

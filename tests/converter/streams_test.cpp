@@ -40,6 +40,16 @@ TEST(Streams, that_are_closed_do_not_end_in_the_files_that_are_written) {
     }
 }
 
+TEST(Streams, that_are_closed_take_no_file) {
+    const Folder folder;
+    const std::string look = quoted(folder.write("a.cube", saturated_cube(5)));
+    const std::string err = folder.path("err");
+    for (const std::string verb : {"bake", "convert"}) {
+        EXPECT_EQ(in_shell(verb + " " + look + " -o -", ">&- 2>" + quoted(err)), 2);
+        EXPECT_NE(contents(err).find("standard output is closed"), std::string::npos);
+    }
+}
+
 TEST(Streams, that_are_full_are_an_error_and_not_silence) {
     const Folder folder;
     const std::string look = quoted(folder.write("a.cube", saturated_cube(5)));

@@ -21,12 +21,9 @@ constexpr int program_socket = 3;
 
 using MakeDesk = std::function<Desk(const Held&)>;
 
-// What the libraries make at their first use is made here once, of nobody's bytes, and not again in
-// each reader.
-void warm_up(const Oiio& library) {
-    library.writes("picture.exr");
-}
-
+// What the library makes at its first use is made here once, of nobody's bytes, and not again in
+// each reader. Not so OpenImageIO, which starts threads, and a reader would wait for those for
+// ever.
 void warm_up(const Ocio& library) {
     library.readable_extensions();
     Lut lut;
@@ -41,9 +38,9 @@ MakeDesk desk_of(const char* module, const std::string& entry) {
         return {};
     }
     if (entry == "lutlib_oiio") {
-        const Oiio* const it = reinterpret_cast<const Oiio* (*)()>(found)();
-        warm_up(*it);
-        return [it](const Held& held) { return oiio_desk(*it, held); };
+        return [it = reinterpret_cast<const Oiio* (*)()>(found)()](const Held& held) {
+            return oiio_desk(*it, held);
+        };
     }
     if (entry == "lutlib_ocio") {
         const Ocio* const it = reinterpret_cast<const Ocio* (*)()>(found)();

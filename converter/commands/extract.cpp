@@ -56,13 +56,10 @@ std::optional<lutlib::Pixel> pixel_of(const std::string& text) {
     }
     lutlib::Pixel out;
     const char *const end = text.data() + text.size(), *at = text.data();
-    auto [next, error] = std::from_chars(at, end, out.x);
-    if (error == std::errc() && next != end && *next == ',') {
-        std::tie(next, error) = [&] {
-            const auto [after, how] = std::from_chars(next + 1, end, out.y);
-            return std::tuple(after, how);
-        }();
-        if (error == std::errc() && next == end) {
+    const auto x = std::from_chars(at, end, out.x);
+    if (x.ec == std::errc() && x.ptr != end && *x.ptr == ',') {
+        const auto y = std::from_chars(x.ptr + 1, end, out.y);
+        if (y.ec == std::errc() && y.ptr == end) {
             return out;
         }
     }

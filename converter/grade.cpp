@@ -218,34 +218,6 @@ void grade_as_samples(const Grading& grading, io::SampleImage& image, const std:
     }
 }
 
-// Of a picture that is refused, whether a part could be taken is said too.
-io::SampleImage read_picture(const std::string& picture, io::ImageReadOptions reading) {
-    try {
-        return io::read_samples(picture, reading);
-    } catch (const lutlib::UsageError&) {
-        throw;
-    } catch (const lutlib::Error& error) {
-        if (reading.partial || picture == io::standard_stream) {
-            throw;
-        }
-        reading.partial = true;
-        std::size_t missing = 0, pixels = 0;
-        try {
-            const io::SampleImage part = io::read_samples(picture, reading);
-            missing = part.missing_pixels;
-            pixels = part.pixels();
-        } catch (const lutlib::Error&) { // nothing of it can be taken: the first reason stands
-        }
-        if (missing == 0) {
-            throw;
-        }
-        throw lutlib::Error(
-            fmt::format("{}; {:.0f} % of it is there, which --partial grades", error.message(),
-                        100 - 100.0 * static_cast<double>(missing) / static_cast<double>(pixels)),
-            error.where());
-    }
-}
-
 } // namespace
 
 PixelCounts& PixelCounts::operator+=(const PixelCounts& more) {
@@ -268,7 +240,7 @@ std::vector<io::Depth> require_depth(const std::string& depth, const std::string
 
 Graded grade_file(const Grading& grading, const std::string& picture, const std::string& output,
                   std::span<const io::Depth> held) {
-    io::SampleImage stored = read_picture(picture, grading.reading);
+    io::SampleImage stored = io::read_samples(picture, grading.reading);
     const std::shared_ptr<const io::PictureSource> source = stored.source;
     const lutlib::LookPlace place = place_of(grading, stored);
     if (grading.strength != 1) {

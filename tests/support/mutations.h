@@ -21,7 +21,7 @@ struct Mutated {
 };
 Mutated mutated(const std::string& bytes, std::size_t number);
 
-/// How many of each file a test tries: LUT_MUTATIONS, else 200, under sanitizers 40.
+/// How many of each file a test tries: LUT_MUTATIONS, else 200, under sanitizers 15.
 std::size_t mutations_to_try();
 
 /// What is wrong with a text that goes to a terminal; empty: nothing.

@@ -3,6 +3,7 @@
 #include "lutlib/io/file.h"
 #include "lutlib/io/image.h"
 #include "tests/lutlib/io/scratch.h"
+#include "tests/support/thorough.h"
 
 #include <gtest/gtest.h>
 
@@ -30,6 +31,9 @@ FloatImage noise() {
 class PartialPicture : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(PartialPicture, gives_the_rows_that_are_there_and_counts_the_others) {
+    if (support::is_sanitized && GetParam() != std::string("x.png")) {
+        GTEST_SKIP() << "OpenImageIO takes megabytes for each row, which a sanitizer fills";
+    }
     const ScratchFolder folder;
     const std::string path = folder.file(GetParam());
     write_image(path, noise(), {depths_of(path).front(), false, {}});

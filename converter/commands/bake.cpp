@@ -212,6 +212,9 @@ const lutlib::Engine& stacking_engine(const Options& o, const Verb& verb) {
 }
 
 int bake_stacked(const Options& o, const Verb& verb) {
+    if (const std::optional<Promise> promise = promise_of(o)) {
+        throw lutlib::UsageError(fmt::format("--stack excludes {}", promise->option));
+    }
     require_png_name(o.output_template, "bake");
     const lutlib::Engine& engine = stacking_engine(o, verb);
     std::vector<Bake> rows;
@@ -311,13 +314,12 @@ Run declare_bake(Verb& verb) {
             "--max-delta-e", o->max_delta_e,
             "take the smallest combination of size, bits and fit that the engine accepts and "
             "that stays within this dE2000; writes nothing, with exit code 1, when none does")
-        .takes(Takes::above_zero)
-        .excludes({"--stack"});
+        .takes(Takes::above_zero);
     verb.add_option(
             "--max-delta-itp", o->max_delta_itp,
             "the same of dE-ITP (ITU-R BT.2124), for HDR outputs, where dE2000 means little")
         .takes(Takes::above_zero)
-        .excludes({"--max-delta-e", "--stack"});
+        .excludes({"--max-delta-e"});
     declare_reference_white(verb, o->reference_white);
     verb.add_flag(
         "--measure", o->measure,

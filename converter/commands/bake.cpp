@@ -197,7 +197,7 @@ int bake_one(const Options& o, const Verb& verb) {
     return ok;
 }
 
-// Engines whose row says so read several lattices in one picture.
+// The one that was named, else the first that reads several lattices in one picture.
 const lutlib::Engine& stacking_engine(const Options& o, const Verb& verb) {
     const std::vector<const lutlib::Engine*> named = o.engines.all();
     if (!verb.given("--engine")) {

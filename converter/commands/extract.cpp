@@ -278,7 +278,7 @@ nlohmann::ordered_json to_json(const Options& o, const Extracted& found, bool wr
     return out;
 }
 
-std::string to_text(const Options& o, const Extracted& found, bool written) {
+std::string to_text(const Options& o, const Extracted& found, bool readable, bool written) {
     std::string out = fmt::format("{} <- {}\n  {}\n", written ? output_text(o.output) : "nothing",
                                   input_text(o.input), words_of(found.strip));
     for (const std::string& note : found.notes) {
@@ -300,7 +300,8 @@ std::string to_text(const Options& o, const Extracted& found, bool written) {
         }
     }
     if (!written) {
-        out += "  nothing was written; --damaged takes the strip as it is\n";
+        out += readable ? "  nothing was written; --damaged takes the strip as it is\n"
+                        : "  nothing was written\n";
     }
     return out;
 }
@@ -341,12 +342,8 @@ int run(const Options& o) {
     if (o.json) {
         print(to_json(o, found, written), shown);
     } else {
-        std::string text = to_text(o, found, written);
-        if (!readable) {
-            text.resize(text.rfind(';'));
-            text += "\n";
-        }
-        print(text, written ? shown : std::string(io::standard_stream));
+        print(to_text(o, found, readable, written),
+              written ? shown : std::string(io::standard_stream));
     }
     return written ? ok : verification_failed;
 }

@@ -120,6 +120,42 @@ int frame_bits(const Options& o, const io::FloatImage& shot) {
     return o.bits ? o.bits : shot.depth == io::Depth::uint16 ? 16 : 8;
 }
 
+// The frame at its place over the screenshot, and quiet around both.
+io::FloatImage composed(const PaintPicture& shot, const lutlib::CodeImage& frame,
+                        lutlib::PictureSize whole, lutlib::Pixel at) {
+    const lutlib::PictureSize shot_size = shot.colors.size(), frame_size{frame.width, frame.height};
+    io::FloatImage out;
+    static_cast<io::ImageInfo&>(out) = shot.image;
+    out.width = whole.width;
+    out.height = whole.height;
+    out.premultiplied = false;
+    const float quiet = lutlib::quiet_code / 255.0F;
+    out.rgba.resize(out.pixels() * 4);
+    const auto maximum = static_cast<float>(frame.depth.maximum());
+    for (int y = 0; y < whole.height; ++y) {
+        for (int x = 0; x < whole.width; ++x) {
+            float* const pixel =
+                &out.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(whole.width) +
+                               static_cast<std::size_t>(x))];
+            const bool framed_pixel = x >= at.x && y >= at.y && x < at.x + frame_size.width &&
+                                      y < at.y + frame_size.height;
+            const bool shown = x < shot_size.width && y < shot_size.height;
+            for (std::size_t c = 0; c < 3; ++c) {
+                pixel[c] = framed_pixel
+                               ? static_cast<float>(frame.at({x - at.x, y - at.y}, c)) / maximum
+                           : shown ? shot.colors.at(x, y)[c]
+                                   : quiet;
+            }
+            pixel[3] = !framed_pixel && shown && shot.image.alpha
+                           ? shot.alpha[static_cast<std::size_t>(y) *
+                                            static_cast<std::size_t>(shot_size.width) +
+                                        static_cast<std::size_t>(x)]
+                           : 1.0F;
+        }
+    }
+    return out;
+}
+
 int run_into(const Options& o) {
     require_exact_type(o.output);
     const Place& place = lutlib::require_named(places, "place", o.place);
@@ -150,35 +186,7 @@ int run_into(const Options& o) {
                         extent_of_shot.height),
             {name, 0, {}});
     }
-    io::FloatImage out;
-    static_cast<io::ImageInfo&>(out) = shot.image;
-    out.width = whole.width;
-    out.height = whole.height;
-    out.premultiplied = false;
-    const float quiet = lutlib::quiet_code / 255.0F;
-    out.rgba.resize(out.pixels() * 4);
-    const auto maximum = static_cast<float>(frame.depth.maximum());
-    for (int y = 0; y < whole.height; ++y) {
-        for (int x = 0; x < whole.width; ++x) {
-            float* const pixel =
-                &out.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(whole.width) +
-                               static_cast<std::size_t>(x))];
-            const bool framed_pixel =
-                x >= at.x && y >= at.y && x < at.x + of_frame.width && y < at.y + of_frame.height;
-            const bool shown = x < extent_of_shot.width && y < extent_of_shot.height;
-            for (std::size_t c = 0; c < 3; ++c) {
-                pixel[c] = framed_pixel
-                               ? static_cast<float>(frame.at({x - at.x, y - at.y}, c)) / maximum
-                           : shown ? shot.colors.at(x, y)[c]
-                                   : quiet;
-            }
-            pixel[3] = !framed_pixel && shown && shot.image.alpha
-                           ? shot.alpha[static_cast<std::size_t>(y) *
-                                            static_cast<std::size_t>(extent_of_shot.width) +
-                                        static_cast<std::size_t>(x)]
-                           : 1.0F;
-        }
-    }
+    const io::FloatImage out = composed(shot, frame, whole, at);
     const std::vector<io::Depth> held = io::depths_of(o.output);
     const io::Depth depth = framed.bits == 16 ? io::Depth::uint16 : io::Depth::uint8;
     if (std::find(held.begin(), held.end(), depth) == held.end()) {

@@ -36,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(ReadFiles, BakeFile,
 
 TEST_P(BakeFile, bakes_what_verify_proves) {
     const Folder folder;
-    const std::string look = std::string(LUT_TEST_FILES) + "/" + GetParam();
+    const std::string look = std::string(LUT_TEST_FILES "/") + GetParam();
     for (const std::string how : {"tetrahedral", "trilinear"}) {
         const std::string picture = folder.path(how + ".png");
         const Result baked = lutconv_in_process(

@@ -68,7 +68,7 @@ LookData look_of(const Golden& golden) {
         return look_for(warm_look(), *gpu_lookup_named("piccolo")).data;
     }
     Options options;
-    options.look_b = std::string(LUT_LOOKS_FOLDER) + "/" + golden.look;
+    options.look_b = std::string(LUT_LOOKS_FOLDER "/") + golden.look;
     return load_look(options.look_b, use_b(options, true)).data;
 }
 

@@ -5,7 +5,7 @@
 namespace converter {
 namespace {
 
-constexpr auto table = std::to_array<Command>({
+constexpr auto command_rows = std::to_array<Command>({
     {.name = "bake",
      .help = "Bake a look into the LUT picture that an engine loads",
      .declare = declare_bake},
@@ -83,7 +83,7 @@ constexpr auto table = std::to_array<Command>({
 } // namespace
 
 std::span<const Command> commands() {
-    return table;
+    return command_rows;
 }
 
 } // namespace converter

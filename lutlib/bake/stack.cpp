@@ -12,12 +12,12 @@ namespace {
 struct Stacking {
     std::string_view engine, source;
 };
-constexpr std::array<Stacking, 1> table{{{"reshade", "ReShade, MultiLUT.fx"}}};
+constexpr std::array<Stacking, 1> stackings{{{"reshade", "ReShade, MultiLUT.fx"}}};
 
 } // namespace
 
 bool reads_stacks(const Engine& engine) {
-    return std::any_of(table.begin(), table.end(),
+    return std::any_of(stackings.begin(), stackings.end(),
                        [&](const Stacking& row) { return row.engine == engine.name; });
 }
 

@@ -34,7 +34,7 @@ constexpr auto urp_sizes = [] {
 constexpr std::string_view display_codes = "srgb";
 constexpr std::string_view display_encoded = "display-encoded (sRGB curve), after tone mapping";
 
-constexpr auto table = std::to_array<Engine>({
+constexpr auto engine_rows = std::to_array<Engine>({
     {
         .name = "piccolo",
         .label = "Piccolo / Pilot",
@@ -224,7 +224,7 @@ double place_at_lattice(double in, int n) {
 }
 
 std::span<const Engine> engines() {
-    return table;
+    return engine_rows;
 }
 
 bool is_fed_display_codes(const Engine& engine) {
@@ -232,12 +232,12 @@ bool is_fed_display_codes(const Engine& engine) {
 }
 
 const Engine* engine_named(std::string_view name) {
-    return find_named(table, name, Letters::any_case);
+    return find_named(engine_rows, name, Letters::any_case);
 }
 
 std::string_view encoding_fed_through(const Layout& layout) {
     const Engine* first = nullptr;
-    for (const Engine& engine : table) {
+    for (const Engine& engine : engine_rows) {
         if (engine.layout != layout.name) {
             continue;
         }

@@ -104,7 +104,7 @@ Pixel tiles_pixel(int n, int width, int r, int g, int b) {
 
 constexpr std::string_view every_size = "any size";
 
-constexpr std::array<Layout, 6> table{{
+constexpr std::array<Layout, 6> layout_rows{{
     {.name = "strip",
      .help = "blue slices side by side, green down: Piccolo, Unreal, PlayCanvas, ReShade",
      .sizes = every_size,
@@ -162,11 +162,11 @@ PictureSize picture_size(const Layout& layout, int n) {
 } // namespace
 
 std::span<const Layout> layouts() {
-    return table;
+    return layout_rows;
 }
 
 const Layout* layout_named(std::string_view name) {
-    return find_named(table, name);
+    return find_named(layout_rows, name);
 }
 
 std::optional<Arrangement> arrangement_in(const Layout& layout, PictureSize picture) {

@@ -21,7 +21,7 @@ struct Mistaken {
     std::string_view remedy;
 };
 
-constexpr std::array<Mistaken, 14> table{{
+constexpr std::array<Mistaken, 14> mistaken_types{{
     {"{\\rtf"sv, "rich text (RTF) as a word processor saves it",
      "open it in a text editor and save it as plain text (in TextEdit: Format, Make Plain Text)"},
     {"version https://git-lfs.github.com/spec/"sv, "a Git LFS pointer to the file",
@@ -43,10 +43,10 @@ constexpr std::array<Mistaken, 14> table{{
 }};
 
 const Mistaken* row_of(std::string_view bytes) {
-    const auto* const row = std::find_if(table.begin(), table.end(), [&](const Mistaken& each) {
-        return bytes.starts_with(each.begins);
-    });
-    return row == table.end() ? nullptr : row;
+    const auto* const row =
+        std::find_if(mistaken_types.begin(), mistaken_types.end(),
+                     [&](const Mistaken& each) { return bytes.starts_with(each.begins); });
+    return row == mistaken_types.end() ? nullptr : row;
 }
 
 // A page may begin with blanks, a byte order mark, comments or an XML declaration.

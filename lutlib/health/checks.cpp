@@ -268,7 +268,7 @@ Finding cut_off(const Health& h) {
             {}};
 }
 
-constexpr std::array<HealthCheck, 17> table{{
+constexpr std::array<HealthCheck, 17> health_check_rows{{
     {"non-finite", "values", "values that are not numbers", non_finite},
     {"spikes", "values", "single nodes that stand out", spikes},
     {"range", "beyond 0..1", "the outputs' range", range},
@@ -296,12 +296,12 @@ std::string_view name_of(Severity severity) {
 }
 
 std::span<const HealthCheck> health_checks() {
-    return table;
+    return health_check_rows;
 }
 
 Severity verdict(const Health& health) {
     Severity worst = Severity::good;
-    for (const HealthCheck& check : table) {
+    for (const HealthCheck& check : health_check_rows) {
         worst = std::max(worst, check.judge(health).severity);
     }
     return worst;

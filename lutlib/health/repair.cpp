@@ -46,7 +46,7 @@ namespace {
 // Those that are needed, or were asked for, whatever else they bring.
 constexpr std::array<std::string_view, 3> needed{"non-finite", "1d-table", "clamp"};
 
-constexpr std::array<RepairInfo, 5> table{{
+constexpr std::array<RepairInfo, 5> repair_rows{{
     {"non-finite", "fills values that are not numbers from their neighbours",
      health::fill_non_finite},
     {"1d-table", "flattens a 1D table where it is not monotonic", health::straighten_table},
@@ -169,7 +169,7 @@ bool make(const RepairInfo& row, const RepairOptions& options, Repaired& out) {
 } // namespace
 
 std::span<const RepairInfo> repairs() {
-    return table;
+    return repair_rows;
 }
 
 Repaired repair(const Lut& lut, const RepairOptions& options) {
@@ -177,7 +177,7 @@ Repaired repair(const Lut& lut, const RepairOptions& options) {
     bool changed = true;
     for (int round = 0; round < most_rounds && changed; ++round) {
         changed = false;
-        for (const RepairInfo& row : table) {
+        for (const RepairInfo& row : repair_rows) {
             changed = make(row, options, out) || changed;
         }
     }

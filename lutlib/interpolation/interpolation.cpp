@@ -9,7 +9,7 @@
 namespace lutlib {
 namespace {
 
-constexpr std::array<InterpolationInfo, 3> table{{
+constexpr std::array<InterpolationInfo, 3> interpolation_rows{{
     {Interpolation::nearest, "nearest", "the nearest node, unfiltered"},
     {Interpolation::trilinear, "trilinear", "eight nodes, what texture units do"},
     {Interpolation::tetrahedral, "tetrahedral", "four nodes, exact on the neutral axis"},
@@ -146,16 +146,16 @@ BasicRgb<T> evaluate_curve(const Lut1D& curve, BasicRgb<T> in) {
 } // namespace
 
 std::span<const InterpolationInfo> interpolations() {
-    return table;
+    return interpolation_rows;
 }
 
 std::optional<Interpolation> interpolation_named(std::string_view name) {
-    const InterpolationInfo* const row = find_named(table, name);
+    const InterpolationInfo* const row = find_named(interpolation_rows, name);
     return row ? std::optional(row->kind) : std::nullopt;
 }
 
 std::string_view name_of(Interpolation kind) {
-    for (const InterpolationInfo& row : table) {
+    for (const InterpolationInfo& row : interpolation_rows) {
         if (row.kind == kind) {
             return row.name;
         }

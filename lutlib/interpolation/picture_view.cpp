@@ -5,7 +5,7 @@
 namespace lutlib {
 namespace {
 
-constexpr std::array<ElementInfo, 5> table{{
+constexpr std::array<ElementInfo, 5> element_rows{{
     {Element::uint8, "uint8", 1, 255},
     {Element::uint10, "uint10", 2, 1023},
     {Element::uint16, "uint16", 2, 65535},
@@ -32,11 +32,11 @@ BasicPictureView<Byte> packed(Byte* first, Element element, std::size_t channels
 } // namespace
 
 std::span<const ElementInfo> elements() {
-    return table;
+    return element_rows;
 }
 
 const ElementInfo& info_of(Element element) {
-    return *std::find_if(table.begin(), table.end(),
+    return *std::find_if(element_rows.begin(), element_rows.end(),
                          [element](const ElementInfo& row) { return row.element == element; });
 }
 

@@ -19,7 +19,7 @@
 namespace lutlib::io {
 namespace {
 
-constexpr std::array<DepthInfo, 4> table{{
+constexpr std::array<DepthInfo, 4> depth_rows{{
     {Depth::uint8, "uint8", true},
     {Depth::uint16, "uint16", true},
     {Depth::half, "half", false},
@@ -119,11 +119,11 @@ std::optional<Encoding> encoding_of(const ImageInfo& image) {
 }
 
 std::span<const DepthInfo> depths() {
-    return table;
+    return depth_rows;
 }
 
 const DepthInfo& info_of(Depth depth) {
-    return *std::find_if(table.begin(), table.end(),
+    return *std::find_if(depth_rows.begin(), depth_rows.end(),
                          [depth](const DepthInfo& row) { return row.depth == depth; });
 }
 
@@ -194,7 +194,7 @@ std::vector<Depth> depths_of(const std::string& path) {
     const std::string& trial = is_special(path)
                                    ? elsewhere.emplace(std::string_view(), path, "").path()
                                    : beside.emplace(path).path();
-    for (const DepthInfo& row : table) {
+    for (const DepthInfo& row : depth_rows) {
         const Depth written = oiio().written_depth(trial, path, path, row.depth);
         if (std::find(out.begin(), out.end(), written) == out.end()) {
             out.push_back(written);

@@ -49,7 +49,7 @@ bool is_lossy_webp(std::string_view bytes) {
     return false;
 }
 
-constexpr auto table = std::to_array<PictureType>({
+constexpr auto picture_type_rows = std::to_array<PictureType>({
     {.name = "PNG", .reader = "png", .extensions = {"png"}, .marks = {{{"\x89PNG\r\n\x1a\n"sv}}}},
     {.name = "TIFF",
      .reader = "tiff",
@@ -124,8 +124,8 @@ constexpr auto table = std::to_array<PictureType>({
 
 template <class Holds>
 const PictureType* first_that(Holds&& holds) {
-    const auto* const row = std::find_if(table.begin(), table.end(), holds);
-    return row == table.end() ? nullptr : &*row;
+    const auto* const row = std::find_if(picture_type_rows.begin(), picture_type_rows.end(), holds);
+    return row == picture_type_rows.end() ? nullptr : &*row;
 }
 
 // The row with a mark of at least `shortest` bytes.
@@ -147,7 +147,7 @@ bool is_iff(std::string_view head) {
 } // namespace
 
 std::span<const PictureType> picture_types() {
-    return table;
+    return picture_type_rows;
 }
 
 const PictureType* picture_type_of(std::string_view bytes, std::string_view file) {

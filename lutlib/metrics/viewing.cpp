@@ -11,7 +11,7 @@
 namespace lutlib {
 namespace {
 
-constexpr std::array<MetricInfo, metric_count> table{{
+constexpr std::array<MetricInfo, metric_count> metric_rows{{
     {Metric::code, "absolute", "code values"},
     {Metric::delta_e_2000, "delta_e_2000", "dE2000"},
     {Metric::delta_e_itp, "delta_e_itp", "dE-ITP"},
@@ -40,7 +40,7 @@ bool is_hdr(const Encoding& encoding) {
 }
 
 std::span<const MetricInfo, metric_count> metrics() {
-    return table;
+    return metric_rows;
 }
 
 Eye::Eye(const Viewing& viewing)

@@ -15,7 +15,7 @@
 namespace lutlib {
 namespace {
 
-constexpr auto table = std::to_array<const Op*>({
+constexpr auto all_ops = std::to_array<const Op*>({
     &op::exposure,
     &op::white_balance,
     &op::channel_mixer,
@@ -174,11 +174,11 @@ Value default_value(const Parameter& parameter) {
 }
 
 std::span<const Op* const> ops() {
-    return table;
+    return all_ops;
 }
 
 const Op* op_named(std::string_view name) {
-    return find_named(table, name);
+    return find_named(all_ops, name);
 }
 
 Operation default_operation(const Op& op) {

@@ -15,7 +15,7 @@
 namespace lutlib {
 namespace {
 
-constexpr std::array<ResamplingMethod, 3> table{{
+constexpr std::array<ResamplingMethod, 3> method_rows{{
     {"trilinear", "eight nodes",
      [](const Lut& lut) { return Transform::of(lut, Interpolation::trilinear); }},
     {"tetrahedral", "four nodes, exact on the neutral axis",
@@ -49,11 +49,11 @@ Domain range_of(const Lut1D& curve) {
 } // namespace
 
 std::span<const ResamplingMethod> resampling_methods() {
-    return table;
+    return method_rows;
 }
 
 const ResamplingMethod* resampling_method_named(std::string_view name) {
-    return find_named(table, name);
+    return find_named(method_rows, name);
 }
 
 const ResamplingMethod& usual_resampling() {

@@ -258,7 +258,7 @@ Omission drop_curve_entries(Lut& lut, double tolerance) {
     return {};
 }
 
-constexpr std::array<SimplifyRule, 6> table{{
+constexpr std::array<SimplifyRule, 6> simplify_rows{{
     {"linear-shaper", "a 1D table that is a straight line goes", fold_linear_shaper},
     {"identity-cube", "a cube that changes nothing is not applied", drop_identity_cube},
     {"separable", "a cube whose channels do not mix becomes a 1D table", cube_to_curve},
@@ -323,14 +323,14 @@ std::size_t not_reached(const Lut& lut, bool unit_inputs) {
 } // namespace
 
 std::span<const SimplifyRule> simplify_rules() {
-    return table;
+    return simplify_rows;
 }
 
 Simplified simplify(const Lut& lut, const SimplifyOptions& options) {
     Simplified out{lut, {}, 0};
     for (bool again = true; again;) {
         again = false;
-        for (const SimplifyRule& rule : table) {
+        for (const SimplifyRule& rule : simplify_rows) {
             Omission omission = rule.apply(out.lut, options.tolerance - out.bound);
             if (omission.words.empty()) {
                 continue;

@@ -38,7 +38,7 @@ RgbD shell(RgbD c, double place) {
     return RgbD{0.25, 0.25, 0.25} + 0.5 * (c + more * (c - RgbD{middle, middle, middle}));
 }
 
-constexpr std::array<StiffProfile, 13> table{{
+constexpr std::array<StiffProfile, 13> stiff_profile_rows{{
     {"smooth", "half a cosine wave, for comparison", 0, 2,
      [](double t, double p) { return 0.5 - 0.5 * std::cos(pi * (t - p)); }, nullptr},
     {"shoulder", "a film's shoulder, turned up: logistic of slope 50", 0.5, -1,
@@ -72,7 +72,7 @@ constexpr double fine = 1e-4;
 } // namespace
 
 std::span<const StiffProfile> stiff_profiles() {
-    return table;
+    return stiff_profile_rows;
 }
 
 double StiffFunction::argument(RgbD c, std::size_t channel) const {

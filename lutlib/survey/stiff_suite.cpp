@@ -94,7 +94,7 @@ Lut noise_look() {
     return lut;
 }
 
-constexpr std::array<StiffLook, 33> table{{
+constexpr std::array<StiffLook, 33> stiff_look_rows{{
     {"identity", "the identity, for comparison", 1,
      [] { return look_of(33, [](RgbD c) { return c; }); }},
     {"constant_black", "every node 0", 0, [] { return look_of(17, [](RgbD) { return grey(0); }); }},
@@ -216,11 +216,11 @@ constexpr std::array<StiffLook, 33> table{{
 } // namespace
 
 std::span<const StiffLook> stiff_suite() {
-    return table;
+    return stiff_look_rows;
 }
 
 const StiffLook* stiff_look_named(std::string_view name) {
-    return find_named(table, name);
+    return find_named(stiff_look_rows, name);
 }
 
 } // namespace lutlib

@@ -93,7 +93,7 @@ RgbD codes_encoded_again(RgbD in, RgbD out) {
 }
 
 // A rule that more codes satisfy stands behind a stricter one that explains as much.
-constexpr auto table = std::to_array<Mistake>({
+constexpr auto mistake_rows = std::to_array<Mistake>({
     {
         .words = "green and blue are swapped: this is another tool's slice order",
         .pixel = axes<0, 2, 1>,
@@ -233,7 +233,7 @@ constexpr auto table = std::to_array<Mistake>({
 } // namespace
 
 std::span<const Mistake> mistakes() {
-    return table;
+    return mistake_rows;
 }
 
 } // namespace lutlib

@@ -9,7 +9,7 @@ namespace preview {
 
 namespace {
 
-constexpr auto table = std::to_array<const PostEffect*>({
+constexpr auto effect_rows = std::to_array<const PostEffect*>({
     &effect::depth_of_field,
     &effect::chromatic_aberration,
     &effect::vignette,
@@ -42,11 +42,11 @@ std::span<const StageInfo> stages() {
 }
 
 std::span<const PostEffect* const> post_effects() {
-    return table;
+    return effect_rows;
 }
 
 const PostEffect* post_effect_named(std::string_view name) {
-    return lutlib::find_named(table, name);
+    return lutlib::find_named(effect_rows, name);
 }
 
 EffectUse usual_use(const PostEffect& effect) {
@@ -102,7 +102,7 @@ void take_out(EffectUses& uses, const PostEffect& effect) {
 }
 
 void set_usual(EffectUses& uses, bool is_scene) {
-    for (const PostEffect* effect : table) {
+    for (const PostEffect* effect : effect_rows) {
         if (!effect->usual_for_scenes) {
             continue;
         }

@@ -258,7 +258,7 @@ BloomPlan no_plan(BloomExtent, const BloomSettings&) {
     return {};
 }
 
-constexpr std::array<Bloom, 5> table{{
+constexpr std::array<Bloom, 5> bloom_rows{{
     {"glare", "sum of Gaussians, the eye's veiling glare", true, glare_share, glare_plan},
     {"dual-kawase", "dual Kawase", true, 0.12F, dual_kawase_plan},
     {"jimenez", "Jimenez, 13 taps down and a tent up", false, 0.12F, jimenez_plan},
@@ -269,11 +269,11 @@ constexpr std::array<Bloom, 5> table{{
 } // namespace
 
 std::span<const Bloom> blooms() {
-    return table;
+    return bloom_rows;
 }
 
 const Bloom* bloom_named(std::string_view name) {
-    return lutlib::find_named(table, name);
+    return lutlib::find_named(bloom_rows, name);
 }
 
 BloomPlan bloom_plan(const Bloom& bloom, BloomExtent picture, const BloomSettings& settings) {

@@ -104,7 +104,7 @@ RgbD khronos_neutral(RgbD c) {
     return encode(c);
 }
 
-constexpr auto table = std::to_array<Tonemap>({
+constexpr auto tonemap_rows = std::to_array<Tonemap>({
     {.name = "aces-hill", .label = "ACES (Hill)", .mix = aces_hill, .shader = "aces_hill"},
     {.name = "aces-narkowicz", .label = "ACES (Narkowicz)", .curve = aces_narkowicz},
     {.name = "agx", .label = "AgX, codes of power 2.2", .mix = agx, .shader = "agx"},
@@ -140,21 +140,21 @@ RgbD Tonemap::apply(RgbD light) const {
 }
 
 std::span<const Tonemap> tonemaps() {
-    return table;
+    return tonemap_rows;
 }
 
 const Tonemap* tonemap_named(std::string_view name) {
-    return lutlib::find_named(table, name);
+    return lutlib::find_named(tonemap_rows, name);
 }
 
 int index_of(const Tonemap& row) {
-    return static_cast<int>(&row - table.data());
+    return static_cast<int>(&row - tonemap_rows.data());
 }
 
 std::span<const float> tabulated_curve(const Tonemap& row) {
     static const auto curves = [] {
-        std::array<std::vector<float>, table.size()> made;
-        std::transform(table.begin(), table.end(), made.begin(), tabulate);
+        std::array<std::vector<float>, tonemap_rows.size()> made;
+        std::transform(tonemap_rows.begin(), tonemap_rows.end(), made.begin(), tabulate);
         return made;
     }();
     return curves[static_cast<std::size_t>(index_of(row))];

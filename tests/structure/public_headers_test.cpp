@@ -12,7 +12,7 @@ namespace structure {
 namespace {
 
 std::set<std::string> public_headers() {
-    std::ifstream list(LUT_SOURCE_FOLDER "/lutlib/public_headers.cmake";
+    std::ifstream list(LUT_SOURCE_FOLDER "/lutlib/public_headers.cmake");
     const std::regex header(R"(^ *(lutlib/\S+\.h)$)");
     std::set<std::string> out;
     for (std::string line; std::getline(list, line);) {

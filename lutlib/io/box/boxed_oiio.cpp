@@ -2,7 +2,6 @@
 
 #include "lutlib/io/box/box.h"
 #include "lutlib/io/box/serve.h"
-#include "lutlib/io/box/shared_bytes.h"
 #include "lutlib/io/box/source.h"
 #include "lutlib/io/box/values.h"
 #include "lutlib/io/file.h"
@@ -20,39 +19,41 @@ namespace {
     throw Error(message + (": " + std::generic_category().message(errno)), {file, 0, {}});
 }
 
-// A file as it is now, for a process that may open none. Answers its size.
-std::size_t copy_into(int memory, const std::string& path, const std::string& file) {
-    const Descriptor from(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+// All of a file behind another's place, within the system. Answers its size.
+std::size_t copy_all(int to, int from, const char* failure, const std::string& file) {
     struct stat info {};
-    if (from.get() < 0 || ::fstat(from.get(), &info) != 0) {
-        fail("cannot open the file", file);
+    if (::fstat(from, &info) != 0) {
+        fail(failure, file);
     }
-    std::size_t left = static_cast<std::size_t>(info.st_size);
-    while (left > 0) {
-        const ssize_t copied = ::sendfile(memory, from.get(), nullptr, left);
+    off_t at = 0;
+    while (at < info.st_size) {
+        const ssize_t copied =
+            ::sendfile(to, from, &at, static_cast<std::size_t>(info.st_size - at));
         if (copied < 0 && errno != EINTR) {
-            fail("cannot read the file", file);
+            fail(failure, file);
         }
         if (copied == 0) {
             break; // it has become shorter meanwhile
         }
-        left -= static_cast<std::size_t>(std::max<ssize_t>(copied, 0));
     }
     return static_cast<std::size_t>(info.st_size);
 }
 
-void write_all(const std::string& path, std::span<const std::byte> bytes, const std::string& file) {
+// A file as it is now, for a process that may open none. Answers its size.
+std::size_t copy_into(int memory, const std::string& path, const std::string& file) {
+    const Descriptor from(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (from.get() < 0) {
+        fail("cannot open the file", file);
+    }
+    return copy_all(memory, from.get(), "cannot read the file", file);
+}
+
+void write_all(const std::string& path, int memory, const std::string& file) {
     const Descriptor to(::open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC));
     if (to.get() < 0) {
         fail("cannot open the file for writing", file);
     }
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(to.get(), bytes.data(), bytes.size());
-        if (written < 0 && errno != EINTR) {
-            fail("cannot write the picture", file);
-        }
-        bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
-    }
+    copy_all(to.get(), memory, "cannot write the picture", file);
 }
 
 // A reader's work on a picture of ours, not on a file of so many bytes.
@@ -62,7 +63,8 @@ About about_picture(const std::string& file, const SampleImage& image) {
 
 } // namespace
 
-Incoming BoxedOiio::ask(const Outgoing& question, const About& about) const {
+template <class Take>
+auto BoxedOiio::ask(const Outgoing& question, const About& about, const Take& take) const {
     std::unique_ptr<Reader> reader;
     {
         const std::lock_guard lock(mutex_);
@@ -82,8 +84,9 @@ Incoming BoxedOiio::ask(const Outgoing& question, const About& about) const {
     };
     try {
         Incoming answer = reader->ask(question, about);
+        auto out = take(answer);
         keep();
-        return answer;
+        return out;
     } catch (...) {
         keep();
         throw;
@@ -91,12 +94,12 @@ Incoming BoxedOiio::ask(const Outgoing& question, const About& about) const {
 }
 
 Held BoxedOiio::held() const {
-    Incoming answer = ask(question(OiioCall::held, {}), {});
-    return take_held(answer);
+    return ask(question(OiioCall::held, {}), {}, take_held);
 }
 
 std::string BoxedOiio::version() const {
-    return ask(question(OiioCall::version, {}), {}).take_text();
+    return ask(question(OiioCall::version, {}), {},
+               [](Incoming& answer) { return answer.take_text(); });
 }
 
 Oiio::Size BoxedOiio::size(const std::string& path) const {
@@ -104,7 +107,7 @@ Oiio::Size BoxedOiio::size(const std::string& path) const {
     const About about{path, copy_into(copy.get(), path, path)};
     Outgoing asked = question(OiioCall::size, about);
     asked.attach(copy.get());
-    return ask(asked, about).take<Size>();
+    return ask(asked, about, [](Incoming& answer) { return answer.take<Size>(); });
 }
 
 SampleImage BoxedOiio::read(const std::string& path, const std::string& file,
@@ -116,20 +119,22 @@ SampleImage BoxedOiio::read(const std::string& path, const std::string& file,
     asked.put(std::string_view(options.layer));
     asked.put(std::uint8_t{options.partial});
     asked.attach(copy.get());
-    Incoming answer = ask(asked, about);
-    SampleImage out = take_image(answer, Sharing::ended);
-    out.source = take_source(answer);
-    return out;
+    return ask(asked, about, [](Incoming& answer) {
+        SampleImage out = take_image(answer);
+        out.source = take_source(answer);
+        return out;
+    });
 }
 
 bool BoxedOiio::writes(const std::string& path) const {
     Outgoing asked = question(OiioCall::writes, {});
     asked.put(std::string_view(path));
-    return ask(asked, {}).take_bool();
+    return ask(asked, {}, [](Incoming& answer) { return answer.take_bool(); });
 }
 
 std::vector<std::string> BoxedOiio::written_extensions() const {
-    return ask(question(OiioCall::written_extensions, {}), {}).take_texts();
+    return ask(question(OiioCall::written_extensions, {}), {},
+               [](Incoming& answer) { return answer.take_texts(); });
 }
 
 Depth BoxedOiio::written_depth(const std::string&, const std::string& name, const std::string& file,
@@ -139,11 +144,11 @@ Depth BoxedOiio::written_depth(const std::string&, const std::string& name, cons
     asked.put(std::string_view(name));
     asked.put(std::string_view(file));
     asked.put(depth);
-    return ask(asked, about).take<Depth>();
+    return ask(asked, about, [](Incoming& answer) { return answer.take<Depth>(); });
 }
 
 SampleBuffer BoxedOiio::memory(std::size_t bytes) const {
-    return SharedBytes(bytes).samples();
+    return pool_.take(bytes);
 }
 
 std::vector<std::string> BoxedOiio::write(const std::string& path, const std::string& name,
@@ -157,16 +162,18 @@ std::vector<std::string> BoxedOiio::write(const std::string& path, const std::st
     asked.put(std::uint8_t{options.keep_color});
     asked.put_pairs(options.text);
     const auto* const boxed = dynamic_cast<const BoxedSource*>(options.keep);
-    put_source(asked, options.keep, boxed ? boxed->packed : SharedBytes());
-    Incoming answer = ask(asked, about);
-    std::vector<std::string> lost = answer.take_texts();
-    write_all(path, SharedBytes::adopt(answer.take_file()).bytes(), file);
-    return lost;
+    put_source(asked, options.keep, boxed ? boxed->packed.descriptor() : -1);
+    return ask(asked, about, [&](Incoming& answer) {
+        std::vector<std::string> lost = answer.take_texts();
+        const Descriptor written(answer.take_file());
+        write_all(path, written.get(), file);
+        return lost;
+    });
 }
 
 std::string BoxedOiio::packed(const PictureSource& source) const {
     const auto* const boxed = dynamic_cast<const BoxedSource*>(&source);
-    const auto bytes = boxed ? boxed->packed.bytes() : std::span<std::byte>{};
+    const auto bytes = boxed ? boxed->packed.bytes() : std::span<const std::byte>{};
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lutlib/io/box/reader.h"
+#include "lutlib/io/box/shared_pool.h"
 #include "lutlib/io/oiio.h"
 
 #include <mutex>
@@ -33,11 +34,14 @@ class BoxedOiio final : public Oiio {
     std::shared_ptr<const PictureSource> unpacked(std::string_view bytes) const override;
 
   private:
-    Incoming ask(const Outgoing& question, const About& about) const;
+    // What `take` makes of the answer, before its reader is asked anew.
+    template <class Take>
+    auto ask(const Outgoing& question, const About& about, const Take& take) const;
 
     const Foreign& library_;
     mutable std::mutex mutex_;
     mutable std::vector<std::unique_ptr<Reader>> idle_;
+    SharedPool pool_;
 };
 
 } // namespace lutlib::io::box

@@ -1,6 +1,7 @@
 #include "lutlib/io/box/serve.h"
 
 #include "lutlib/io/box/shared_bytes.h"
+#include "lutlib/io/box/shared_pool.h"
 #include "lutlib/io/box/source.h"
 #include "lutlib/io/box/values.h"
 
@@ -24,25 +25,25 @@ SharedBytes shared(std::string_view bytes) {
     return out;
 }
 
-void read(const Oiio& library, Incoming& question, Outgoing& answer) {
+void read(const Oiio& library, const SharedPool& pool, Incoming& question, Outgoing& answer) {
     const std::string file = question.take_text();
     ImageReadOptions options;
     options.layer = question.take_text();
     options.partial = question.take_bool();
     const Descriptor opened(question.take_file());
     const SampleImage image =
-        library.read(path_of(opened.get()), file, options, [](std::size_t bytes) {
+        library.read(path_of(opened.get()), file, options, [&pool](std::size_t bytes) {
             constexpr std::size_t bytes_a_second = 1 << 22;
             limit_computing(static_cast<unsigned>(1 + bytes / bytes_a_second));
-            return SharedBytes(bytes).samples();
+            return pool.take(bytes);
         });
     put(answer, image);
-    put_source(answer, image.source.get(), shared(library.packed(*image.source)));
+    put_source(answer, image.source.get(), shared(library.packed(*image.source)).descriptor());
 }
 
 void write(const Oiio& library, Incoming& question, Outgoing& answer) {
     const std::string name = question.take_text(), file = question.take_text();
-    const SampleImage image = take_image(question, Sharing::both);
+    const ForeignImage given = take_foreign_image(question);
     ImageWriteOptions options;
     options.keep_color = question.take_bool();
     options.text = question.take_pairs();
@@ -54,14 +55,14 @@ void write(const Oiio& library, Incoming& question, Outgoing& answer) {
     }
     options.keep = keep.get();
     const Descriptor written(new_memory_file());
-    answer.put_texts(library.write(path_of(written.get()), name, file, image, options));
+    answer.put_texts(library.write(path_of(written.get()), name, file, given.image, options));
     answer.attach(written.get());
 }
 
 } // namespace
 
 Desk oiio_desk(const Oiio& library, const Held& held) {
-    return [&library, held](Incoming& question, Outgoing& answer) {
+    return [&library, held, pool = SharedPool()](Incoming& question, Outgoing& answer) {
         switch (question.take<OiioCall>()) {
         case OiioCall::held:
             return put(answer, held);
@@ -72,7 +73,7 @@ Desk oiio_desk(const Oiio& library, const Held& held) {
             return answer.put(library.size(path_of(opened.get())));
         }
         case OiioCall::read:
-            return read(library, question, answer);
+            return read(library, pool, question, answer);
         case OiioCall::writes:
             return answer.put(std::uint8_t{library.writes(question.take_text())});
         case OiioCall::written_extensions:

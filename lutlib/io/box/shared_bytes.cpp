@@ -2,13 +2,11 @@
 
 #include "lutlib/error.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <system_error>
-#include <utility>
 
 namespace lutlib::io::box {
 namespace {
@@ -19,35 +17,39 @@ namespace {
 
 } // namespace
 
-struct SharedBytes::Mapping {
-    Mapping(int descriptor, Sharing with) : file(descriptor), sharing(with) {
+/// A whole file in memory.
+class MappedFile {
+  public:
+    MappedFile(int descriptor, int protection, int flags = 0) : file_(descriptor) {
         struct stat info {};
-        if (::fstat(file.get(), &info) != 0) {
+        if (::fstat(file_.get(), &info) != 0) {
             fail("cannot look at shared memory");
         }
-        size = static_cast<std::size_t>(info.st_size);
-        if (size == 0) {
+        size_ = static_cast<std::size_t>(info.st_size);
+        if (size_ == 0) {
             return;
         }
-        const int kind = sharing == Sharing::both ? MAP_SHARED : MAP_PRIVATE;
-        void* const mapped = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, kind, file.get(), 0);
+        void* const mapped = ::mmap(nullptr, size_, protection, MAP_SHARED | flags, file_.get(), 0);
         if (mapped == MAP_FAILED) {
             fail("cannot map shared memory");
         }
-        data = static_cast<std::byte*>(mapped);
+        data_ = static_cast<std::byte*>(mapped);
     }
-    ~Mapping() {
-        if (data != nullptr) {
-            ::munmap(data, size);
+    ~MappedFile() {
+        if (data_ != nullptr) {
+            ::munmap(data_, size_);
         }
     }
-    Mapping(const Mapping&) = delete;
-    Mapping& operator=(const Mapping&) = delete;
+    MappedFile(const MappedFile&) = delete;
+    MappedFile& operator=(const MappedFile&) = delete;
 
-    Descriptor file;
-    Sharing sharing;
-    std::byte* data = nullptr;
-    std::size_t size = 0;
+    std::span<std::byte> bytes() const { return {data_, size_}; }
+    int descriptor() const { return file_.get(); }
+
+  private:
+    Descriptor file_;
+    std::byte* data_ = nullptr;
+    std::size_t size_ = 0;
 };
 
 int new_memory_file() {
@@ -58,10 +60,6 @@ int new_memory_file() {
     return out;
 }
 
-void seal_size(int descriptor) {
-    ::fcntl(descriptor, F_ADD_SEALS, F_SEAL_SHRINK);
-}
-
 SharedBytes::SharedBytes(std::size_t size) {
     const int descriptor = new_memory_file();
     if (::ftruncate(descriptor, static_cast<off_t>(size)) != 0) {
@@ -70,37 +68,37 @@ SharedBytes::SharedBytes(std::size_t size) {
         errno = reason;
         fail("cannot make shared memory");
     }
-    seal_size(descriptor);
-    mapping_ = std::make_shared<Mapping>(descriptor, Sharing::both);
-}
-
-SharedBytes SharedBytes::adopt(int descriptor, Sharing sharing) {
-    seal_size(descriptor);
-    if (sharing == Sharing::both) {
-        return SharedBytes(std::make_shared<Mapping>(descriptor, sharing));
-    }
-    if (::fcntl(descriptor, F_ADD_SEALS, F_SEAL_WRITE) == 0) {
-        return SharedBytes(std::make_shared<Mapping>(descriptor, sharing));
-    }
-    const SharedBytes theirs(std::make_shared<Mapping>(descriptor, Sharing::both)),
-        out(theirs.bytes().size());
-    std::copy_n(theirs.bytes().data(), theirs.bytes().size(), out.bytes().data());
-    return out;
-}
-
-SampleBuffer SharedBytes::samples() const {
-    if (!mapping_) {
-        return {};
-    }
-    return {mapping_, bytes(), mapping_->sharing == Sharing::both ? descriptor() : -1};
+    file_ = std::make_shared<MappedFile>(descriptor, PROT_READ | PROT_WRITE);
+    ::fcntl(descriptor, F_ADD_SEALS, F_SEAL_SHRINK);
+    // This mapping may still be written. Older systems cannot forbid others to.
+    ::fcntl(descriptor, F_ADD_SEALS, F_SEAL_FUTURE_WRITE);
 }
 
 std::span<std::byte> SharedBytes::bytes() const {
-    return mapping_ ? std::span(mapping_->data, mapping_->size) : std::span<std::byte>{};
+    return file_ ? file_->bytes() : std::span<std::byte>{};
 }
 
 int SharedBytes::descriptor() const {
-    return mapping_ ? mapping_->file.get() : -1;
+    return file_ ? file_->descriptor() : -1;
+}
+
+ForeignBytes::ForeignBytes(int descriptor) {
+    // Whoever maps a file that becomes shorter would be killed.
+    ::fcntl(descriptor, F_ADD_SEALS, F_SEAL_SHRINK);
+    const int seals = ::fcntl(descriptor, F_GET_SEALS);
+    // Its pages at once: a fault for each takes longer than to read it.
+    file_ = std::make_shared<MappedFile>(descriptor, PROT_READ, MAP_POPULATE);
+    if (seals < 0 || (seals & F_SEAL_SHRINK) == 0) {
+        throw Error("shared memory may become shorter while it is read");
+    }
+}
+
+std::span<const std::byte> ForeignBytes::bytes() const {
+    return file_ ? file_->bytes() : std::span<std::byte>{};
+}
+
+int ForeignBytes::descriptor() const {
+    return file_ ? file_->descriptor() : -1;
 }
 
 } // namespace lutlib::io::box

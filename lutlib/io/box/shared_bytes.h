@@ -2,7 +2,6 @@
 #pragma once
 
 #include "lutlib/io/descriptor.h"
-#include "lutlib/io/sample_buffer.h"
 
 #include <cstddef>
 #include <memory>
@@ -10,40 +9,42 @@
 
 namespace lutlib::io::box {
 
-/// Who may change bytes that one process has handed to another.
-enum class Sharing {
-    both,
-    ended, ///< each only its own, from then on
-};
+class MappedFile;
 
-/// A file without a name, mapped whole. Copies share it.
+/// A file without a name that this process fills and others may read. Copies share it.
 class SharedBytes {
   public:
     SharedBytes() = default;
-    /// Of zeros. Throws Error where there is no memory.
+    /// Of zeros. Whoever has its descriptor may neither write nor shorten it, where the system can
+    /// forbid that. Throws Error where there is no memory.
     explicit SharedBytes(std::size_t size);
-    /// Takes over a descriptor, with as many bytes as its file has now; whoever made the file may
-    /// not shrink it any more where the system can forbid that. Where sharing is to be ended and
-    /// somebody still has it mapped to write, the bytes are copied. Throws Error.
-    static SharedBytes adopt(int descriptor, Sharing sharing = Sharing::both);
 
     std::span<std::byte> bytes() const;
     /// -1 of none.
     int descriptor() const;
-    /// The same bytes as a picture's; with the descriptor only where sharing has not ended, as it
-    /// would not hold what changes.
-    SampleBuffer samples() const;
 
   private:
-    struct Mapping;
-    explicit SharedBytes(std::shared_ptr<Mapping> mapping) : mapping_(std::move(mapping)) {}
+    std::shared_ptr<const MappedFile> file_;
+};
 
-    std::shared_ptr<Mapping> mapping_;
+/// What another process handed over, to read. It may still change, but not become shorter: what
+/// must stay as it was checked is copied first.
+class ForeignBytes {
+  public:
+    ForeignBytes() = default;
+    /// Takes over a descriptor, with as many bytes as its file has now. Throws Error, for
+    /// a file that may become shorter too.
+    explicit ForeignBytes(int descriptor);
+
+    std::span<const std::byte> bytes() const;
+    /// -1 of none.
+    int descriptor() const;
+
+  private:
+    std::shared_ptr<const MappedFile> file_;
 };
 
 /// An empty file without a name, for a library that writes to a path. Throws Error.
 int new_memory_file();
-/// Forbids everybody to make the file shorter: whoever maps it would else be killed.
-void seal_size(int descriptor);
 
 } // namespace lutlib::io::box

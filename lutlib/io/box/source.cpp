@@ -2,7 +2,7 @@
 
 namespace lutlib::io::box {
 
-void put_source(Outgoing& to, const PictureSource* source, const SharedBytes& packed) {
+void put_source(Outgoing& to, const PictureSource* source, int packed) {
     to.put(std::uint8_t{source != nullptr});
     if (source == nullptr) {
         return;
@@ -14,9 +14,9 @@ void put_source(Outgoing& to, const PictureSource* source, const SharedBytes& pa
     to.put(std::uint8_t{source->premultiplied});
     to.put_texts(source->remarks);
     to.put_texts(source->beyond_text());
-    to.put(std::uint8_t{packed.descriptor() >= 0});
-    if (packed.descriptor() >= 0) {
-        to.attach(packed.descriptor());
+    to.put(std::uint8_t{packed >= 0});
+    if (packed >= 0) {
+        to.attach(packed);
     }
 }
 
@@ -33,7 +33,7 @@ std::shared_ptr<const BoxedSource> take_source(Incoming& from) {
     out->remarks = from.take_texts();
     out->beyond = from.take_texts();
     if (from.take_bool()) {
-        out->packed = SharedBytes::adopt(from.take_file());
+        out->packed = ForeignBytes(from.take_file());
     }
     return out;
 }

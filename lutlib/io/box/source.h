@@ -8,14 +8,14 @@
 namespace lutlib::io::box {
 
 struct BoxedSource final : PictureSource {
-    SharedBytes packed; ///< as of Oiio::packed(); none: the base is all
+    ForeignBytes packed; ///< as of Oiio::packed(); none: the base is all
     std::vector<std::string> beyond;
 
     std::vector<std::string> beyond_text() const override { return beyond; }
 };
 
-/// May be null.
-void put_source(Outgoing& to, const PictureSource* source, const SharedBytes& packed);
+/// May be null. `packed` is an open file; -1: none.
+void put_source(Outgoing& to, const PictureSource* source, int packed);
 std::shared_ptr<const BoxedSource> take_source(Incoming& from);
 
 } // namespace lutlib::io::box

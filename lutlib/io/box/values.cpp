@@ -61,7 +61,7 @@ std::vector<Rgb> take_table(Incoming& from) {
     if (!from.take_bool()) {
         return from.take_all<Rgb>();
     }
-    const SharedBytes shared = SharedBytes::adopt(from.take_file());
+    const ForeignBytes shared(from.take_file());
     std::vector<Rgb> out(shared.bytes().size() / sizeof(Rgb));
     std::memcpy(out.data(), shared.bytes().data(), out.size() * sizeof(Rgb));
     return out;
@@ -153,7 +153,10 @@ void put(Outgoing& to, const SampleImage& image) {
     to.attach(shared.descriptor());
 }
 
-SampleImage take_image(Incoming& from, Sharing sharing) {
+namespace {
+
+// Of a picture that came: all but its samples.
+SampleImage take_facts(Incoming& from) {
     SampleImage out;
     out.width = from.take<std::int32_t>();
     out.height = from.take<std::int32_t>();
@@ -170,15 +173,36 @@ SampleImage take_image(Incoming& from, Sharing sharing) {
     if (has_chromaticities) {
         out.chromaticities = chromaticities;
     }
-    const SharedBytes shared = SharedBytes::adopt(from.take_file(), sharing);
+    return out;
+}
+
+void require_possible(const SampleImage& out, std::size_t bytes) {
     const bool has_sides = out.width > 0 && out.height > 0 && out.width <= limits::max_image_side &&
                            out.height <= limits::max_image_side;
     if (!has_sides || out.channels < 1 || out.channels > 4 || out.depth > Depth::float32 ||
-        out.missing_pixels > out.pixels() || shared.bytes().size() != out.bytes()) {
+        out.missing_pixels > out.pixels() || bytes != out.bytes()) {
         throw Error("the process that reads the file sent a damaged picture; run it again, and "
                     "report the file if that fails too");
     }
-    out.samples = shared.samples();
+}
+
+} // namespace
+
+SampleImage take_image(Incoming& from) {
+    SampleImage out = take_facts(from);
+    const ForeignBytes shared(from.take_file());
+    require_possible(out, shared.bytes().size());
+    out.samples = SampleBuffer(out.bytes());
+    std::copy_n(shared.bytes().data(), out.bytes(), out.samples.data());
+    return out;
+}
+
+ForeignImage take_foreign_image(Incoming& from) {
+    ForeignImage out{take_facts(from), ForeignBytes(from.take_file())};
+    require_possible(out.image, out.bytes.bytes().size());
+    // Readers of a picture take it as constant.
+    auto* const data = const_cast<std::byte*>(out.bytes.bytes().data());
+    out.image.samples = SampleBuffer(nullptr, {data, out.image.bytes()});
     return out;
 }
 

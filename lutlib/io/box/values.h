@@ -18,8 +18,16 @@ Reading take_reading(Incoming& from);
 
 /// Its pixels travel as shared memory, without a copy where they lie in such; its source does not.
 void put(Outgoing& to, const SampleImage& image);
-/// Throws Error for sides outside limits.h, and for pixels that are not as many.
-SampleImage take_image(Incoming& from, Sharing sharing);
+/// Copied from where its sender may still change it. Throws Error for sides outside limits.h, and
+/// for pixels that are not as many.
+SampleImage take_image(Incoming& from);
+
+/// A picture where its sender has it, to read only.
+struct ForeignImage {
+    SampleImage image; ///< of samples in `bytes`
+    ForeignBytes bytes;
+};
+ForeignImage take_foreign_image(Incoming& from);
 
 void put(Outgoing& to, const Held& held);
 Held take_held(Incoming& from);

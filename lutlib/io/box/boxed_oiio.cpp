@@ -8,8 +8,6 @@
 
 #include <cerrno>
 #include <fcntl.h>
-#include <sys/sendfile.h>
-#include <sys/stat.h>
 #include <system_error>
 
 namespace lutlib::io::box {
@@ -17,35 +15,6 @@ namespace {
 
 [[noreturn]] void fail(const char* message, const std::string& file) {
     throw Error(message + (": " + std::generic_category().message(errno)), {file, 0, {}});
-}
-
-// All of a file behind another's place, within the system. Answers its size.
-std::size_t copy_all(int to, int from, const char* failure, const std::string& file) {
-    struct stat info {};
-    if (::fstat(from, &info) != 0) {
-        fail(failure, file);
-    }
-    off_t at = 0;
-    while (at < info.st_size) {
-        const ssize_t copied =
-            ::sendfile(to, from, &at, static_cast<std::size_t>(info.st_size - at));
-        if (copied < 0 && errno != EINTR) {
-            fail(failure, file);
-        }
-        if (copied == 0) {
-            break; // it has become shorter meanwhile
-        }
-    }
-    return static_cast<std::size_t>(info.st_size);
-}
-
-// A file as it is now, for a process that may open none. Answers its size.
-std::size_t copy_into(int memory, const std::string& path, const std::string& file) {
-    const Descriptor from(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (from.get() < 0) {
-        fail("cannot open the file", file);
-    }
-    return copy_all(memory, from.get(), "cannot read the file", file);
 }
 
 void write_all(const std::string& path, int memory, const std::string& file) {
@@ -65,26 +34,26 @@ About about_picture(const std::string& file, const SampleImage& image) {
 
 template <class Take>
 auto BoxedOiio::ask(const Outgoing& question, const About& about, const Take& take) const {
-    std::unique_ptr<Reader> reader;
+    Asked asked;
     {
         const std::lock_guard lock(mutex_);
         if (!idle_.empty()) {
-            reader = std::move(idle_.back());
+            asked = std::move(idle_.back());
             idle_.pop_back();
         }
     }
-    if (!reader) {
-        reader = std::make_unique<Reader>(library_, Allowance{box::memory(), {}});
+    if (!asked.reader) {
+        asked.reader = std::make_unique<Reader>(library_, Allowance{box::memory(), {}});
     }
     const auto keep = [&] {
-        if (reader->is_alive()) {
+        if (asked.reader->is_alive()) {
             const std::lock_guard lock(mutex_);
-            idle_.push_back(std::move(reader));
+            idle_.push_back(std::move(asked));
         }
     };
     try {
-        Incoming answer = reader->ask(question, about);
-        auto out = take(answer);
+        Incoming answer = asked.reader->ask(question, about);
+        auto out = take(answer, asked.pictures);
         keep();
         return out;
     } catch (...) {
@@ -94,33 +63,35 @@ auto BoxedOiio::ask(const Outgoing& question, const About& about, const Take& ta
 }
 
 Held BoxedOiio::held() const {
-    return ask(question(OiioCall::held, {}), {}, take_held);
+    return ask(question(OiioCall::held, {}), {},
+               [](Incoming& answer, ForeignCache&) { return take_held(answer); });
 }
 
 std::string BoxedOiio::version() const {
     return ask(question(OiioCall::version, {}), {},
-               [](Incoming& answer) { return answer.take_text(); });
+               [](Incoming& answer, ForeignCache&) { return answer.take_text(); });
 }
 
 Oiio::Size BoxedOiio::size(const std::string& path) const {
-    const Descriptor copy(new_memory_file());
-    const About about{path, copy_into(copy.get(), path, path)};
+    const FileCopy copy = copies_.keep(path, path);
+    const About about{path, copy.size()};
     Outgoing asked = question(OiioCall::size, about);
-    asked.attach(copy.get());
-    return ask(asked, about, [](Incoming& answer) { return answer.take<Size>(); });
+    asked.attach(copy.memory->get());
+    return ask(asked, about, [](Incoming& answer, ForeignCache&) { return answer.take<Size>(); });
 }
 
 SampleImage BoxedOiio::read(const std::string& path, const std::string& file,
                             const ImageReadOptions& options, const Allocate&) const {
-    const Descriptor copy(new_memory_file());
-    const About about{file, copy_into(copy.get(), path, file)};
+    const FileCopy copy = copies_.take(path, file);
+    const About about{file, copy.size()};
     Outgoing asked = question(OiioCall::read, about);
     asked.put(std::string_view(file));
     asked.put(std::string_view(options.layer));
     asked.put(std::uint8_t{options.partial});
-    asked.attach(copy.get());
-    return ask(asked, about, [](Incoming& answer) {
-        SampleImage out = take_image(answer);
+    asked.attach(copy.memory->get());
+    return ask(asked, about, [&](Incoming& answer, ForeignCache& pictures) {
+        SampleImage out =
+            take_image(answer, pictures, [this](std::size_t size) { return pool_.take(size); });
         out.source = take_source(answer);
         return out;
     });
@@ -129,12 +100,12 @@ SampleImage BoxedOiio::read(const std::string& path, const std::string& file,
 bool BoxedOiio::writes(const std::string& path) const {
     Outgoing asked = question(OiioCall::writes, {});
     asked.put(std::string_view(path));
-    return ask(asked, {}, [](Incoming& answer) { return answer.take_bool(); });
+    return ask(asked, {}, [](Incoming& answer, ForeignCache&) { return answer.take_bool(); });
 }
 
 std::vector<std::string> BoxedOiio::written_extensions() const {
     return ask(question(OiioCall::written_extensions, {}), {},
-               [](Incoming& answer) { return answer.take_texts(); });
+               [](Incoming& answer, ForeignCache&) { return answer.take_texts(); });
 }
 
 Depth BoxedOiio::written_depth(const std::string&, const std::string& name, const std::string& file,
@@ -144,7 +115,7 @@ Depth BoxedOiio::written_depth(const std::string&, const std::string& name, cons
     asked.put(std::string_view(name));
     asked.put(std::string_view(file));
     asked.put(depth);
-    return ask(asked, about, [](Incoming& answer) { return answer.take<Depth>(); });
+    return ask(asked, about, [](Incoming& answer, ForeignCache&) { return answer.take<Depth>(); });
 }
 
 SampleBuffer BoxedOiio::memory(std::size_t bytes) const {
@@ -158,12 +129,12 @@ std::vector<std::string> BoxedOiio::write(const std::string& path, const std::st
     Outgoing asked = question(OiioCall::write, about);
     asked.put(std::string_view(name));
     asked.put(std::string_view(file));
-    put(asked, image);
+    const SampleBuffer lent = put(asked, image, pool_);
     asked.put(std::uint8_t{options.keep_color});
     asked.put_pairs(options.text);
     const auto* const boxed = dynamic_cast<const BoxedSource*>(options.keep);
     put_source(asked, options.keep, boxed ? boxed->packed.descriptor() : -1);
-    return ask(asked, about, [&](Incoming& answer) {
+    return ask(asked, about, [&](Incoming& answer, ForeignCache&) {
         std::vector<std::string> lost = answer.take_texts();
         const Descriptor written(answer.take_file());
         write_all(path, written.get(), file);

@@ -2,6 +2,8 @@
 // for the next ones.
 #pragma once
 
+#include "lutlib/io/box/file_copies.h"
+#include "lutlib/io/box/foreign_cache.h"
 #include "lutlib/io/box/reader.h"
 #include "lutlib/io/box/shared_pool.h"
 #include "lutlib/io/oiio.h"
@@ -34,14 +36,20 @@ class BoxedOiio final : public Oiio {
     std::shared_ptr<const PictureSource> unpacked(std::string_view bytes) const override;
 
   private:
+    struct Asked {
+        std::unique_ptr<Reader> reader;
+        ForeignCache pictures; // of its answers
+    };
+
     // What `take` makes of the answer, before its reader is asked anew.
     template <class Take>
     auto ask(const Outgoing& question, const About& about, const Take& take) const;
 
     const Foreign& library_;
     mutable std::mutex mutex_;
-    mutable std::vector<std::unique_ptr<Reader>> idle_;
+    mutable std::vector<Asked> idle_;
     SharedPool pool_;
+    FileCopies copies_;
 };
 
 } // namespace lutlib::io::box

@@ -37,13 +37,14 @@ void read(const Oiio& library, const SharedPool& pool, Incoming& question, Outgo
             limit_computing(static_cast<unsigned>(1 + bytes / bytes_a_second));
             return pool.take(bytes);
         });
-    put(answer, image);
+    // Asked anew only when the answer has been used.
+    static_cast<void>(put(answer, image, pool));
     put_source(answer, image.source.get(), shared(library.packed(*image.source)).descriptor());
 }
 
-void write(const Oiio& library, Incoming& question, Outgoing& answer) {
+void write(const Oiio& library, ForeignCache& cache, Incoming& question, Outgoing& answer) {
     const std::string name = question.take_text(), file = question.take_text();
-    const ForeignImage given = take_foreign_image(question);
+    const ForeignImage given = take_foreign_image(question, cache);
     ImageWriteOptions options;
     options.keep_color = question.take_bool();
     options.text = question.take_pairs();
@@ -62,7 +63,8 @@ void write(const Oiio& library, Incoming& question, Outgoing& answer) {
 } // namespace
 
 Desk oiio_desk(const Oiio& library, const Held& held) {
-    return [&library, held, pool = SharedPool()](Incoming& question, Outgoing& answer) {
+    return [&library, held, pool = SharedPool(), cache = ForeignCache()](Incoming& question,
+                                                                         Outgoing& answer) mutable {
         switch (question.take<OiioCall>()) {
         case OiioCall::held:
             return put(answer, held);
@@ -85,7 +87,7 @@ Desk oiio_desk(const Oiio& library, const Held& held) {
             return answer.put(library.written_depth(path_of(trial.get()), name, file, depth));
         }
         case OiioCall::write:
-            return write(library, question, answer);
+            return write(library, cache, question, answer);
         }
         throw Error("a boxed reader was asked what it does not know");
     };

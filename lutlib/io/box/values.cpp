@@ -131,7 +131,7 @@ Reading take_reading(Incoming& from) {
     return out;
 }
 
-void put(Outgoing& to, const SampleImage& image) {
+SampleBuffer put(Outgoing& to, const SampleImage& image, const SharedPool& pool) {
     to.put(std::int32_t{image.width});
     to.put(std::int32_t{image.height});
     to.put(std::int32_t{image.channels});
@@ -146,11 +146,12 @@ void put(Outgoing& to, const SampleImage& image) {
     to.put(image.chromaticities.value_or(std::array<float, 8>{}));
     if (image.samples.descriptor() >= 0) {
         to.attach(image.samples.descriptor());
-        return;
+        return {};
     }
-    const SharedBytes shared(image.bytes());
-    std::copy_n(image.samples.data(), image.bytes(), shared.bytes().data());
-    to.attach(shared.descriptor());
+    SampleBuffer out = pool.take(image.bytes());
+    std::copy_n(image.samples.data(), image.bytes(), out.data());
+    to.attach(out.descriptor());
+    return out;
 }
 
 namespace {
@@ -188,17 +189,17 @@ void require_possible(const SampleImage& out, std::size_t bytes) {
 
 } // namespace
 
-SampleImage take_image(Incoming& from) {
+SampleImage take_image(Incoming& from, ForeignCache& cache, const Oiio::Allocate& allocate) {
     SampleImage out = take_facts(from);
-    const ForeignBytes shared(from.take_file());
+    const ForeignBytes shared = cache.adopt(from.take_file());
     require_possible(out, shared.bytes().size());
-    out.samples = SampleBuffer(out.bytes());
+    out.samples = allocate(out.bytes());
     std::copy_n(shared.bytes().data(), out.bytes(), out.samples.data());
     return out;
 }
 
-ForeignImage take_foreign_image(Incoming& from) {
-    ForeignImage out{take_facts(from), ForeignBytes(from.take_file())};
+ForeignImage take_foreign_image(Incoming& from, ForeignCache& cache) {
+    ForeignImage out{take_facts(from), cache.adopt(from.take_file())};
     require_possible(out.image, out.bytes.bytes().size());
     // Readers of a picture take it as constant.
     auto* const data = const_cast<std::byte*>(out.bytes.bytes().data());

@@ -3,9 +3,10 @@
 
 #include "lutlib/format.h"
 #include "lutlib/io/box/confine.h"
+#include "lutlib/io/box/foreign_cache.h"
 #include "lutlib/io/box/message.h"
-#include "lutlib/io/box/shared_bytes.h"
-#include "lutlib/io/image.h"
+#include "lutlib/io/box/shared_pool.h"
+#include "lutlib/io/oiio.h"
 
 namespace lutlib::io::box {
 
@@ -16,18 +17,19 @@ Lut take_lut(Incoming& from);
 void put(Outgoing& to, const Reading& reading);
 Reading take_reading(Incoming& from);
 
-/// Its pixels travel as shared memory, without a copy where they lie in such; its source does not.
-void put(Outgoing& to, const SampleImage& image);
-/// Copied from where its sender may still change it. Throws Error for sides outside limits.h, and
-/// for pixels that are not as many.
-SampleImage take_image(Incoming& from);
+/// Its pixels travel as shared memory, of the pool's where they do not lie in such; its source does
+/// not. What it answers is to live until the message has been used.
+[[nodiscard]] SampleBuffer put(Outgoing& to, const SampleImage& image, const SharedPool& pool);
+/// Copied from where its sender may still change it to a buffer that `allocate` gives. Throws Error
+/// for sides outside limits.h, and for pixels that are not as many.
+SampleImage take_image(Incoming& from, ForeignCache& cache, const Oiio::Allocate& allocate);
 
 /// A picture where its sender has it, to read only.
 struct ForeignImage {
     SampleImage image; ///< of samples in `bytes`
     ForeignBytes bytes;
 };
-ForeignImage take_foreign_image(Incoming& from);
+ForeignImage take_foreign_image(Incoming& from, ForeignCache& cache);
 
 void put(Outgoing& to, const Held& held);
 Held take_held(Incoming& from);

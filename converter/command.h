@@ -46,6 +46,7 @@ Run declare_operators(Verb& verb);
 Run declare_report(Verb& verb);
 Run declare_resample(Verb& verb);
 Run declare_shader(Verb& verb);
+Run declare_sheet(Verb& verb);
 Run declare_verify(Verb& verb);
 
 } // namespace converter

@@ -34,6 +34,8 @@ constexpr Examples table[] = {
                 "lutconv extract graded.png --engine unity -o strip.png\n"},
     {"apply", "lutconv apply look.cube picture.exr -o graded.exr --picture-encoding linear\n"
               "lutconv apply look.cube shot.####.exr -o graded/{name}.{ext}\n"},
+    {"sheet", "lutconv sheet picture.exr looks -o sheet.png\n"
+              "lutconv sheet picture.png a.cube b.cube --engine unity -o sheet.png\n"},
     {"report", "lutconv report look.cube -o report.html\n"
                "lutconv report --suite stiff -o stiff.html\n"},
     {"engines", "lutconv engines\n"

@@ -53,6 +53,7 @@ Runs runs_of(const std::string& verb, const std::string& look, const Folder& fol
         {"operators", {{}, {"--json"}}},
         {"formats", {{}, {"--json"}}},
         {"shader", {{"--engine", "unity", "--language", "glsl", "-o", folder.path("x.glsl")}}},
+        {"sheet", {{baked, look, "-o", png}, {baked, look, "-o", png, "--engine", "unity"}}},
         {"report", {{look, "--sizes", "2", "3", "-o", folder.path("report.html")}}},
     };
     const auto row = rows.find(verb);

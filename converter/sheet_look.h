@@ -1,0 +1,39 @@
+// The looks of a contact sheet, each on its way from a picture's codes to a display's.
+#pragma once
+
+#include "lutlib/engine/engine.h"
+#include "lutlib/io/look.h"
+#include "lutlib/recipe/placement.h"
+#include "lutlib/transform.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace converter {
+
+/// What is the same for every look of a sheet.
+struct SheetPlace {
+    lutlib::Encoding picture;   ///< of the picture's codes
+    lutlib::LookEncodings look; ///< as options name them, in place of what looks say
+    bool converts = true;       ///< between encodings
+    const lutlib::Adaptation& adaptation;
+    const lutlib::Engine* engine = nullptr; ///< whose lookup is shown; null: the look itself
+};
+
+struct SheetLook {
+    std::string path;
+    lutlib::Transform shown;     ///< from the picture's codes to sRGB
+    lutlib::LookEncodings said;  ///< what the look is made for, as far as that is known
+    lutlib::Placement placement; ///< what is converted around the look
+};
+
+/// The picture's codes as sRGB.
+lutlib::Transform shown_without_look(const SheetPlace& place);
+
+/// All of them, or an Error that names every look that cannot be read. What a look does not say of
+/// its encodings is taken for sRGB. An engine's are baked at its default size and depth.
+std::vector<SheetLook> open_sheet_looks(std::span<const std::string> paths,
+                                        const SheetPlace& place);
+
+} // namespace converter

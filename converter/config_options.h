@@ -13,6 +13,8 @@ class ConfigOptions {
   public:
     void declare(Verb& verb);
     bool given() const { return !config_.empty(); }
+    /// The config's; empty where none was given.
+    const std::string& file() const { return config_; }
     /// Throws UsageError for options that do not belong together.
     void check() const;
     /// Throws UsageError where other options say what is converted as well.

@@ -13,6 +13,7 @@ constexpr Examples table[] = {
     {"bake", "lutconv bake look.cube -o strip.png\n"
              "lutconv bake look.cube -o strip.png --engine unreal --measure\n"
              "lutconv bake looks --engine unity,unreal -o out/{name}.{engine}.png\n"
+             "lutconv bake look.json -o strip.png --watch\n"
              "lutconv bake day.cube night.cube --stack -o multi.png\n"},
     {"verify", "lutconv verify strip.png --against look.cube --engine unreal\n"
                "lutconv verify strip.png --against look.json --json\n"},
@@ -20,7 +21,8 @@ constexpr Examples table[] = {
               "lutconv check broken.cube --repair --clamp -o repaired.cube\n"},
     {"convert", "lutconv convert look.3dl -o look.cube\n"
                 "lutconv convert strip.png -o look.cube\n"
-                "lutconv convert wide.cube -o look.spi3d --strict\n"},
+                "lutconv convert wide.cube -o look.spi3d --strict\n"
+                "lutconv convert their.3dl -o look.cube --watch\n"},
     {"edit", "lutconv edit identity -o look.cube --saturation 1.3 --save-recipe look.json\n"
              "lutconv edit their.cube -o warmer.cube --temperature 7200\n"},
     {"resample", "lutconv resample look.cube -o small.cube --size 17\n"},

@@ -42,6 +42,10 @@ int guarded(const LookRoute& route, const std::function<int(const LookRoute&)>& 
 
 } // namespace
 
+bool is_look_file(const std::string& path) {
+    return is_look(io::extension_of(path));
+}
+
 std::vector<LookRoute> routes_of_looks(std::span<const std::string> words,
                                        const std::string& output,
                                        std::span<const lutlib::Engine* const> engines) {

@@ -12,6 +12,9 @@
 
 namespace converter {
 
+/// Whether a folder's file of this name is taken for a look.
+bool is_look_file(const std::string& path);
+
 /// A look, where it goes and for whom.
 struct LookRoute {
     lutlib::io::Route route;

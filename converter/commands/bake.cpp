@@ -10,6 +10,7 @@
 #include "converter/report.h"
 #include "converter/unused.h"
 #include "converter/usage.h"
+#include "converter/watch.h"
 #include "lutlib/bake/budget.h"
 #include "lutlib/bake/stack.h"
 #include "lutlib/error.h"
@@ -45,6 +46,7 @@ struct Options {
     InterpolationOption interpolation;
     PlacingOptions placing;
     ConfigOptions config;
+    WatchOption watch;
     double max_delta_e = 0, max_delta_itp = 0;
     double reference_white = lutlib::reference_white_nits;
     bool stack = false, fit = false, measure = false, no_measure = false, explain = false,
@@ -254,24 +256,52 @@ int bake_stacked(const Options& o, const Verb& verb) {
     return ok;
 }
 
+std::vector<LookRoute> routes_of(const Options& o) {
+    const std::vector<const lutlib::Engine*> engines = o.engines.all();
+    return routes_of_looks(o.inputs, o.output_template, engines);
+}
+
+int bake_route(const Options& o, const LookRoute& route, const Verb& verb) {
+    Options one = o;
+    one.input = route.route.from.path;
+    one.output = route.route.to;
+    one.engine = route.engine;
+    return bake_one(one, verb);
+}
+
+std::vector<WatchedWork> watched_works(const Options& o, const Verb& verb) {
+    std::vector<WatchedWork> out;
+    if (o.stack) {
+        out.push_back({o.inputs, o.output_template, [&o, &verb] { return bake_stacked(o, verb); }});
+    } else {
+        for (const LookRoute& route : routes_of(o)) {
+            out.push_back({{route.route.from.path}, route.route.to, [&o, &verb, route] {
+                               return bake_route(o, route, verb);
+                           }});
+        }
+    }
+    for (WatchedWork& work : out) {
+        if (o.config.given()) {
+            work.from.push_back(o.config.file());
+        }
+    }
+    return out;
+}
+
 int run(const Options& o, const Verb& verb) {
     o.config.check();
     o.config.require_alone(o.placing.given());
     if (o.no_measure && (o.fit || promise_of(o))) {
         throw lutlib::UsageError("a fit and a promise are measured; leave --no-measure out");
     }
+    if (o.watch.given()) {
+        o.watch.run(o.inputs, o.output_template, [&] { return watched_works(o, verb); });
+    }
     if (o.stack) {
         return bake_stacked(o, verb);
     }
-    const std::vector<const lutlib::Engine*> engines = o.engines.all();
-    return run_over(routes_of_looks(o.inputs, o.output_template, engines),
-                    [&](const LookRoute& route) {
-                        Options one = o;
-                        one.input = route.route.from.path;
-                        one.output = route.route.to;
-                        one.engine = route.engine;
-                        return bake_one(one, verb);
-                    });
+    return run_over(routes_of(o),
+                    [&](const LookRoute& route) { return bake_route(o, route, verb); });
 }
 
 std::string stacking_engines() {
@@ -331,6 +361,7 @@ Run declare_bake(Verb& verb) {
     verb.add_flag("--explain", o->explain,
                   "list the parts of the look that a shader could do without a LUT");
     verb.add_flag("--json", o->json, "print the results as JSON");
+    o->watch.declare(verb);
     o->config.declare(verb);
     return [o, &verb] { return run(*o, verb); };
 }

@@ -10,6 +10,7 @@
 #include "converter/subject.h"
 #include "converter/unused.h"
 #include "converter/usage.h"
+#include "converter/watch.h"
 #include "lutlib/error.h"
 #include "lutlib/io/bake_report.h"
 #include "lutlib/io/describe.h"
@@ -39,6 +40,7 @@ struct Options {
     std::string input, output; ///< of one look
     lutlib::WriteOptions save;
     PlacingOptions placing;
+    WatchOption watch;
     int row = 0;
     bool strict = false, explain = false, json = false, strip_tags = false;
 };
@@ -285,13 +287,29 @@ int convert_one(const Options& o, const Verb& verb) {
     return ok;
 }
 
+int convert_route(const Options& o, const LookRoute& route, const Verb& verb) {
+    Options one = o;
+    one.input = route.route.from.path;
+    one.output = route.route.to;
+    return convert_one(one, verb);
+}
+
+std::vector<WatchedWork> watched_works(const Options& o, const Verb& verb) {
+    std::vector<WatchedWork> out;
+    for (const LookRoute& route : routes_of_looks(o.inputs, o.output_template)) {
+        out.push_back({{route.route.from.path}, route.route.to, [&o, &verb, route] {
+                           return convert_route(o, route, verb);
+                       }});
+    }
+    return out;
+}
+
 int run(const Options& o, const Verb& verb) {
-    return run_over(routes_of_looks(o.inputs, o.output_template), [&](const LookRoute& route) {
-        Options one = o;
-        one.input = route.route.from.path;
-        one.output = route.route.to;
-        return convert_one(one, verb);
-    });
+    if (o.watch.given()) {
+        o.watch.run(o.inputs, o.output_template, [&] { return watched_works(o, verb); });
+    }
+    return run_over(routes_of_looks(o.inputs, o.output_template),
+                    [&](const LookRoute& route) { return convert_route(o, route, verb); });
 }
 
 } // namespace
@@ -330,6 +348,7 @@ Run declare_convert(Verb& verb) {
                   "engines convert the codes; every texel stays as it is")
         .excludes({"--from", "--row", "--format", "--size", "--title", "--explain"});
     verb.add_flag("--json", o->json, "print the results as JSON");
+    o->watch.declare(verb);
     verb.footer(format_list());
     return [o, &verb] { return run(*o, verb); };
 }

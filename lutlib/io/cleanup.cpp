@@ -4,6 +4,7 @@
 #include <atomic>
 #include <climits>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <unistd.h>
 
@@ -22,6 +23,7 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 constexpr std::array<int, 7> ending{SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGXCPU, SIGXFSZ};
 std::array<struct sigaction, ending.size()> before;
+std::atomic<bool> end_is_meant{false};
 
 extern "C" void remove_files(int signal) {
     for (const Slot& slot : slots) {
@@ -33,6 +35,9 @@ extern "C" void remove_files(int signal) {
         if (slot.ready) {
             ::rmdir(slot.path.data());
         }
+    }
+    if (end_is_meant && (signal == SIGINT || signal == SIGTERM)) {
+        ::_exit(EXIT_SUCCESS);
     }
     // The signal is blocked until this returns, and then goes to whom it went before.
     for (std::size_t i = 0; i < ending.size(); ++i) {
@@ -56,11 +61,15 @@ bool handle_signals() {
     return true;
 }
 
+void handle_signals_once() {
+    static const bool handled = handle_signals();
+    static_cast<void>(handled);
+}
+
 } // namespace
 
 RemovedBySignals::RemovedBySignals(const std::string& path) : slot_(-1) {
-    static const bool handled = handle_signals();
-    static_cast<void>(handled);
+    handle_signals_once();
     for (std::size_t i = 0; path.size() < PATH_MAX && slot_ < 0 && i < slots.size(); ++i) {
         if (!slots[i].taken.exchange(true)) {
             std::memcpy(slots[i].path.data(), path.c_str(), path.size() + 1);
@@ -76,6 +85,15 @@ RemovedBySignals::~RemovedBySignals() {
         slot.ready = false;
         slot.taken = false;
     }
+}
+
+EndedBySignals::EndedBySignals() {
+    handle_signals_once();
+    end_is_meant = true;
+}
+
+EndedBySignals::~EndedBySignals() {
+    end_is_meant = false;
 }
 
 } // namespace lutlib::io

@@ -19,4 +19,15 @@ class RemovedBySignals {
     int slot_;
 };
 
+/// While it lives, SIGINT and SIGTERM are how a person ends the program as he means to: with exit
+/// code 0, at once, in whatever it is, without the files of RemovedBySignals. Where they were
+/// ignored they still are. One at a time.
+class EndedBySignals {
+  public:
+    EndedBySignals();
+    ~EndedBySignals();
+    EndedBySignals(const EndedBySignals&) = delete;
+    EndedBySignals& operator=(const EndedBySignals&) = delete;
+};
+
 } // namespace lutlib::io

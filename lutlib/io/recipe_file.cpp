@@ -63,4 +63,16 @@ bool has_base_outside(const std::string& path, const std::string& base_path) {
     return !base_path.empty() && leads_outside(path, relative_name(path, base_path));
 }
 
+std::string base_named_in(const std::string& recipe_path) {
+    constexpr std::size_t head_bytes = 4096;
+    try {
+        const auto head = head_of_regular_file(recipe_path, head_bytes);
+        return head && is_recipe(*head)
+                   ? base_path(parse_recipe(read_file(recipe_path), recipe_path), recipe_path)
+                   : std::string();
+    } catch (const Error&) {
+        return {};
+    }
+}
+
 } // namespace lutlib::io

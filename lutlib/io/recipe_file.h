@@ -23,4 +23,8 @@ bool has_base_outside(const std::string& path, const std::string& base_path);
 /// Where a base that a recipe at `recipe_path` names lies.
 std::string base_path(const Recipe& recipe, const std::string& recipe_path);
 
+/// The same of the file at `recipe_path`, as far as can be known; empty: it names none, is no
+/// recipe, or cannot be read.
+std::string base_named_in(const std::string& recipe_path);
+
 } // namespace lutlib::io

@@ -1,6 +1,7 @@
 #include "converter/survey_panels.h"
 
 #include "converter/survey_columns.h"
+#include "lutlib/codes.h"
 #include "lutlib/plot/heat_map.h"
 #include "lutlib/plot/lines.h"
 
@@ -36,7 +37,7 @@ std::string letters_of(const std::vector<RgbD>& colors) {
 }
 
 std::string css(RgbD srgb) {
-    const auto code = [](double x) { return std::lround(255 * lutlib::saturate(x)); };
+    const auto code = [](double x) { return int{lutlib::CodeDepth{8}.code(x)}; };
     return fmt::format("#{:02x}{:02x}{:02x}", code(srgb.r), code(srgb.g), code(srgb.b));
 }
 

@@ -26,6 +26,8 @@ struct CodeDepth {
             std::lround(saturate(value) * static_cast<float>(maximum())));
     }
     constexpr double value(int code) const { return static_cast<double>(code) / maximum(); }
+    /// What is left of a value that is kept as a code.
+    double rounded(double value) const { return this->value(code(value)); }
 
     friend bool operator==(const CodeDepth&, const CodeDepth&) = default;
 };

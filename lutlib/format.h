@@ -23,13 +23,15 @@ struct Layout;
 struct Loss {
     std::string what;
     double figure = 0;
-    std::string unit;
+    std::string unit; ///< of what the figure counts; "": the figure is a difference of values
+
+    bool is_difference() const { return unit.empty(); }
 };
 
 /// A difference of values no larger than what float arithmetic or the last of six decimals makes:
 /// --strict passes it.
 inline bool is_float_rounding(const Loss& loss) {
-    return loss.unit.empty() && loss.figure <= 1e-6;
+    return loss.is_difference() && loss.figure <= 1e-6;
 }
 
 /// What a file of a format can say. A Lut is fitted to it before it is written.

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <ranges>
 #include <span>
 #include <string>
@@ -36,7 +38,7 @@ std::string listed(std::span<const std::string_view> names);
 
 /// A row, of a table of rows or of pointers to them.
 template <class Entry>
-const auto& row_of(const Entry& entry) {
+constexpr const auto& row_of(const Entry& entry) {
     if constexpr (std::is_pointer_v<Entry>) {
         return *entry;
     } else {
@@ -61,7 +63,7 @@ std::string names_of(const Rows& rows) {
 
 /// A pointer to the row of this name, null when there is none.
 template <std::ranges::input_range Rows>
-auto find_named(const Rows& rows, std::string_view name, Letters letters = Letters::exact)
+constexpr auto find_named(const Rows& rows, std::string_view name, Letters letters = Letters::exact)
     -> decltype(&row_of(*std::ranges::begin(rows))) {
     for (const auto& entry : rows) {
         if (same_name(row_of(entry).name, name, letters)) {
@@ -69,6 +71,14 @@ auto find_named(const Rows& rows, std::string_view name, Letters letters = Lette
         }
     }
     return nullptr;
+}
+
+/// The row of this name in a table that the compiler knows; a program that asks for another is
+/// none.
+template <class Row, std::size_t count>
+consteval const Row& row_named(const std::array<Row, count>& rows, std::string_view name) {
+    const Row* const row = find_named(rows, name);
+    return row ? *row : throw "there is no row of this name";
 }
 
 /// The row of this name. Throws the UsageError of no_such_name() when there is none.

@@ -1,5 +1,6 @@
 #include "lutlib/formats/threedl.h"
 
+#include "lutlib/codes.h"
 #include "lutlib/error.h"
 #include "lutlib/formats/all.h"
 #include "lutlib/formats/integer_codes.h"
@@ -45,8 +46,7 @@ std::string mesh_line(int size) {
 }
 
 int code_of(float value) {
-    return static_cast<int>(
-        std::lround(saturate(static_cast<double>(value)) * largest_code(threedl_bits)));
+    return CodeDepth{threedl_bits}.code(static_cast<double>(value));
 }
 
 std::string rows_of(const Lut3D& cube) {

@@ -237,7 +237,8 @@ SampleBuffer samples_for(const std::string& path, const SampleImage& image) {
 
 std::vector<std::string> write_image(const std::string& path, const FloatImage& image,
                                      const ImageWriteOptions& options) {
-    return write_samples(path, samples_of(image, options.depth, options.alpha), options);
+    const auto memory = [&path](const SampleImage& like) { return samples_for(path, like); };
+    return write_samples(path, samples_of(image, options.depth, options.alpha, memory), options);
 }
 
 std::vector<std::string> write_samples(const std::string& path, SampleImage image,

@@ -26,7 +26,7 @@ std::vector<std::string> told_of(const Look& look) {
         };
         for (const Loss& loss : file.losses) {
             tell(fmt::format("lost: {}: {:.4g}{}{}", loss.what, loss.figure,
-                             loss.unit.empty() ? "" : " ", loss.unit));
+                             loss.is_difference() ? "" : " ", loss.unit));
         }
         for (const std::string& remark : file.remarks) {
             tell(remark);

@@ -1,6 +1,7 @@
 #include "lutlib/io/picture_channels.h"
 
 #include "lutlib/error.h"
+#include "lutlib/named.h"
 #include "lutlib/text.h"
 
 #include <algorithm>
@@ -147,7 +148,8 @@ const PictureChannels& require_picture(const std::vector<PictureChannels>& pictu
             return picture;
         }
     }
-    throw Error("no layer '" + std::string(layer) + "'; there are " + joined(names), {file, 0, {}});
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    throw Error(no_such_name("layer", layer, views), {file, 0, {}});
 }
 
 std::vector<std::string> channel_remarks(const PictureChannels& taken,

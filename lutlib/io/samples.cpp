@@ -120,11 +120,16 @@ FloatImage floats_of(SampleImage&& image) {
     return out;
 }
 
-SampleImage samples_of(const FloatImage& image, Depth depth, bool alpha) {
+SampleImage
+samples_of(const FloatImage& image, Depth depth, bool alpha,
+           const std::function<SampleBuffer(const SampleImage& without_samples)>& memory) {
     SampleImage out{image};
     out.depth = depth;
     out.alpha = alpha;
-    out.samples = SampleBuffer(out.bytes());
+    out.samples = memory ? memory(out) : SampleBuffer();
+    if (out.samples.size() == 0) {
+        out.samples = SampleBuffer(out.bytes());
+    }
     const auto code_of = [](auto maximum) {
         return [maximum](float value) {
             return nearest_code<decltype(maximum)>(value, static_cast<float>(maximum));

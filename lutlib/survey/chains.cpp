@@ -19,8 +19,7 @@ struct Between {
 };
 template <int bits>
 double as_code(double x) {
-    constexpr double most = CodeDepth{bits}.maximum();
-    return std::round(saturate(x) * most) / most;
+    return CodeDepth{bits}.rounded(x);
 }
 constexpr std::array<Between, 4> betweens{
     {{"8 bits", as_code<8>},

@@ -2,6 +2,7 @@
 
 #include "lutlib/codes.h"
 #include "lutlib/half.h"
+#include "lutlib/named.h"
 #include "lutlib/recipe/bake_recipe.h"
 
 #include <tbb/parallel_for.h>
@@ -26,8 +27,7 @@ double as_half(double x) {
 }
 template <int bits>
 double as_code(double x) {
-    constexpr double most = CodeDepth{bits}.maximum();
-    return std::round(saturate(x) * most) / most;
+    return CodeDepth{bits}.rounded(x);
 }
 
 struct Kept {
@@ -61,7 +61,9 @@ std::vector<Way> ways() {
     for (const Kept& storage : storages_kept) {
         out.push_back({storage, in_double});
     }
-    const Kept half = storages_kept[4], floats = storages_kept[5], codes = storages_kept[0];
+    constexpr Kept half = row_named(storages_kept, "half"),
+                   floats = row_named(storages_kept, "float"),
+                   codes = row_named(storages_kept, "8 bits");
     out.insert(out.end(), {{floats, in_float},
                            {floats, in_texture_unit},
                            {half, in_half},

@@ -104,8 +104,7 @@ double kept(double value, const Storage& storage) {
     if (storage.bits == 0) {
         return static_cast<double>(static_cast<float>(value));
     }
-    const double most = CodeDepth{storage.bits}.maximum();
-    return std::round(saturate(value) * most) / most;
+    return CodeDepth{storage.bits}.rounded(value);
 }
 
 RgbD kept(RgbD c, const Storage& storage) {

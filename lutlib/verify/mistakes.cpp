@@ -1,5 +1,6 @@
 #include "lutlib/verify/mistakes.h"
 
+#include "lutlib/codes.h"
 #include "lutlib/color/transfer.h"
 
 #include <array>
@@ -79,11 +80,8 @@ RgbD encoded_again(RgbD, RgbD out) {
 
 // The same done to a picture of 8 bits, which rounds twice.
 RgbD in_8_bits(RgbD out) {
-    RgbD codes;
-    for (std::size_t c = 0; c < 3; ++c) {
-        codes[c] = std::round(saturate(out[c]) * 255) / 255;
-    }
-    return codes;
+    constexpr CodeDepth depth{8};
+    return {depth.rounded(out.r), depth.rounded(out.g), depth.rounded(out.b)};
 }
 RgbD codes_decoded_again(RgbD in, RgbD out) {
     return decoded_again(in, in_8_bits(out));

@@ -1,6 +1,7 @@
 // How two looks are shown together, as a table.
 #pragma once
 
+#include "lutlib/named.h"
 #include "preview/gpu/size.h"
 
 #include <array>
@@ -38,11 +39,11 @@ inline constexpr std::array<Compare, 5> compares{{
      .shows_a = true,
      .shows_b = true},
 }};
-inline constexpr const Compare& compare_a = compares[0];
-inline constexpr const Compare& compare_b = compares[1];
-inline constexpr const Compare& compare_split = compares[2];
-inline constexpr const Compare& compare_side = compares[3];
-inline constexpr const Compare& compare_difference = compares[4];
+inline constexpr const Compare& compare_a = lutlib::row_named(compares, "a");
+inline constexpr const Compare& compare_b = lutlib::row_named(compares, "b");
+inline constexpr const Compare& compare_split = lutlib::row_named(compares, "split");
+inline constexpr const Compare& compare_side = lutlib::row_named(compares, "side");
+inline constexpr const Compare& compare_difference = lutlib::row_named(compares, "diff");
 
 const Compare* compare_named(std::string_view name);
 /// The row's place in the table, by which shaders know it.

@@ -9,6 +9,7 @@
 // which skin of every shade lies. Its targets are the bars of 75 %.
 #pragma once
 
+#include "lutlib/named.h"
 #include "preview/finish/compare.h"
 
 #include <array>
@@ -87,7 +88,7 @@ inline constexpr std::array<ScopeSide, 3> scope_sides{{
     {"a", "what is shown of side A"},
     {"b", "what is shown of side B"},
 }};
-inline constexpr const ScopeSide& scope_side_shown = scope_sides[0];
+inline constexpr const ScopeSide& scope_side_shown = lutlib::row_named(scope_sides, "shown");
 
 /// How counts become brightness or height.
 struct ScopeScale {

@@ -69,77 +69,106 @@ Surroundings shown_surroundings(Graph& graph, const FrameInputs& inputs,
     return out;
 }
 
-} // namespace
-
-DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
-                            Size size) {
-    DeclaredScene out;
-    out.shadows.are_kept = !settings.force_all;
-    const Scene& scene = *inputs.scene;
-    out.shadows.size = settings.shadow_size > 0 ? settings.shadow_size : scene.shadow_size;
-    const GpuScene& gpu_scene = *inputs.gpu_scene;
-    const Geometry& geometry = gpu_scene.geometry;
-    const Surroundings surroundings = shown_surroundings(graph, inputs, settings);
-    const std::vector<PointLight> lights =
-        shining_lights(graph, lights_of(inputs, surroundings), settings);
-    std::vector<LightBlock> blocks;
+// What shaders read of lights; those that cast a shadow get their place in the maps.
+std::vector<LightBlock> blocks_of(Graph& graph, std::span<const PointLight> lights,
+                                  const FrameInputs& inputs, const FrameSettings& settings,
+                                  ShadowMaps& shadows) {
+    const Geometry& geometry = inputs.gpu_scene->geometry;
+    std::vector<LightBlock> out;
     for (const PointLight& light : lights) {
         LightShadow shadow;
         if (!settings.without.has(Effect::shadows)) {
-            shadow = shadow_of(scene, geometry, light, out.shadows.size);
+            shadow = shadow_of(*inputs.scene, geometry, light, shadows.size);
             if (shadow.views.empty()) {
                 graph.withhold("shadow of " + light.name, shadow.reason);
             }
         }
-        const int layer = out.shadows.add(light, scene, geometry, shadow);
-        blocks.push_back(light_block(light, shadow, layer, out.shadows.size));
+        const int layer = shadows.add(light, *inputs.scene, geometry, shadow);
+        out.push_back(light_block(light, shadow, layer, shadows.size));
     }
-    const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
-    const ViewBlock view = view_block(settings.orbit, aspect);
-    std::vector<std::uint32_t> objects = visible_objects(scene, geometry, view.clip);
+    return out;
+}
+
+std::vector<std::uint32_t> objects_in_view(Graph& graph, const FrameInputs& inputs,
+                                           const FrameSettings& settings, const ViewBlock& view) {
+    const Scene& scene = *inputs.scene;
+    std::vector<std::uint32_t> out = visible_objects(scene, inputs.gpu_scene->geometry, view.clip);
     if (scene.floor && settings.without.has(Effect::floor)) {
-        std::erase(objects, *scene.floor);
+        std::erase(out, *scene.floor);
     } else if (!scene.floor && !settings.without.has(Effect::floor)) {
         graph.withhold("floor", "the scene has its own, or needs none");
     }
-    const Coverings coverings =
-        by_covering(scene, geometry, objects, glm::vec3(view.position_near));
-    out.opaque = draws_of(scene, geometry, coverings.opaque);
-    out.blended = draws_of(scene, geometry, coverings.blended);
+    return out;
+}
 
-    out.handles = import_scene(graph, scene, gpu_scene, view);
-    SceneHandles& handles = out.handles;
+void add_lights(Graph& graph, SceneHandles& handles, std::span<const PointLight> lights,
+                std::span<const LightBlock> blocks, bool force_all) {
     if (!blocks.empty()) {
-        handles.lights = graph.data("lights", std::as_bytes(std::span(blocks)));
+        handles.lights = graph.data("lights", std::as_bytes(blocks));
     }
-    add_environment(graph, handles, scene.environment);
     handles.light_count = static_cast<std::uint32_t>(lights.size());
     handles.has_spots =
-        settings.force_all || std::any_of(lights.begin(), lights.end(),
-                                          [](const PointLight& light) { return light.is_spot(); });
+        force_all || std::any_of(lights.begin(), lights.end(),
+                                 [](const PointLight& light) { return light.is_spot(); });
     handles.has_areas = std::any_of(lights.begin(), lights.end(),
                                     [](const PointLight& light) { return !light.is_point(); });
     handles.has_suns =
-        settings.force_all || std::any_of(lights.begin(), lights.end(),
-                                          [](const PointLight& light) { return light.is_sun; });
-    if (surroundings.kind != SurroundingsKind::gradient) {
-        SurroundingsInputs from;
-        from.are_kept = !settings.force_all;
-        from.exposure = settings.exposure + scene.exposure;
-        if (surroundings.kind == SurroundingsKind::picture) {
-            const GpuPicture& picture = *inputs.surroundings_picture;
-            from.picture =
-                graph.import("surroundings picture", picture.image, picture.image.desc());
-        }
-        out.surroundings = add_surroundings(graph, surroundings, from);
+        force_all || std::any_of(lights.begin(), lights.end(),
+                                 [](const PointLight& light) { return light.is_sun; });
+}
+
+SurroundingsHandles declare_surroundings(Graph& graph, const Surroundings& surroundings,
+                                         const FrameInputs& inputs, const FrameSettings& settings) {
+    if (surroundings.kind == SurroundingsKind::gradient) {
+        return {};
     }
-    if (!gpu_scene.detail) {
+    SurroundingsInputs from;
+    from.are_kept = !settings.force_all;
+    from.exposure = settings.exposure + inputs.scene->exposure;
+    if (surroundings.kind == SurroundingsKind::picture) {
+        const GpuPicture& picture = *inputs.surroundings_picture;
+        from.picture = graph.import("surroundings picture", picture.image, picture.image.desc());
+    }
+    return add_surroundings(graph, surroundings, from);
+}
+
+void tell_textures(Graph& graph, const GpuScene& scene) {
+    if (!scene.detail) {
         graph.withhold("textures", "no surface has any");
-    } else if (gpu_scene.detail->halvings > 0) {
-        graph.withhold("the textures' largest " + std::to_string(gpu_scene.detail->halvings) +
+    } else if (scene.detail->halvings > 0) {
+        graph.withhold("the textures' largest " + std::to_string(scene.detail->halvings) +
                            " levels",
                        "the device's buffers have no room for them");
     }
+}
+
+} // namespace
+
+DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
+                            Size size) {
+    const Scene& scene = *inputs.scene;
+    const GpuScene& gpu_scene = *inputs.gpu_scene;
+    const Surroundings surroundings = shown_surroundings(graph, inputs, settings);
+    const std::vector<PointLight> lights =
+        shining_lights(graph, lights_of(inputs, surroundings), settings);
+
+    DeclaredScene out;
+    out.shadows.are_kept = !settings.force_all;
+    out.shadows.size = settings.shadow_size > 0 ? settings.shadow_size : scene.shadow_size;
+    const std::vector<LightBlock> blocks = blocks_of(graph, lights, inputs, settings, out.shadows);
+    const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
+    const ViewBlock view = view_block(settings.orbit, aspect);
+    const Coverings coverings =
+        by_covering(scene, gpu_scene.geometry, objects_in_view(graph, inputs, settings, view),
+                    glm::vec3(view.position_near));
+    out.opaque = draws_of(scene, gpu_scene.geometry, coverings.opaque);
+    out.blended = draws_of(scene, gpu_scene.geometry, coverings.blended);
+
+    out.handles = import_scene(graph, scene, gpu_scene, view);
+    add_lights(graph, out.handles, lights, blocks, settings.force_all);
+    add_environment(graph, out.handles, scene.environment);
+    out.surroundings = declare_surroundings(graph, surroundings, inputs, settings);
+    tell_textures(graph, gpu_scene);
     return out;
 }
 

@@ -166,7 +166,7 @@ Realised::Realised(const gpu::Device& device, gpu::Pipelines& pipelines,
     : device_(device), pipelines_(pipelines), neutral_(neutral), data_(data),
       persistent_(persistent) {
     make_persistent(graph, plan);
-    allocate(graph, plan);
+    make_transients(graph, plan);
     make_data_blocks(graph);
     std::vector<gpu::PipelineKey> keys;
     for (const std::uint32_t needed : plan.needed) {
@@ -230,42 +230,69 @@ void Realised::make_persistent(const Graph& graph, const Plan& plan) {
     }
 }
 
-void Realised::allocate(const Graph& graph, const Plan& plan) {
-    images_.resize(graph.resources().size());
-    buffers_.resize(graph.resources().size());
-    std::vector<vk::ImageUsageFlags> image_usage(graph.resources().size());
-    std::vector<vk::BufferUsageFlags> buffer_usage(graph.resources().size());
-    const auto add_usage = [&](std::uint32_t version, Access access) {
+Realised::Usage Realised::usage_of(const Graph& graph, const Plan& plan) {
+    const std::size_t count = graph.resources().size();
+    Usage out{std::vector<vk::ImageUsageFlags>(count), std::vector<vk::BufferUsageFlags>(count)};
+    const auto add = [&](std::uint32_t version, Access access) {
         const std::uint32_t resource = graph.versions()[version].resource;
-        image_usage[resource] |= flags_of(mask(access)).image_usage;
-        buffer_usage[resource] |= flags_of(mask(access)).buffer_usage;
+        out.image[resource] |= flags_of(mask(access)).image_usage;
+        out.buffer[resource] |= flags_of(mask(access)).buffer_usage;
     };
     for (const std::uint32_t needed : plan.needed) {
         for (const Use& use : graph.passes()[needed].uses) {
             if (use.version != Version::none) {
-                add_usage(use.version, use.access);
+                add(use.version, use.access);
             }
         }
     }
     for (const Presented& end : plan.presented) {
-        add_usage(end.version, Access::transfer_read);
+        add(end.version, Access::transfer_read);
     }
+    return out;
+}
 
-    // One pool for each memory_ type that the transients ask for; nearly always there is one.
+vk::MemoryRequirements Realised::make(const Resource& resource, std::uint32_t id,
+                                      const Usage& usage) {
+    if (resource.kind == ResourceKind::image) {
+        images_[id] = gpu::Image::unbound(device_, resource.image, usage.image[id]);
+        return images_[id]->requirements();
+    }
+    buffers_[id] = gpu::Buffer::unbound(device_, (resource.bytes + 3) / 4 * 4, usage.buffer[id]);
+    return buffers_[id]->requirements();
+}
+
+// One pool for those of one type of memory.
+void Realised::bind(const Plan& plan, std::uint32_t memory_type,
+                    std::span<const std::size_t> members, std::span<const Extent> extents) {
+    std::vector<Lifetime> lifetimes;
+    std::vector<Extent> sizes;
+    for (const std::size_t member : members) {
+        lifetimes.push_back(plan.lifetimes[member]);
+        sizes.push_back(extents[member]);
+    }
+    const Placement placement = place(lifetimes, sizes);
+    pool_bytes_ += placement.bytes;
+    memory_.push_back(device_.allocate({placement.bytes, memory_type}));
+    for (std::size_t index = 0; index < lifetimes.size(); ++index) {
+        const std::uint32_t id = lifetimes[index].resource;
+        if (images_[id]) {
+            images_[id]->bind(memory_.back(), placement.offsets[index]);
+        } else {
+            buffers_[id]->bind(memory_.back(), placement.offsets[index]);
+        }
+    }
+}
+
+void Realised::make_transients(const Graph& graph, const Plan& plan) {
+    images_.resize(graph.resources().size());
+    buffers_.resize(graph.resources().size());
+    const Usage usage = usage_of(graph, plan);
+    // Nearly always all ask for one type.
     std::map<std::uint32_t, std::vector<std::size_t>> by_type;
     std::vector<Extent> extents;
     for (std::size_t index = 0; index < plan.lifetimes.size(); ++index) {
         const std::uint32_t id = plan.lifetimes[index].resource;
-        const Resource& resource = graph.resources()[id];
-        vk::MemoryRequirements needs;
-        if (resource.kind == ResourceKind::image) {
-            images_[id] = gpu::Image::unbound(device_, resource.image, image_usage[id]);
-            needs = images_[id]->requirements();
-        } else {
-            buffers_[id] =
-                gpu::Buffer::unbound(device_, (resource.bytes + 3) / 4 * 4, buffer_usage[id]);
-            needs = buffers_[id]->requirements();
-        }
+        const vk::MemoryRequirements needs = make(graph.resources()[id], id, usage);
         extents.push_back(
             {needs.size, std::max(needs.alignment, device_.limits().bufferImageGranularity)});
         unshared_bytes_ += needs.size;
@@ -273,23 +300,7 @@ void Realised::allocate(const Graph& graph, const Plan& plan) {
             .push_back(index);
     }
     for (const auto& [type, members] : by_type) {
-        std::vector<Lifetime> lifetimes;
-        std::vector<Extent> sizes;
-        for (const std::size_t member : members) {
-            lifetimes.push_back(plan.lifetimes[member]);
-            sizes.push_back(extents[member]);
-        }
-        const Placement placement = place(lifetimes, sizes);
-        pool_bytes_ += placement.bytes;
-        memory_.push_back(device_.allocate({placement.bytes, type}));
-        for (std::size_t index = 0; index < lifetimes.size(); ++index) {
-            const std::uint32_t id = lifetimes[index].resource;
-            if (images_[id]) {
-                images_[id]->bind(memory_.back(), placement.offsets[index]);
-            } else {
-                buffers_[id]->bind(memory_.back(), placement.offsets[index]);
-            }
-        }
+        bind(plan, type, members, extents);
     }
 }
 

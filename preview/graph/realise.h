@@ -8,6 +8,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -66,8 +67,18 @@ class Realised {
     std::uint64_t unshared_bytes() const { return unshared_bytes_; }
 
   private:
+    // What passes do with each resource.
+    struct Usage {
+        std::vector<vk::ImageUsageFlags> image;
+        std::vector<vk::BufferUsageFlags> buffer;
+    };
+
+    static Usage usage_of(const Graph& graph, const Plan& plan);
     void make_persistent(const Graph& graph, const Plan& plan);
-    void allocate(const Graph& graph, const Plan& plan);
+    void make_transients(const Graph& graph, const Plan& plan);
+    vk::MemoryRequirements make(const Resource& resource, std::uint32_t id, const Usage& usage);
+    void bind(const Plan& plan, std::uint32_t memory_type, std::span<const std::size_t> members,
+              std::span<const Extent> extents);
     void make_data_blocks(const Graph& graph);
     void make_descriptor_pool(const std::vector<gpu::PipelineKey>& keys);
     void write_set(const Graph& graph, const PassRecord& pass, RealisedPass& step);

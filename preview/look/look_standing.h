@@ -1,6 +1,7 @@
 // Where a look stands, before the tone map or behind it, and what is converted for it there.
 #pragma once
 
+#include "lutlib/named.h"
 #include "lutlib/recipe/placement.h"
 #include "preview/look/gpu_lookups.h"
 #include "preview/look/scene_look.h"
@@ -23,9 +24,9 @@ inline constexpr std::array<LookAt, 3> look_ats{{
     {"before", "before the tone map: scene light, encoded as the look takes it"},
     {"after", "behind the tone map: the display's codes"},
 }};
-inline constexpr const LookAt& look_at_auto = look_ats[0];
-inline constexpr const LookAt& look_at_before = look_ats[1];
-inline constexpr const LookAt& look_at_after = look_ats[2];
+inline constexpr const LookAt& look_at_auto = lutlib::row_named(look_ats, "auto");
+inline constexpr const LookAt& look_at_before = lutlib::row_named(look_ats, "before");
+inline constexpr const LookAt& look_at_after = lutlib::row_named(look_ats, "after");
 
 /// The picture that looks are laid over; what they give is shown as sRGB.
 struct PictureCodes {

@@ -53,15 +53,21 @@ void number(Ui& ui, std::string_view flag) {
     number<PictureSettings>(ui, picture_number(flag), ui.history.draft());
 }
 
+// Those whose flags begin so.
+void numbers_of(Ui& ui, std::string_view beginning) {
+    for (const NumberRow<PictureSettings>& row : picture_numbers()) {
+        if (row.flag.starts_with(beginning)) {
+            number<PictureSettings>(ui, row, ui.history.draft());
+        }
+    }
+}
+
 void bloom_controls(Ui& ui) {
     choice(ui, "bloom");
     if (ui.history.draft().bloom->strength <= 0) {
         return;
     }
-    for (const std::string_view flag :
-         {"bloom-strength", "bloom-threshold", "bloom-knee", "bloom-radius"}) {
-        number(ui, flag);
-    }
+    numbers_of(ui, "bloom-");
 }
 
 /// A switch for every effect, with the parameters of those in use.
@@ -194,10 +200,7 @@ void view_panel(Ui& ui) {
     bloom_controls(ui);
     ImGui::EndDisabled();
     if (ui.facts.is_scene) {
-        for (const std::string_view flag :
-             {"occlusion-strength", "occlusion-radius", "occlusion-samples"}) {
-            number(ui, flag);
-        }
+        numbers_of(ui, "occlusion-");
     }
     ImGui::Separator();
     effect_controls(ui);

@@ -1,3 +1,4 @@
+#include "lutlib/codes.h"
 #include "lutlib/error.h"
 #include "lutlib/io/image.h"
 #include "preview/scene/import_parts.h"
@@ -54,7 +55,7 @@ std::optional<Sides> jpeg_sides(std::string_view bytes) {
 }
 
 std::uint8_t byte_of(float value) {
-    return static_cast<std::uint8_t>(std::lround(255 * (value > 0 ? std::min(value, 1.0F) : 0.0F)));
+    return static_cast<std::uint8_t>(lutlib::CodeDepth{8}.code(value));
 }
 
 } // namespace

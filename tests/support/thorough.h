@@ -21,6 +21,11 @@ inline bool is_thorough() {
     return std::getenv("LUT_TEST_ALL") != nullptr;
 }
 
+/// For tests that compute for minutes under sanitizers what shorter ones compute too.
+inline bool is_too_long_here() {
+    return is_sanitized && !is_thorough();
+}
+
 template <class T>
 std::vector<T> all_or(std::vector<T> all, std::vector<T> some) {
     return is_thorough() ? all : some;

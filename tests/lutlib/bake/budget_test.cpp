@@ -2,6 +2,7 @@
 
 #include "lutlib/bake/bake.h"
 #include "tests/lutlib/looks.h"
+#include "tests/support/thorough.h"
 
 #include <gtest/gtest.h>
 
@@ -32,6 +33,9 @@ double largest(const Transform& look, const Engine& engine, int size, const Brea
 }
 
 TEST(Budget, takes_the_smallest_of_all_sizes_by_the_whole_union_grid) {
+    if (support::is_too_long_here()) {
+        GTEST_SKIP() << "takes minutes under sanitizers";
+    }
     const Engine& engine = *engine_named("piccolo");
     const Lut lut = rough_look(7);
     const Transform look = Transform::of(lut);

@@ -60,6 +60,9 @@ INSTANTIATE_TEST_SUITE_P(Sizes, RecogniseSize, testing::ValuesIn(sizes),
 // Every rude look in every layout, as it is and through JPEG of two qualities (of one at
 // sizes beyond 16): none is misread, and of those that have hues few are refused.
 TEST_P(RecogniseSize, misreads_no_look_in_any_layout) {
+    if (support::is_too_long_here()) {
+        GTEST_SKIP() << "takes minutes under sanitizers";
+    }
     const int n = GetParam();
     const std::vector<int> qualities = n <= 16 ? std::vector<int>{90, 60} : std::vector<int>{75};
     Tally with_hues, without;

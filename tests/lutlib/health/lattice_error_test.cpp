@@ -90,6 +90,9 @@ const std::vector<TestLook>& smooth_looks() {
 }
 
 TEST(LatticeError, is_what_a_search_of_its_own_finds_at_the_place_that_is_said) {
+    if (support::is_too_long_here()) {
+        GTEST_SKIP() << "takes minutes under sanitizers";
+    }
     const std::vector<int> sizes =
         support::is_sanitized ? std::vector<int>{9} : std::vector<int>{17, 33};
     for (const TestLook& smooth : smooth_looks()) {

@@ -161,11 +161,17 @@ TEST_P(BareStripIn, a_screenshot_is_found_by_its_content) {
 }
 
 TEST(BareStripIn, a_photograph_is_none) {
+    if (support::is_too_long_here()) {
+        GTEST_SKIP() << "takes minutes under sanitizers";
+    }
     EXPECT_TRUE(find_strips(screenshot(640, 360)).empty());
     EXPECT_TRUE(find_strips(noisy(screenshot(400, 300), 3)).empty());
 }
 
 TEST(BareStripIn, a_picture_of_two_is_found_twice_and_a_pixel_chooses) {
+    if (support::is_too_long_here()) {
+        GTEST_SKIP() << "takes minutes under sanitizers";
+    }
     Picture shot = screenshot(400, 200);
     const Picture strip = to_picture(identity_cube(16), *layout_named("strip"));
     put(shot, strip, {20, 30});

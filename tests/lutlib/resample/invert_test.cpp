@@ -279,6 +279,9 @@ Lut3D noise(int size) {
 // Each cell of it touches about half of all buckets: on the finest grid of 49 nodes more than 2^32
 // entries, of 25 still more than the limit.
 TEST(Invert, of_noise_takes_no_more_memory_than_the_limit) {
+    if (support::is_too_long_here()) {
+        GTEST_SKIP() << "takes minutes under sanitizers";
+    }
     rusage before{}, after{};
     const Lut look = cube_look(noise(support::is_thorough() ? 49 : support::is_sanitized ? 9 : 25));
     getrusage(RUSAGE_SELF, &before);

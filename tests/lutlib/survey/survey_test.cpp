@@ -81,6 +81,9 @@ TEST(Survey, finds_fitted_lattices_nearer_on_average_than_point_samples) {
 }
 
 TEST(Survey, looks_at_the_own_shaper_of_a_look) {
+    if (support::is_too_long_here()) {
+        GTEST_SKIP() << "takes minutes under sanitizers";
+    }
     Recipe recipe = recipe_of(test_looks()[3].f);
     Lut shaped = *recipe.base_lut;
     shaped.shaper = Lut1D{{{0, 0, 0}, {4, 4, 4}}, {}};
@@ -123,6 +126,9 @@ RgbD contrast(RgbD c) {
 }
 
 TEST(Survey, clamps_as_a_display_does_and_agrees_with_what_bake_makes) {
+    if (support::is_too_long_here()) {
+        GTEST_SKIP() << "takes minutes under sanitizers";
+    }
     const Recipe recipe = recipe_of(contrast);
     SurveySettings settings = small();
     settings.sizes = {16};
@@ -144,6 +150,9 @@ TEST(Survey, clamps_as_a_display_does_and_agrees_with_what_bake_makes) {
 }
 
 TEST(Survey, judges_what_no_display_shows_where_it_is_asked_to) {
+    if (support::is_too_long_here()) {
+        GTEST_SKIP() << "takes minutes under sanitizers";
+    }
     SurveySettings settings = small();
     settings.unclamped = true;
     const Survey seen = survey(recipe_of(contrast), small(), [](double, const std::string&) {});
@@ -158,6 +167,9 @@ TEST(Survey, judges_what_no_display_shows_where_it_is_asked_to) {
 }
 
 TEST(Survey, tries_the_shaper_and_the_size_that_the_recipe_is_baked_with) {
+    if (support::is_too_long_here()) {
+        GTEST_SKIP() << "takes minutes under sanitizers";
+    }
     Recipe recipe = recipe_of(test_looks()[3].f);
     recipe.bake.shaper = "tone";
     recipe.bake.shaper_size = 300;
@@ -208,6 +220,9 @@ TEST(Recommendation, is_the_smallest_that_keeps_the_promise_and_then_the_fastest
 }
 
 TEST(Budget, keeps_its_promise_on_colors_that_it_has_not_seen) {
+    if (support::is_too_long_here()) {
+        GTEST_SKIP() << "takes minutes under sanitizers";
+    }
     const Transform look = test_looks()[1].transform();
     for (const char* name : support::all_or<const char*>({"piccolo", "hald"}, {"piccolo"})) {
         const Engine& engine = *engine_named(name);

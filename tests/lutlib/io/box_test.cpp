@@ -49,7 +49,7 @@ TEST_F(Box, hands_over_pictures) {
     EXPECT_EQ(std::vector(samples.begin(), samples.end()), (std::vector<float>{0, 0.25F, 0.5F, 1}));
 }
 
-TEST_F(Box, hands_over_pictures_that_their_reader_can_change_no_more) {
+TEST_F(Box, hands_over_copies_of_pictures_that_their_reader_goes_on_changing) {
     const SampleImage image = boxed_.read(write("keep hold"), "picture");
     const float first = image.samples.as<float>()[0];
     std::this_thread::sleep_for(std::chrono::milliseconds(20));

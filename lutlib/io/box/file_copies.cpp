@@ -12,7 +12,7 @@
 namespace lutlib::io::box {
 namespace {
 
-constexpr std::size_t most_kept = 16, most_bytes_kept = std::size_t{64} << 20;
+constexpr std::size_t most_bytes_kept = std::size_t{256} << 20;
 
 [[noreturn]] void refuse_file(const char* failure, const std::string& file) {
     throw Error(failure + (": " + std::generic_category().message(errno)), {file, 0, {}});
@@ -60,10 +60,12 @@ FileCopy FileCopies::keep(const std::string& path, const std::string& file) cons
     FileCopy out = copied(path, file);
     if (out.size() <= most_bytes_kept) {
         const std::lock_guard lock(mutex_);
-        if (kept_.size() == most_kept) {
+        while (size_ + out.size() > most_bytes_kept) {
+            size_ -= kept_.front().size();
             kept_.erase(kept_.begin());
         }
         kept_.push_back(out);
+        size_ += out.size();
     }
     return out;
 }
@@ -78,6 +80,7 @@ FileCopy FileCopies::take(const std::string& path, const std::string& file) cons
         if (kept != kept_.end()) {
             FileCopy out = std::move(*kept);
             kept_.erase(kept);
+            size_ -= out.size();
             return out;
         }
     }

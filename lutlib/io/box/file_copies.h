@@ -30,6 +30,7 @@ class FileCopies {
   private:
     mutable std::mutex mutex_;
     mutable std::vector<FileCopy> kept_; ///< the oldest first
+    mutable std::size_t size_ = 0;       ///< of all kept, in bytes
 };
 
 /// All of an open file behind another's place, within the system. Throws Error, of `failure`.

@@ -20,7 +20,7 @@ namespace {
 /// A whole file in memory.
 class MappedFile {
   public:
-    MappedFile(int descriptor, int protection, int flags = 0) : file_(descriptor) {
+    MappedFile(int descriptor, int protection) : file_(descriptor) {
         struct stat info {};
         if (::fstat(file_.get(), &info) != 0) {
             fail("cannot look at shared memory");
@@ -29,7 +29,7 @@ class MappedFile {
         if (size_ == 0) {
             return;
         }
-        void* const mapped = ::mmap(nullptr, size_, protection, MAP_SHARED | flags, file_.get(), 0);
+        void* const mapped = ::mmap(nullptr, size_, protection, MAP_SHARED, file_.get(), 0);
         if (mapped == MAP_FAILED) {
             fail("cannot map shared memory");
         }
@@ -86,8 +86,7 @@ ForeignBytes::ForeignBytes(int descriptor) {
     // Whoever maps a file that becomes shorter would be killed.
     ::fcntl(descriptor, F_ADD_SEALS, F_SEAL_SHRINK);
     const int seals = ::fcntl(descriptor, F_GET_SEALS);
-    // Its pages at once: a fault for each takes longer than to read it.
-    file_ = std::make_shared<MappedFile>(descriptor, PROT_READ, MAP_POPULATE);
+    file_ = std::make_shared<MappedFile>(descriptor, PROT_READ);
     if (seals < 0 || (seals & F_SEAL_SHRINK) == 0) {
         throw Error("shared memory may become shorter while it is read");
     }

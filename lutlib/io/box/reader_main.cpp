@@ -127,7 +127,7 @@ int run(const char* module, const std::string& entry) {
             break;
         }
     }
-    return 0;
+    ::_exit(0); // nor of those who make them: the program waits for their end
 }
 
 } // namespace

@@ -15,11 +15,11 @@ constexpr int least_cell = 160;
 
 // Where everything stands.
 struct Plan {
-    Plan(int tile_width, int tile_height, std::size_t tiles, int columns)
-        : cell(std::max(tile_width, least_cell)), tile_width(tile_width), tile_height(tile_height),
-          columns(std::min(columns, static_cast<int>(tiles))),
-          rows((static_cast<int>(tiles) + this->columns - 1) / this->columns),
-          scale(std::max(1, cell / 200)), margin(6 * scale), line(plot::line_step * scale) {}
+    Plan(int width_of_tile, int height_of_tile, std::size_t tiles, int most_columns)
+        : cell(std::max(width_of_tile, least_cell)), tile_width(width_of_tile),
+          tile_height(height_of_tile), columns(std::min(most_columns, static_cast<int>(tiles))),
+          rows((static_cast<int>(tiles) + columns - 1) / columns), scale(std::max(1, cell / 200)),
+          margin(6 * scale), line(plot::line_step * scale) {}
 
     int label() const { return 2 * line; }
     int width() const { return columns * (cell + margin) + margin; }

@@ -1,6 +1,7 @@
 #include "lutlib/plot/dot_font.h"
 
 #include <array>
+#include <vector>
 
 namespace plot {
 namespace {
@@ -98,6 +99,8 @@ bool is_printable(char c) {
     return c >= ' ' && c <= '~';
 }
 
+constexpr std::string_view ellipsis = "...";
+
 bool continues(char c) {
     return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
 }
@@ -125,7 +128,6 @@ std::string glyphs_of(std::string_view utf8) {
 }
 
 std::string cut_in_the_middle(const std::string& glyphs, std::size_t most) {
-    constexpr std::string_view ellipsis = "...";
     if (glyphs.size() <= most) {
         return glyphs;
     }
@@ -135,6 +137,25 @@ std::string cut_in_the_middle(const std::string& glyphs, std::size_t most) {
     const std::size_t kept = most - ellipsis.size(), end = kept / 2;
     return glyphs.substr(0, kept - end) + std::string(ellipsis) +
            glyphs.substr(glyphs.size() - end);
+}
+
+std::string text_cut_in_the_middle(const std::string& utf8, std::size_t most) {
+    const std::string glyphs = glyphs_of(utf8);
+    if (glyphs.size() <= most) {
+        return utf8;
+    }
+    if (most <= ellipsis.size()) {
+        return cut_in_the_middle(glyphs, most);
+    }
+    std::vector<std::size_t> starts; // of the characters
+    for (std::size_t i = 0; i < utf8.size(); ++i) {
+        if (glyphs_of(utf8.substr(0, i + 1)).size() > starts.size()) {
+            starts.push_back(i);
+        }
+    }
+    const std::size_t kept = most - ellipsis.size(), end = kept / 2;
+    return utf8.substr(0, starts[kept - end]) + std::string(ellipsis) +
+           utf8.substr(end ? starts[starts.size() - end] : utf8.size());
 }
 
 } // namespace plot

@@ -23,5 +23,7 @@ std::string glyphs_of(std::string_view utf8);
 
 /// At most `most` glyphs: of a longer text the beginning and the end, with "..." between them.
 std::string cut_in_the_middle(const std::string& glyphs, std::size_t most);
+/// The same of UTF-8: as many characters as glyphs_of() makes glyphs of.
+std::string text_cut_in_the_middle(const std::string& utf8, std::size_t most);
 
 } // namespace plot

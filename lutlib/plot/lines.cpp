@@ -33,7 +33,7 @@ std::string share_frame(const Frame& f, const ShareAxis& y) {
 template <class Y>
 std::string line_svg(const Lines& plot, const Line& line, const Axis& x, const Y& y) {
     std::string path, dots;
-    const char* const color = series_colors[line.color % series_colors.size()];
+    const std::string color = css_color(series_color(line.color, line.pale));
     for (const auto& [px, py] : line.points) {
         if (!x.shows(px) || !(plot.y_is_share || (py > 0 && std::isfinite(py)))) {
             continue;
@@ -61,7 +61,7 @@ std::string legend(const Lines& plot, double x, double y) {
         out += fmt::format("<path class=\"line{}\" stroke=\"{}\" d=\"M{:g} {:g}h22\"/>"
                            "<text class=\"name\" x=\"{:g}\" y=\"{:g}\">{}</text>\n",
                            line.dashed ? " dashed" : "",
-                           series_colors[line.color % series_colors.size()], x, y - 4, x + 28, y,
+                           css_color(series_color(line.color, line.pale)), x, y - 4, x + 28, y,
                            escaped(line.name));
         y += legend_line;
     }

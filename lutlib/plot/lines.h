@@ -17,6 +17,7 @@ struct Line {
     bool dashed = false;
     bool dots = true; ///< a dot at each point
     std::vector<std::pair<double, double>> points;
+    bool pale = false; ///< half way to white
 };
 
 struct Lines {

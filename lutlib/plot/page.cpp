@@ -11,6 +11,9 @@ namespace plot {
 namespace {
 
 std::string views_html(const Page& page) {
+    if (page.views.empty()) {
+        return "";
+    }
     std::string rules, inputs, plots;
     for (std::size_t i = 0; i < page.views.size(); ++i) {
         rules += fmt::format("#view-{0}:checked ~ #plots-{0} {{ display: flex; }}\n", i);
@@ -128,6 +131,18 @@ Cell number_cell(double value) {
     return {fmt::format("{:.3g}", value), value, true};
 }
 
+std::string figures_html(const std::vector<Figure>& figures) {
+    std::string out = "<div class=\"figures\">\n";
+    for (const Figure& figure : figures) {
+        const Drawing drawing = figure.is_wide
+                                    ? drawing_of(figure, wide_figure_width, wide_figure_height)
+                                    : drawing_of(figure);
+        out += fmt::format("<div{}>\n", figure.is_wide ? " class=\"wide\"" : "") + svg(drawing) +
+               "</div>\n";
+    }
+    return out + "</div>\n";
+}
+
 std::string table_html(const std::vector<std::string>& columns,
                        const std::vector<std::vector<Cell>>& rows) {
     std::string out =
@@ -152,9 +167,12 @@ std::string html(const Page& page) {
     for (const std::string& section : page.sections) {
         out += section;
     }
-    out += "<h2>How it was measured</h2>\n";
+    out += page.paragraphs.empty() ? "" : "<h2>How it was measured</h2>\n";
     for (const std::string& paragraph : page.paragraphs) {
         out += "<p>" + escaped(paragraph) + "</p>\n";
+    }
+    if (page.table.columns.empty()) {
+        return out + "</section>\n</body>\n</html>\n";
     }
     out += "<p class=\"on-paper\">On paper the table leaves out what is dominated.</p>\n" +
            main_table(page.table) + "</section>\n";

@@ -3,6 +3,8 @@
 // other rows' panels works without scripts; prints with the dominated rows left out.
 #pragma once
 
+#include "lutlib/plot/figure.h"
+
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -55,6 +57,7 @@ struct Panels {
     std::vector<std::vector<std::string>> rows; ///< of each row of the table, in order of `values`
 };
 
+/// What is empty is left out, and without a table there is no script.
 struct Page {
     std::string title;
     std::string summary;                 ///< the one sentence
@@ -66,6 +69,9 @@ struct Page {
 };
 
 std::string html(const Page& page);
+
+/// Figures beside each other, as markup for Page::sections; wide ones take a row.
+std::string figures_html(const std::vector<Figure>& figures);
 
 /// A small table of its own, as markup for Page::sections.
 std::string table_html(const std::vector<std::string>& columns,

@@ -33,6 +33,10 @@ svg tspan { font-size: 11px; }
 .mark.top, .mark.best { opacity: 1; stroke: #222; stroke-width: .7; }
 .mark.best { stroke-width: 2.5; }
 .mark.picked, .mark:hover { opacity: 1; stroke: #000; stroke-width: 2.5; }
+.figures { display: flex; flex-wrap: wrap; gap: 1em; margin-top: .5em; }
+.figures div { flex: 0 1 492px; border: 1px solid #ddd; break-inside: avoid; }
+.figures .wide { flex: 1 1 100%; }
+.figures svg { display: block; width: 100%; }
 .outline { fill: none; stroke: #333; }
 .out { display: none; }
 label.view, label.only { margin-right: 1.2em; white-space: nowrap; }

@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <string_view>
 
 namespace plot {
 namespace {
@@ -20,6 +22,21 @@ constexpr std::array<Stop, 5> stops{{
 }};
 
 } // namespace
+
+Rgb8 series_color(std::size_t series, bool pale) {
+    const std::string_view text = series_colors[series % series_colors.size()];
+    Rgb8 out{};
+    for (std::size_t c = 0; c < out.size(); ++c) {
+        int code = 0;
+        std::from_chars(text.data() + 1 + 2 * c, text.data() + 3 + 2 * c, code, 16);
+        out[c] = static_cast<std::uint8_t>(pale ? (code + 255) / 2 : code);
+    }
+    return out;
+}
+
+std::string css_color(Rgb8 color) {
+    return fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]);
+}
 
 std::string heat_color(std::size_t level) {
     const double place = static_cast<double>(std::min(level, heat_levels - 1)) *

@@ -47,6 +47,7 @@ Run declare_report(Verb& verb);
 Run declare_resample(Verb& verb);
 Run declare_shader(Verb& verb);
 Run declare_sheet(Verb& verb);
+Run declare_show(Verb& verb);
 Run declare_verify(Verb& verb);
 
 } // namespace converter

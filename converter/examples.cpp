@@ -38,6 +38,9 @@ constexpr Examples table[] = {
               "lutconv apply look.cube shot.####.exr -o graded/{name}.{ext}\n"},
     {"sheet", "lutconv sheet picture.exr looks -o sheet.png\n"
               "lutconv sheet picture.png a.cube b.cube --engine unity -o sheet.png\n"},
+    {"show", "lutconv show look.cube -o look.png\n"
+             "lutconv show a.cube b.cube -o both.html\n"
+             "lutconv show look.json --panels curves,slopes -o curves.svg\n"},
     {"report", "lutconv report look.cube -o report.html\n"
                "lutconv report --suite stiff -o stiff.html\n"},
     {"engines", "lutconv engines\n"

@@ -20,10 +20,8 @@ const lutlib::Engine& EngineOption::get() const {
 
 std::vector<const lutlib::Engine*> EngineOption::all() const {
     std::vector<const lutlib::Engine*> out;
-    for (std::size_t at = 0; at <= name_.size();) {
-        const std::size_t comma = std::min(name_.find(',', at), name_.size());
-        out.push_back(&lutlib::require_engine(name_.substr(at, comma - at)));
-        at = comma + 1;
+    for (const std::string& name : names_in_list(name_)) {
+        out.push_back(&lutlib::require_engine(name));
     }
     return out;
 }
@@ -39,6 +37,16 @@ std::optional<lutlib::Interpolation> InterpolationOption::get() const {
         return std::nullopt;
     }
     return lutlib::require_named(lutlib::interpolations(), "interpolation", name_).kind;
+}
+
+std::vector<std::string> names_in_list(const std::string& list) {
+    std::vector<std::string> out;
+    for (std::size_t at = 0; at <= list.size();) {
+        const std::size_t comma = std::min(list.find(',', at), list.size());
+        out.push_back(list.substr(at, comma - at));
+        at = comma + 1;
+    }
+    return out;
 }
 
 void declare_reference_white(Verb& verb, double& nits) {

@@ -36,6 +36,9 @@ class InterpolationOption {
     std::string name_;
 };
 
+/// The names of a list with commas between: "a,b".
+std::vector<std::string> names_in_list(const std::string& list);
+
 /// --reference-white, in cd/m2, for colour differences; at first BT.2408's.
 void declare_reference_white(Verb& verb, double& nits);
 

@@ -24,11 +24,19 @@ std::optional<lutlib::Encoding> named(const std::string& name, const std::string
 
 } // namespace
 
-void PlacingOptions::declare(Verb& verb) {
+void LookEncodingOptions::declare(Verb& verb) {
     verb.add_option("--look-input", input_,
                     encoding_help("what the look's inputs are, in place of what the recipe or the "
                                   "file says"));
     verb.add_option("--look-output", output_, "what its results are, in the same way");
+}
+
+lutlib::LookEncodings LookEncodingOptions::look() const {
+    return {named(input_, "--look-input"), named(output_, "--look-output")};
+}
+
+void PlacingOptions::declare(Verb& verb) {
+    look_.declare(verb);
     verb.add_option("--adaptation", adaptation_,
                     "between the whites of different gamuts: " +
                         lutlib::names_of(lutlib::adaptations()) + " (default: the first)");
@@ -37,11 +45,7 @@ void PlacingOptions::declare(Verb& verb) {
 }
 
 bool PlacingOptions::given() const {
-    return no_convert_ || !input_.empty() || !output_.empty() || !adaptation_.empty();
-}
-
-lutlib::LookEncodings PlacingOptions::look() const {
-    return {named(input_, "--look-input"), named(output_, "--look-output")};
+    return no_convert_ || look_.given() || !adaptation_.empty();
 }
 
 const lutlib::Adaptation& PlacingOptions::adaptation() const {

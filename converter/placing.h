@@ -10,12 +10,24 @@
 
 namespace converter {
 
-/// --look-input, --look-output, --adaptation and --no-convert.
+/// --look-input and --look-output.
+class LookEncodingOptions {
+  public:
+    void declare(Verb& verb);
+    bool given() const { return !input_.empty() || !output_.empty(); }
+    /// What was named. Throws UsageError.
+    lutlib::LookEncodings look() const;
+
+  private:
+    std::string input_, output_;
+};
+
+/// The same, --adaptation and --no-convert.
 class PlacingOptions {
   public:
     void declare(Verb& verb);
     /// What was named. Throws UsageError.
-    lutlib::LookEncodings look() const;
+    lutlib::LookEncodings look() const { return look_.look(); }
     bool convert() const { return !no_convert_; }
     /// Any of them.
     bool given() const;
@@ -23,7 +35,8 @@ class PlacingOptions {
     const lutlib::Adaptation& adaptation() const;
 
   private:
-    std::string input_, output_, adaptation_;
+    LookEncodingOptions look_;
+    std::string adaptation_;
     bool no_convert_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include "converter/many_looks.h"
 #include "converter/options.h"
 #include "converter/placing.h"
+#include "converter/raster_file.h"
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/sheet_look.h"
@@ -15,7 +16,6 @@
 #include "lutlib/io/file.h"
 #include "lutlib/io/image.h"
 #include "lutlib/io/orientation.h"
-#include "lutlib/io/picture_types.h"
 #include "lutlib/limits.h"
 #include "terminal/table.h"
 
@@ -55,12 +55,7 @@ struct Sheet {
 };
 
 void require_output(const Options& o) {
-    const std::vector<io::Depth> held = io::depths_of(o.output);
-    if (std::find(held.begin(), held.end(), io::Depth::uint8) == held.end()) {
-        throw lutlib::UsageError("a sheet is a picture of 8 bits, which ." +
-                                 io::extension_of(o.output) +
-                                 " files do not hold: name a .png to write");
-    }
+    require_raster_name(o.output, "a sheet");
     if (o.width < least_width || o.width > most_width) {
         throw lutlib::UsageError(
             fmt::format("--width must be {} to {} pixels", least_width, most_width));
@@ -139,21 +134,6 @@ Sheet make_sheet(const Options& o, const std::vector<std::string>& paths) {
     }
     out.whole = drawn(o, out, columns);
     return out;
-}
-
-void write(const Options& o, const Sheet& sheet) {
-    io::FloatImage image;
-    image.width = sheet.whole.width();
-    image.height = sheet.whole.height();
-    image.rgba.reserve(4 * image.pixels());
-    for (const plot::Rgb8& pixel : sheet.whole.pixels()) {
-        for (const std::uint8_t code : pixel) {
-            image.rgba.push_back(static_cast<float>(code) / 255);
-        }
-        image.rgba.push_back(1);
-    }
-    io::write_image(o.output, image,
-                    {.depth = io::Depth::uint8, .text = {{"Source", io::input_name(o.picture)}}});
 }
 
 // What stands around the looks, a line each.
@@ -241,7 +221,7 @@ int run(const Options& o, const Verb& verb) {
         }
     }
     tell_unused(verb, {adaptation});
-    write(o, sheet);
+    write_raster(o.output, sheet.whole, io::input_name(o.picture));
     o.json ? print_json(o, sheet) : print_text(o, sheet);
     return ok;
 }

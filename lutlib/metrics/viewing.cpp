@@ -43,9 +43,13 @@ std::span<const MetricInfo, metric_count> metrics() {
     return metric_rows;
 }
 
+Matrix3 light_to_rec709(const Viewing& viewing) {
+    return scaled(nits_of_light(viewing) / viewing.reference_white,
+                  rgb_to_rgb(viewing.output.primaries(), rec709));
+}
+
 Eye::Eye(const Viewing& viewing)
-    : output_(viewing.output), to_rec709_(scaled(nits_of_light(viewing) / viewing.reference_white,
-                                                 rgb_to_rgb(viewing.output.primaries(), rec709))),
+    : output_(viewing.output), to_rec709_(light_to_rec709(viewing)),
       to_rec2020_nits_(
           scaled(nits_of_light(viewing), rgb_to_rgb(viewing.output.primaries(), rec2020))) {}
 

@@ -23,6 +23,9 @@ struct Viewing {
         : output(encoding), reference_white(white) {}
 };
 
+/// Light of the output to linear Rec.709 light of which 1 is diffuse white.
+Matrix3 light_to_rec709(const Viewing& viewing);
+
 /// Whether codes go far beyond diffuse white, where dE2000 means little: PQ and HLG.
 bool is_hdr(const Encoding& encoding);
 

@@ -54,6 +54,7 @@ Runs runs_of(const std::string& verb, const std::string& look, const Folder& fol
         {"formats", {{}, {"--json"}}},
         {"shader", {{"--engine", "unity", "--language", "glsl", "-o", folder.path("x.glsl")}}},
         {"sheet", {{baked, look, "-o", png}, {baked, look, "-o", png, "--engine", "unity"}}},
+        {"show", {{look, "-o", png, "--size", "640"}, {look, look, "--json"}}},
         {"report", {{look, "--sizes", "2", "3", "-o", folder.path("report.html")}}},
     };
     const auto row = rows.find(verb);

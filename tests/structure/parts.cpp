@@ -88,8 +88,11 @@ const std::vector<Part>& parts() {
         {"terminal", {"lutlib", "lutlib/io", "lutlib/io/box"}, no_big_library},
 
         // lutconv
-        {"converter", {"lutlib/*", "terminal"}, no_big_library},
-        {"converter/commands", {"converter", "lutlib/*", "terminal"}, no_big_library},
+        {"converter/panels", {"lutlib/*"}, no_big_library},
+        {"converter", {"converter/panels", "lutlib/*", "terminal"}, no_big_library},
+        {"converter/commands",
+         {"converter", "converter/panels", "lutlib/*", "terminal"},
+         no_big_library},
 
         // Figures are lutconv's.
         {"python", {"converter", "lutlib/*"}, no_big_library},

@@ -42,6 +42,7 @@ Run declare_formats(Verb& verb);
 Run declare_identity(Verb& verb);
 Run declare_info(Verb& verb);
 Run declare_invert(Verb& verb);
+Run declare_match(Verb& verb);
 Run declare_operators(Verb& verb);
 Run declare_report(Verb& verb);
 Run declare_resample(Verb& verb);

@@ -34,6 +34,8 @@ constexpr Examples table[] = {
     {"extract", "lutconv extract graded.png -o look.cube\n"
                 "lutconv extract graded.png --original shot.png --denoise -o look.cube\n"
                 "lutconv extract graded.png --engine unity -o strip.png\n"},
+    {"match", "lutconv match before.png after.png -o look.cube\n"
+              "lutconv match plate.####.exr graded.####.png -o look.cube\n"},
     {"apply", "lutconv apply look.cube picture.exr -o graded.exr --picture-encoding linear\n"
               "lutconv apply look.cube shot.####.exr -o graded/{name}.{ext}\n"},
     {"sheet", "lutconv sheet picture.exr looks -o sheet.png\n"

@@ -114,8 +114,8 @@ std::string edges_in(const Pixels& pixels) {
                                   " of how far pixels stand out): that is not in the look";
 }
 
-// Blocks that are further off than is usual in this picture.
-std::string parts_in(const Pixels& pixels) {
+// Blocks that are further off than is usual in this picture; they go to `parts`.
+std::string parts_in(const Pixels& pixels, std::vector<Area>& parts) {
     struct Block {
         int x, y;
         double mean;
@@ -145,23 +145,23 @@ std::string parts_in(const Pixels& pixels) {
     std::nth_element(means.begin(), middle, means.end());
     const double least = std::max(seen, above_usual * *middle);
     int left = pixels.size.width, top = pixels.size.height, right = 0, bottom = 0;
-    std::size_t edited = 0;
     double most = 0;
     for (const Block& one : blocks) {
         if (one.mean <= least) {
             continue;
         }
-        ++edited;
+        parts.push_back({one.x, one.y, std::min(one.x + block, pixels.size.width),
+                         std::min(one.y + block, pixels.size.height)});
         most = std::max(most, one.mean);
         left = std::min(left, one.x);
         top = std::min(top, one.y);
-        right = std::max(right, std::min(one.x + block, pixels.size.width));
-        bottom = std::max(bottom, std::min(one.y + block, pixels.size.height));
+        right = std::max(right, parts.back().right);
+        bottom = std::max(bottom, parts.back().bottom);
     }
-    if (edited == 0) {
+    if (parts.empty()) {
         return "";
     }
-    const double share = static_cast<double>(edited) / static_cast<double>(blocks.size());
+    const double share = static_cast<double>(parts.size()) / static_cast<double>(blocks.size());
     return (share < 0.01 ? "less than 1 %" : percent(share)) + " of the picture, between x " +
            std::to_string(left) + " and " + std::to_string(right) + ", y " + std::to_string(top) +
            " and " + std::to_string(bottom) +
@@ -179,15 +179,17 @@ OnPicture on_picture(const Picture& before, const Picture& after, const Area& ex
     pixels.map.assign(before.pixels.size(), -1);
     for (int y = 0; y < before.height; ++y) {
         for (int x = 0; x < before.width; ++x) {
-            if (!except.holds(x, y)) {
+            const RgbD was = to_double(before.at(x, y)), is = to_double(after.at(x, y));
+            if (!except.holds(x, y) && std::isfinite(largest_magnitude(was)) &&
+                std::isfinite(largest_magnitude(is))) {
                 places.push_back(pixels.index(x, y));
-                expected.push_back(to_double(before.at(x, y)));
-                got.push_back(to_double(after.at(x, y)));
+                expected.push_back(was);
+                got.push_back(is);
             }
         }
     }
     if (places.empty()) {
-        throw Error("nothing of the picture is left outside the strip");
+        throw Error("nothing of the picture is left to compare");
     }
     apply_in_parallel(look, expected);
     std::vector<double> errors(places.size());
@@ -202,7 +204,8 @@ OnPicture on_picture(const Picture& before, const Picture& after, const Area& ex
     OnPicture out;
     out.delta_e_2000 = error_stats(std::move(errors));
     // Single pixels of grain are no edit.
-    for (const std::string& edit : {shading_in(pixels), edges_in(pixels), parts_in(pixels)}) {
+    for (const std::string& edit :
+         {shading_in(pixels), edges_in(pixels), parts_in(pixels, out.parts)}) {
         if (!edit.empty()) {
             out.edits.push_back(edit);
         }

@@ -15,14 +15,16 @@ namespace lutlib {
 struct OnPicture {
     ErrorStats delta_e_2000; ///< of the pixels outside the excepted area
     PictureSize size;        ///< that of the picture before
-    std::vector<float> map;  ///< dE2000 of each pixel; below 0 within the area
+    std::vector<float> map;  ///< dE2000 of each pixel; below 0 where it was left out
     /// Edits that the look does not hold, a sentence each: parts of the picture, shading towards
     /// its corners, sharpening or blurring.
     std::vector<std::string> edits;
+    std::vector<Area> parts; ///< squares of the picture that were edited by themselves
 };
 
 /// `after` may be larger than `before`, to the right and below, by what was placed beside it.
-/// Pixels in `except`, of `after`, are left out. Throws Error where none is left.
+/// Pixels in `except`, of `after`, are left out, as are those with a channel that is not finite in
+/// one of the pictures. Throws Error where none is left.
 OnPicture on_picture(const Picture& before, const Picture& after, const Area& except,
                      const Transform& look, const Viewing& viewing = {});
 

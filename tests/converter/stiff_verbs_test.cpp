@@ -43,6 +43,7 @@ Runs runs_of(const std::string& verb, const std::string& look, const Folder& fol
         {"invert", {{look, "--size", "5", "-o", cube}}},
         {"blend", {{look, look, "--size", "9", "-o", cube}}},
         {"compare", {{look, "identity", "--samples", "1000"}}},
+        {"match", {{baked, baked, "--size", "5", "-o", cube}}},
         {"apply", {{look, baked, "-o", png}}},
         {"extract", {{baked, "--engine", "unity", "--damaged", "-o", png}, {baked, "-o", cube}}},
         {"info", {{look}, {look, "--json"}}},

@@ -114,6 +114,12 @@ void fill_workplace(const fs::path& folder) {
     make(folder, "lutconv apply identity.cube luts/before_after.png -o shot.png");
     make(folder, "lutconv identity --into shot.png -o for_grading.png");
     make(folder, "lutconv apply look.cube for_grading.png -o graded.png");
+    make(folder, "lutconv apply identity.cube luts/before_after.png -o before.png");
+    make(folder, "lutconv apply look.cube before.png -o after.png");
+    for (const char* const frame : {"1001", "1002"}) {
+        fs::copy(folder / "before.png", folder / (std::string("plate.") + frame + ".png"));
+        fs::copy(folder / "after.png", folder / (std::string("graded.") + frame + ".png"));
+    }
     fs::create_directory(folder / "looks");
     for (const char* const name : {"a.cube", "b.cube"}) {
         fs::copy(folder / name, folder / "looks" / name);

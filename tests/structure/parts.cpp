@@ -72,6 +72,10 @@ const std::vector<Part>& parts() {
         {"lutlib/paint",
          {"lutlib", "lutlib/color", "lutlib/engine", "lutlib/interpolation", "lutlib/metrics"},
          no_big_library},
+        // Looks out of pictures before and after a grade.
+        {"lutlib/match",
+         {"lutlib", "lutlib/color", "lutlib/engine", "lutlib/interpolation"},
+         no_big_library},
         {"lutlib/io",
          {"lutlib", "lutlib/bake", "lutlib/bake/fitted.*", "lutlib/color", "lutlib/engine",
           "lutlib/formats", "lutlib/interpolation", "lutlib/metrics", "lutlib/ops", "lutlib/recipe",

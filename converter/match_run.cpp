@@ -1,0 +1,217 @@
+#include "converter/match_run.h"
+
+#include "lutlib/codes.h"
+#include "lutlib/error.h"
+#include "lutlib/match/held_out.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace converter {
+namespace {
+
+// Learnt from, of all pairs together: more tell nothing new, and take memory.
+constexpr std::size_t most_pixels = std::size_t{1} << 23;
+
+// One pair after the other, so that a sequence needs no more memory than a frame. A single pair is
+// read once.
+class PairReader {
+  public:
+    PairReader(std::span<const PairPaths> paths, const PairEncodings& encodings)
+        : paths_(paths), encodings_(encodings) {}
+
+    std::size_t count() const { return paths_.size(); }
+    const PairPaths& paths(std::size_t i) const { return paths_[i]; }
+    const PicturePair& get(std::size_t i) {
+        if (!pair_ || i != at_) {
+            pair_.reset();
+            pair_ = read_pair(paths_[i], encodings_);
+            at_ = i;
+            encodings_.look = pair_->look;
+        }
+        return *pair_;
+    }
+
+  private:
+    std::span<const PairPaths> paths_;
+    PairEncodings encodings_; ///< the first pair's look is that of all
+    std::optional<PicturePair> pair_;
+    std::size_t at_ = 0;
+};
+
+struct Gathered {
+    std::vector<lutlib::PixelPair> learnt, held_out;
+    std::size_t left_out = 0;
+};
+
+void gather(const PicturePair& pair, std::size_t most, std::span<const lutlib::Area> without,
+            Gathered& to) {
+    const lutlib::Picture& before = pair.before;
+    std::vector<bool> is_left_out(before.pixels.size());
+    for (const lutlib::Area& area : without) {
+        for (int y = area.top; y < area.bottom; ++y) {
+            for (int x = area.left; x < area.right; ++x) {
+                is_left_out[static_cast<std::size_t>(y) * static_cast<std::size_t>(before.width) +
+                            static_cast<std::size_t>(x)] = true;
+            }
+        }
+    }
+    const std::size_t step = (before.pixels.size() + most - 1) / most;
+    std::size_t i = 0;
+    for (int y = 0; y < before.height; ++y) {
+        for (int x = 0; x < before.width; ++x, ++i) {
+            to.left_out += is_left_out[i] ? 1 : 0;
+            if (i % step == 0 && !is_left_out[i]) {
+                (lutlib::is_held_out(x, y) ? to.held_out : to.learnt)
+                    .push_back({before.pixels[i], pair.after.pixels[i]});
+            }
+        }
+    }
+}
+
+lutlib::Transform rounded(const lutlib::Transform& look, int bits) {
+    if (bits == 0) {
+        return look;
+    }
+    const lutlib::CodeDepth depth{bits};
+    return lutlib::in_sequence(
+        {look, lutlib::Transform::each([depth](lutlib::RgbD c) {
+             return lutlib::RgbD{depth.rounded(c.r), depth.rounded(c.g), depth.rounded(c.b)};
+         })});
+}
+
+lutlib::ErrorStats errors_of(const std::vector<lutlib::RgbD>& a, const std::vector<lutlib::RgbD>& b,
+                             const lutlib::Viewing& viewing) {
+    std::vector<double> errors(a.size());
+    lutlib::Eye{viewing}(lutlib::Metric::delta_e_2000, a, b, errors);
+    return lutlib::error_stats(std::move(errors));
+}
+
+// The mean of each of at most 64x64 places.
+void reduce(const lutlib::OnPicture& on, MatchedPair& to) {
+    constexpr int most = 64;
+    to.size = on.size;
+    to.places = {std::min(most, on.size.width), std::min(most, on.size.height)};
+    const auto columns = static_cast<std::size_t>(to.places.width);
+    std::vector<double> sum(columns * static_cast<std::size_t>(to.places.height)), count = sum;
+    std::size_t i = 0;
+    for (int y = 0; y < on.size.height; ++y) {
+        for (int x = 0; x < on.size.width; ++x, ++i) {
+            const auto place =
+                static_cast<std::size_t>(std::int64_t{x} * to.places.width / on.size.width) +
+                columns *
+                    static_cast<std::size_t>(std::int64_t{y} * to.places.height / on.size.height);
+            if (on.map[i] >= 0) {
+                sum[place] += static_cast<double>(on.map[i]);
+                ++count[place];
+            }
+        }
+    }
+    for (std::size_t k = 0; k < sum.size(); ++k) {
+        to.map.push_back(sum[k] / count[k]); // NaN where nothing was counted
+    }
+}
+
+class MatchRun {
+  public:
+    MatchRun(std::span<const PairPaths> paths, const PairEncodings& encodings, int size)
+        : reader_(paths, encodings), size_(size), parts_(paths.size()) {}
+
+    Matched run() {
+        learn();
+        measure();
+        if (std::any_of(parts_.begin(), parts_.end(), [](const auto& p) { return !p.empty(); })) {
+            learn();
+            measure();
+        }
+        return std::move(out_);
+    }
+
+  private:
+    // A look is measured where it was not learnt from; the one that is kept has learnt from all.
+    void learn() {
+        Gathered pixels;
+        for (std::size_t i = 0; i < reader_.count(); ++i) {
+            const PicturePair& pair = reader_.get(i);
+            out_.look = pair.look;
+            out_.bits = pair.bits;
+            gather(pair, std::max<std::size_t>(1, most_pixels / reader_.count()), parts_[i],
+                   pixels);
+        }
+        out_.left_out = pixels.left_out;
+        out_.pixels = pixels.learnt.size() + pixels.held_out.size();
+        const lutlib::MatchSettings settings{size_, out_.bits};
+        if (pixels.held_out.empty() || pixels.learnt.empty()) {
+            pixels.learnt.insert(pixels.learnt.end(), pixels.held_out.begin(),
+                                 pixels.held_out.end());
+            out_.match = match_look(std::move(pixels.learnt), settings);
+            return;
+        }
+        const lutlib::Match first = match_look(pixels.learnt, settings);
+        measure_held_out(first, pixels.held_out);
+        pixels.learnt.insert(pixels.learnt.end(), pixels.held_out.begin(), pixels.held_out.end());
+        out_.match = match_look(std::move(pixels.learnt), settings, &first);
+    }
+
+    void measure_held_out(const lutlib::Match& match,
+                          const std::vector<lutlib::PixelPair>& pixels) {
+        std::vector<lutlib::RgbD> exact, after;
+        for (const lutlib::PixelPair& pixel : pixels) {
+            const lutlib::RgbD was = to_double(pixel.before), is = to_double(pixel.after);
+            if (std::isfinite(largest_magnitude(was)) && std::isfinite(largest_magnitude(is))) {
+                exact.push_back(was);
+                after.push_back(is);
+            }
+        }
+        lutlib::Lut lut;
+        lut.cube = match.cube;
+        apply_in_parallel(lutlib::Transform::of(lut), exact);
+        std::vector<lutlib::RgbD> kept = exact;
+        apply_in_parallel(rounded({}, out_.bits), kept);
+        out_.held_out = errors_of(kept, after, viewing());
+        for (lutlib::RgbD& color : exact) {
+            color = out_.bits ? saturate(color) : color;
+        }
+        out_.rounding = errors_of(exact, kept, viewing());
+    }
+
+    void measure() {
+        lutlib::Lut lut;
+        lut.cube = out_.match.cube;
+        const lutlib::Transform look = rounded(lutlib::Transform::of(lut), out_.bits);
+        std::vector<double> errors;
+        out_.pairs.clear();
+        for (std::size_t i = 0; i < reader_.count(); ++i) {
+            const PicturePair& pair = reader_.get(i);
+            const lutlib::OnPicture on = on_picture(pair.before, pair.after, {}, look, viewing());
+            const std::size_t step = 1 + on.map.size() * reader_.count() / most_pixels;
+            for (std::size_t k = 0; k < on.map.size(); k += step) {
+                if (on.map[k] >= 0) {
+                    errors.push_back(static_cast<double>(on.map[k]));
+                }
+            }
+            parts_[i] = on.parts;
+            out_.pairs.push_back(
+                {reader_.paths(i), pair.remarks, on.delta_e_2000, on.edits, on.parts, {}, {}, {}});
+            reduce(on, out_.pairs.back());
+        }
+        out_.own = lutlib::error_stats(std::move(errors));
+    }
+
+    lutlib::Viewing viewing() const { return {*out_.look.output}; }
+
+    PairReader reader_;
+    int size_;
+    std::vector<std::vector<lutlib::Area>> parts_; ///< of each pair
+    Matched out_;
+};
+
+} // namespace
+
+Matched match_pairs(std::span<const PairPaths> paths, const PairEncodings& encodings, int size) {
+    return MatchRun(paths, encodings, size).run();
+}
+
+} // namespace converter

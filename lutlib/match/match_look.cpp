@@ -1,0 +1,154 @@
+#include "lutlib/match/match_look.h"
+
+#include "lutlib/match/greys.h"
+#include "lutlib/match/residual_lattice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace lutlib {
+namespace {
+
+// Bins are half a cell wide: what bends within one cannot be told by the lattice either.
+constexpr int bins_a_cell = 2, most_bins = 128;
+// Of a channel that was rounded to a step of 1; smoothness is said for the noise of 8 bits.
+constexpr double rounding_noise = 1 / 3.4641016151377544, usual_noise = rounding_noise / 255;
+// Pixels of one colour that count: more of them tell no better what a lattice cannot hold anyway.
+constexpr double pixels_that_count = 30;
+// What tells colours that stray, and what follows all others.
+constexpr double stiff = 10, supple = 0.1;
+// Pixels, and colours, are doubted from so many deviations on, and never within so many codes.
+constexpr double pixel_doubt = 6, color_doubt = 6, never_doubted = 4 / 255.0;
+constexpr double greys_limit = 2 / 255.0;
+
+double squared(double x) {
+    return x * x;
+}
+
+// The weights of means of so many pixels, of which each has the noise, and the lattice a misfit.
+std::vector<ColorPair> weighed(std::vector<ColorPair> means, double noise,
+                               const std::vector<double>& trust) {
+    for (std::size_t i = 0; i < means.size(); ++i) {
+        const double pixels = means[i].weight, clean = squared(usual_noise);
+        means[i].weight =
+            trust[i] * pixels * clean / (squared(noise) + pixels * clean / pixels_that_count);
+    }
+    return means;
+}
+
+// In fewer bins, which is enough for what has few parameters.
+std::vector<ColorPair> coarsened(std::span<const ColorPair> pairs, int side) {
+    std::vector<std::pair<std::size_t, std::size_t>> order;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const RgbD place = saturate(pairs[i].before) * static_cast<double>(side - 1);
+        std::size_t key = 0;
+        for (const double x : {place.b, place.g, place.r}) {
+            key = key * static_cast<std::size_t>(side) + static_cast<std::size_t>(x + 0.5);
+        }
+        order.emplace_back(key, i);
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<ColorPair> out;
+    for (std::size_t i = 0; i < order.size();) {
+        ColorPair sum{{}, {}, 0};
+        for (const std::size_t key = order[i].first; i < order.size() && order[i].first == key;
+             ++i) {
+            const ColorPair& pair = pairs[order[i].second];
+            sum = {sum.before + pair.weight * pair.before, sum.after + pair.weight * pair.after,
+                   sum.weight + pair.weight};
+        }
+        if (sum.weight > 0) {
+            out.push_back({1 / sum.weight * sum.before, 1 / sum.weight * sum.after, sum.weight});
+        }
+    }
+    return out;
+}
+
+class Learning {
+  public:
+    Learning(std::vector<PixelPair> pixels, const MatchSettings& settings)
+        : bins_(std::move(pixels), std::min(bins_a_cell * (settings.size - 1), most_bins)),
+          size_(settings.size),
+          least_noise_(settings.bits ? rounding_noise / ((1 << settings.bits) - 1) : 0),
+          noise_(usual_noise), trust_(bins_.size(), 1) {}
+
+    Match run(const Match* start) {
+        if (start) {
+            lut_.cube = start->cube;
+        } else {
+            fit(bins_.means(), stiff);
+            const std::vector<ColorPair> means = without_strays();
+            trust(means);
+            fit(means, supple);
+        }
+        const std::vector<ColorPair> means = without_strays();
+        if (start) {
+            trust(means);
+        }
+        fit(means, supple);
+        out_.noise = noise_;
+        out_.greys_fall = make_greys_rise(out_.cube, out_.support, greys_limit);
+        return std::move(out_);
+    }
+
+  private:
+    Transform look() const { return Transform::of(lut_); }
+
+    std::vector<ColorPair> without_strays() {
+        noise_ = std::max(bins_.noise(look()), least_noise_);
+        return bins_.robust_means(look(), std::max(pixel_doubt * noise_, never_doubted));
+    }
+
+    void fit(const std::vector<ColorPair>& means, double smoothness) {
+        std::vector<ColorPair> pairs = weighed(means, noise_, trust_);
+        out_.base = fitted_base(coarsened(pairs, size_));
+        for (ColorPair& pair : pairs) {
+            pair.after = pair.after - out_.base(pair.before);
+        }
+        ResidualLattice residual = residual_lattice(pairs, size_, smoothness);
+        out_.support = std::move(residual.support);
+        out_.cube = identity_cube(size_);
+        for (std::size_t k = 0; k < out_.cube.nodes.size(); ++k) {
+            Rgb& node = out_.cube.nodes[k];
+            node = to_float(out_.base(to_double(node)) + residual.nodes[k]);
+        }
+        lut_.cube = out_.cube;
+    }
+
+    // Of colours that lie far from what all others around them say (Huber's weights).
+    void trust(const std::vector<ColorPair>& means) {
+        std::vector<RgbD> expected;
+        for (const ColorPair& mean : means) {
+            expected.push_back(mean.before);
+        }
+        apply_in_parallel(look(), expected);
+        std::vector<double> off;
+        for (std::size_t i = 0; i < means.size(); ++i) {
+            off.push_back(largest_magnitude(means[i].after - expected[i]));
+        }
+        std::vector<double> sorted = off;
+        const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+        std::nth_element(sorted.begin(), middle, sorted.end());
+        const double limit = std::max(color_doubt * *middle, never_doubted);
+        for (std::size_t i = 0; i < off.size(); ++i) {
+            trust_[i] = off[i] > limit ? squared(limit / off[i]) : 1;
+        }
+    }
+
+    ColorBins bins_;
+    int size_;
+    double least_noise_, noise_;
+    std::vector<double> trust_; ///< of each bin, 0..1
+    Lut lut_;
+    Match out_;
+};
+
+} // namespace
+
+Match match_look(std::vector<PixelPair> pixels, const MatchSettings& settings, const Match* start) {
+    check_cube_size(settings.size);
+    return Learning(std::move(pixels), settings).run(start);
+}
+
+} // namespace lutlib

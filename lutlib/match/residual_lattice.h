@@ -1,0 +1,32 @@
+// What a base look leaves over, as a lattice: smooth between the colours that are there, and
+// fading away from them.
+#pragma once
+
+#include "lutlib/match/color_bins.h"
+
+#include <span>
+#include <vector>
+
+namespace lutlib {
+
+/// A correction for each node, and how much says so.
+struct ResidualLattice {
+    std::vector<RgbD> nodes; ///< size^3, red fastest (lut.h)
+    /// The pairs' weights as far as they stand at the node, by the squares of its shares in them.
+    std::vector<double> support;
+};
+
+/// Minimises over v, for every channel,
+///
+///   sum_p w_p (sum_k W_pk v_k - after_p)^2 + s sum (second differences along the axes)^2
+///     + f sum_k v_k^2
+///
+/// where W are the shares of nodes in the tetrahedral interpolation at before_p, in 0..1, and
+/// after_p the correction that is wanted there. `smoothness` s is said for 33 nodes, and of other
+/// sizes bends as much over the same way. From coarse lattices to fine ones by conjugate gradients,
+/// each of which starts where the coarser one ended, and ends where its residual is so small a
+/// share of the right side, `precision`.
+ResidualLattice residual_lattice(std::span<const ColorPair> pairs, int size, double smoothness,
+                                 double precision = 2e-4);
+
+} // namespace lutlib

@@ -1,0 +1,205 @@
+// lutconv match: a look out of a picture before and after a grade.
+#include "lutlib/io/image.h"
+#include "lutlib/io/png.h"
+#include "tests/converter/run_program.h"
+#include "tests/support/thorough.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace converter_test {
+namespace {
+
+using nlohmann::json;
+namespace io = lutlib::io;
+
+class MatchVerb : public testing::Test {
+  protected:
+    MatchVerb() {
+        write("before.png", shot(0));
+        folder_.write("grade.cube", saturated_cube(17));
+        grade("before.png", "after.png");
+    }
+
+    std::string in(const std::string& name) const { return folder_.path(name); }
+    void write(const std::string& name, const io::PngImage& image) const {
+        folder_.write(name, io::write_png(image));
+    }
+    io::PngImage read(const std::string& name) const {
+        return io::read_png(contents(in(name)), name);
+    }
+    void grade(const std::string& from, const std::string& to) const {
+        const Result result =
+            lutconv_in_process({"apply", in("grade.cube"), in(from), "-o", in(to)});
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+    }
+    // Waves of muted colours with edges between them, from its own start.
+    static io::PngImage shot(int start, int width = 256, int height = 160) {
+        io::PngImage out;
+        out.width = width;
+        out.height = height;
+        out.srgb_tag = true;
+        for (int y = 0; y < out.height; ++y) {
+            for (int x = 0; x < out.width; ++x) {
+                const double across = (x + start) / 19.0, down = (y + 2 * start) / 13.0;
+                const double grey = 0.5 + 0.3 * std::sin(across) * std::cos(down / 2) +
+                                    ((x + start) / 37 + y / 29) % 3 * 0.08;
+                for (const double more : {0.1 * std::sin(down), 0.0, 0.12 * std::cos(across / 3)}) {
+                    out.samples.push_back(out.depth.code(grey - 0.05 + more));
+                }
+            }
+        }
+        return out;
+    }
+    std::vector<std::string> words(const std::string& output = "look.cube") const {
+        std::vector<std::string> out{"match", in("before.png"), in("after.png"), "-o", in(output)};
+        if (support::is_sanitized) {
+            out.insert(out.end(), {"--size", "9"});
+        }
+        return out;
+    }
+    json matched(std::vector<std::string> words) const {
+        words.emplace_back("--json");
+        const Result result = lutconv_in_process(words);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return json::parse(result.out, nullptr, false);
+    }
+    json matched() const { return matched(words()); }
+    void refused(const std::vector<std::string>& words, const std::string& says,
+                 int exit_code = 2) const {
+        const Result result = lutconv_in_process(words);
+        EXPECT_EQ(result.exit_code, exit_code) << result.out;
+        EXPECT_NE(result.err.find(says), std::string::npos) << result.err;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    }
+
+    Folder folder_;
+};
+
+TEST_F(MatchVerb, learns_a_look_that_makes_the_one_picture_of_the_other) {
+    const json said = matched();
+    EXPECT_EQ(said["pixels"], 256 * 160);
+    EXPECT_EQ(said["look_input"], "srgb");
+    EXPECT_LT(said["held_out"]["delta_e_2000"]["mean"], 0.3);
+    EXPECT_EQ(said["held_out"]["delta_e_2000"]["count"], 256 * 160 / 8);
+    EXPECT_TRUE(said["pairs"][0]["edits"].empty()) << said["pairs"][0]["edits"];
+    // What it says is what apply makes of it.
+    ASSERT_EQ(
+        lutconv_in_process({"apply", in("look.cube"), in("before.png"), "-o", in("again.png")})
+            .exit_code,
+        0);
+    const io::PngImage again = read("again.png"), after = read("after.png");
+    int most = 0, differ = 0;
+    for (std::size_t i = 0; i < again.samples.size(); ++i) {
+        const int off = std::abs(int{again.samples[i]} - int{after.samples[i]});
+        most = std::max(most, off);
+        differ += off > 0 ? 1 : 0;
+    }
+    EXPECT_LE(most, 4);
+    EXPECT_LT(differ, static_cast<int>(again.samples.size()) / 5);
+}
+
+TEST_F(MatchVerb, extends_the_look_to_another_picture) {
+    matched();
+    write("other.png", shot(500));
+    grade("other.png", "wanted.png");
+    ASSERT_EQ(lutconv_in_process({"apply", in("look.cube"), in("other.png"), "-o", in("got.png")})
+                  .exit_code,
+              0);
+    const io::PngImage got = read("got.png"), wanted = read("wanted.png");
+    double sum = 0;
+    for (std::size_t i = 0; i < got.samples.size(); ++i) {
+        sum += std::abs(int{got.samples[i]} - int{wanted.samples[i]});
+    }
+    EXPECT_LT(sum / static_cast<double>(got.samples.size()), 0.5);
+}
+
+TEST_F(MatchVerb, says_the_same_in_words) {
+    const Result result = lutconv_in_process(words());
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("held out, 5120 pixels: mean 0."), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("srgb to srgb"), std::string::npos) << result.out;
+}
+
+TEST_F(MatchVerb, names_a_part_that_was_painted_and_does_not_learn_it) {
+    matched();
+    const std::string clean = contents(in("look.cube"));
+    io::PngImage painted = read("after.png");
+    for (int y = 64; y < 112; ++y) {
+        for (int x = 96; x < 144; ++x) {
+            painted.at({x, y}, 0) = 250;
+        }
+    }
+    write("after.png", painted);
+    const json said = matched();
+    EXPECT_EQ(said["left_out"], 48 * 48);
+    EXPECT_NE(said["pairs"][0]["edits"].dump().find("between x 96 and 144, y 64 and 112"),
+              std::string::npos)
+        << said["pairs"][0]["edits"];
+    folder_.write("clean.cube", clean);
+    const json far = json::parse(
+        lutconv_in_process({"compare", in("look.cube"), in("clean.cube"), "--json"}).out);
+    EXPECT_LT(far["absolute"]["mean"], 1.0 / 255);
+}
+
+TEST_F(MatchVerb, takes_many_pairs_folders_and_frames_by_name_and_number) {
+    for (const int frame : {9, 10, 11}) {
+        const std::string number = (frame < 10 ? "000" : "00") + std::to_string(frame);
+        write("plate." + number + ".png", shot(100 * frame, 64, 48));
+        grade("plate." + number + ".png", "graded." + number + ".png");
+    }
+    std::vector<std::string> sequence = words();
+    sequence[1] = in("plate.####.png");
+    sequence[2] = in("graded.####.png");
+    const json frames = matched(sequence);
+    ASSERT_EQ(frames["pairs"].size(), 3U);
+    EXPECT_EQ(frames["pixels"], 3 * 64 * 48);
+    for (const json& pair : frames["pairs"]) {
+        const std::string before = pair["before"], after = pair["after"];
+        EXPECT_EQ(before.substr(before.size() - 8), after.substr(after.size() - 8));
+    }
+    std::vector<std::string> both = sequence;
+    both.insert(both.begin() + 3, {in("before.png"), in("after.png")});
+    EXPECT_EQ(matched(both)["pairs"].size(), 4U);
+    std::vector<std::string> two = sequence;
+    two.insert(two.end(), {"--frames", "9-10"});
+    EXPECT_EQ(matched(two)["pairs"].size(), 2U);
+    std::filesystem::remove(in("graded.0011.png"));
+    refused(sequence, "it has no partner of the same frame");
+}
+
+TEST_F(MatchVerb, refuses_with_one_sentence) {
+    refused({"match", in("before.png"), "-o", in("x.cube")}, "pictures come in pairs", 3);
+    write("small.png", shot(0, 100, 80));
+    refused({"match", in("before.png"), in("small.png"), "-o", in("x.cube")},
+            "it has 100x80 pixels and");
+    refused({"match", in("before.png"), in("nowhere.png"), "-o", in("x.cube")}, "nowhere.png");
+    refused({"match", "-", "-", "-o", in("x.cube")}, "standard input", 3);
+}
+
+TEST_F(MatchVerb, overwrites_no_picture_without_force) {
+    const std::string before = contents(in("before.png"));
+    std::vector<std::string> over = words("before.png");
+    EXPECT_EQ(lutconv_in_process(over).exit_code, 2);
+    EXPECT_EQ(contents(in("before.png")), before);
+}
+
+TEST_F(MatchVerb, pixels_that_alpha_hides_are_not_learnt_from) {
+    io::FloatImage hidden = io::read_image(in("after.png"));
+    for (std::size_t i = 0; i < hidden.pixels(); ++i) {
+        if (i % 256 < 64) {
+            std::fill_n(hidden.rgba.begin() + static_cast<std::ptrdiff_t>(4 * i), 4, 0.0F);
+        }
+    }
+    io::write_image(in("after.png"), hidden,
+                    {.depth = io::Depth::uint8, .alpha = true, .text = {}});
+    const json said = matched();
+    EXPECT_EQ(said["all_pixels"]["delta_e_2000"]["count"], 192 * 160);
+    EXPECT_LT(said["all_pixels"]["delta_e_2000"]["mean"], 0.3);
+}
+
+} // namespace
+} // namespace converter_test

@@ -5,13 +5,15 @@
 #include "lutlib/io/formats.h"
 #include "lutlib/named.h"
 
+#include <atomic>
+
 namespace converter {
 namespace {
 
 namespace io = lutlib::io;
 
 const lutlib::Layout* named_layout = nullptr; ///< by --layout
-bool layout_has_part = false;                 ///< a picture was read as a look
+std::atomic<bool> layout_has_part = false;    ///< a picture was read as a look
 
 io::LookOptions with_layout(io::LookOptions options) {
     options.layout = options.layout ? options.layout : named_layout;
@@ -37,19 +39,14 @@ void complain_of_keywords(const std::vector<std::string>& lines, const std::stri
 
 // The base of a recipe may be a picture too.
 io::Look counted(io::Look look) {
-    layout_has_part = layout_has_part || look.kind().layout || look.files().size() > 1;
+    if (look.kind().layout || look.files().size() > 1) {
+        layout_has_part = true;
+    }
     return look;
 }
 
-// A guessed depth, vendors' keywords: what a table means.
 io::Look told(io::Look look) {
-    for (const io::LookFile& file : look.files()) {
-        for (const std::string& remark : file.remarks) {
-            complain(file.name, remark);
-        }
-        complain_of(file.losses, file.name);
-        complain_of_keywords(file.keywords, file.name);
-    }
+    tell_of(look);
     return look;
 }
 
@@ -75,6 +72,16 @@ void tell_of(const lutlib::Lut& table, const std::string& path) {
     complain_of_keywords(table.keywords, io::input_name(path));
 }
 
+void tell_of(const io::Look& look) {
+    for (const io::LookFile& file : look.files()) {
+        for (const std::string& remark : file.remarks) {
+            complain(file.name, remark);
+        }
+        complain_of(file.losses, file.name);
+        complain_of_keywords(file.keywords, file.name);
+    }
+}
+
 void tell_unused_layout() {
     if (named_layout && !layout_has_part) {
         print(std::string("lutconv: --layout changes nothing here: no look is a picture\n"),
@@ -89,6 +96,12 @@ io::Look identity_look() {
 
 io::Look open_quietly(const std::string& path, const io::LookOptions& options) {
     return counted(io::Look::open(path, with_layout(options)));
+}
+
+std::optional<io::Look> open_if_look_quietly(const std::string& path,
+                                             const io::LookOptions& options) {
+    std::optional<io::Look> look = io::Look::open_if_look(path, with_layout(options));
+    return look ? std::optional(counted(std::move(*look))) : std::nullopt;
 }
 
 io::Look open_look(const std::string& path, const io::LookOptions& options) {

@@ -8,6 +8,7 @@
 #include "lutlib/metrics/breaks.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,11 +26,17 @@ lutlib::io::Look identity_look();
 
 /// A look of any kind. Throws Error, UsageError.
 lutlib::io::Look open_look(const std::string& path, const lutlib::io::LookOptions& options = {});
-/// The same without a word, for who reports what was guessed and lost by itself.
+/// The same without a word, for who reports what was guessed and lost by itself. Several threads
+/// may do so at once.
 lutlib::io::Look open_quietly(const std::string& path, const lutlib::io::LookOptions& options);
+/// The same; nothing for a file that is no look, as io::Look::open_if_look() says.
+std::optional<lutlib::io::Look> open_if_look_quietly(const std::string& path,
+                                                     const lutlib::io::LookOptions& options);
 /// The same of bytes that have been read from `path`.
 lutlib::io::Look open_look(std::string bytes, const std::string& path);
 
+/// What was guessed in reading a look, lost and not acted on, on standard error.
+void tell_of(const lutlib::io::Look& look);
 /// What was guessed of a table from `path` and what of its file is not acted on, on standard error;
 /// open_look() does so by itself.
 void tell_of(const lutlib::Lut& table, const std::string& path);

@@ -1,11 +1,15 @@
 #include "converter/sheet_look.h"
 
 #include "converter/look_files.h"
+#include "converter/side_by_side.h"
 #include "lutlib/bake/bake.h"
 #include "lutlib/error.h"
 #include "lutlib/io/bake_report.h"
 
 #include <fmt/core.h>
+
+#include <optional>
+#include <utility>
 
 namespace converter {
 namespace {
@@ -42,6 +46,44 @@ SheetLook placed(const io::Look& look, const SheetPlace& place) {
     return out;
 }
 
+struct Opened {
+    std::optional<io::Look> look; ///< none: no look, or a failure
+    std::optional<SheetLook> placed;
+    std::optional<lutlib::Error> failure;
+};
+
+Opened opened_of(const SheetSource& source, const SheetPlace& place) {
+    Opened out;
+    try {
+        const io::LookOptions options{.encodings = place.look};
+        out.look = source.in_folder ? open_if_look_quietly(source.path, options)
+                                    : open_quietly(source.path, options);
+        if (out.look) {
+            out.placed = placed(*out.look, place);
+        }
+    } catch (const lutlib::UsageError&) {
+        throw;
+    } catch (const lutlib::Error& error) {
+        out.failure = error;
+    }
+    return out;
+}
+
+void refuse(const std::vector<lutlib::Error>& failures, std::size_t looks) {
+    if (failures.size() == 1) {
+        throw failures.front();
+    }
+    if (failures.empty()) {
+        return;
+    }
+    std::string reasons;
+    for (const lutlib::Error& failure : failures) {
+        reasons += (reasons.empty() ? "" : "; ") + std::string(failure.what());
+    }
+    throw lutlib::Error(fmt::format("{} of {} looks cannot be read, and no sheet is made: {}",
+                                    failures.size(), looks, reasons));
+}
+
 } // namespace
 
 lutlib::Transform shown_without_look(const SheetPlace& place) {
@@ -50,29 +92,27 @@ lutlib::Transform shown_without_look(const SheetPlace& place) {
     return none.applied().around({});
 }
 
-std::vector<SheetLook> open_sheet_looks(std::span<const std::string> paths,
-                                        const SheetPlace& place) {
-    std::vector<SheetLook> out;
+SheetLooks open_sheet_looks(std::span<const SheetSource> sources, const SheetPlace& place,
+                            std::size_t at_once) {
+    std::vector<Opened> opened(sources.size());
+    do_side_by_side(sources.size(), at_once,
+                    [&](std::size_t i) { opened[i] = opened_of(sources[i], place); });
+    SheetLooks out;
     std::vector<lutlib::Error> failures;
-    for (const std::string& path : paths) {
-        try {
-            out.push_back(placed(open_look(path, {.encodings = place.look}), place));
-        } catch (const lutlib::UsageError&) {
-            throw;
-        } catch (const lutlib::Error& error) {
-            failures.push_back(error);
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        Opened& one = opened[i];
+        if (one.failure) {
+            failures.push_back(*one.failure);
+        } else if (one.look) {
+            tell_of(*one.look);
+            out.looks.push_back(std::move(*one.placed));
+        } else {
+            out.left_out.push_back(sources[i].path);
         }
     }
-    if (failures.size() == 1) {
-        throw failures.front();
-    }
-    if (!failures.empty()) {
-        std::string reasons;
-        for (const lutlib::Error& failure : failures) {
-            reasons += (reasons.empty() ? "" : "; ") + std::string(failure.what());
-        }
-        throw lutlib::Error(fmt::format("{} of {} looks cannot be read, and no sheet is made: {}",
-                                        failures.size(), paths.size(), reasons));
+    refuse(failures, sources.size() - out.left_out.size());
+    if (out.looks.empty()) {
+        throw lutlib::Error("none of these files is a look", {sources.front().path, 0, {}});
     }
     return out;
 }

@@ -21,6 +21,12 @@ struct SheetPlace {
     const lutlib::Engine* engine = nullptr; ///< whose lookup is shown; null: the look itself
 };
 
+/// A file that a look may be in.
+struct SheetSource {
+    std::string path;
+    bool in_folder = false; ///< nobody said that it is a look
+};
+
 struct SheetLook {
     std::string path;
     lutlib::Transform shown;     ///< from the picture's codes to sRGB
@@ -31,9 +37,16 @@ struct SheetLook {
 /// The picture's codes as sRGB.
 lutlib::Transform shown_without_look(const SheetPlace& place);
 
-/// All of them, or an Error that names every look that cannot be read. What a look does not say of
-/// its encodings is taken for sRGB. An engine's are baked at its default size and depth.
-std::vector<SheetLook> open_sheet_looks(std::span<const std::string> paths,
-                                        const SheetPlace& place);
+struct SheetLooks {
+    std::vector<SheetLook> looks;
+    std::vector<std::string> left_out; ///< files of folders that are no looks
+};
+
+/// All of them, at most `at_once` at the same time, or an Error that names every look that cannot
+/// be read; one where none is left. What a look does not say of its encodings is taken for sRGB. An
+/// engine's are baked at its default size and depth. Says on standard error what was guessed and
+/// lost in reading, look by look.
+SheetLooks open_sheet_looks(std::span<const SheetSource> sources, const SheetPlace& place,
+                            std::size_t at_once);
 
 } // namespace converter

@@ -1,5 +1,6 @@
 #include "converter/sheet_tile.h"
 
+#include "converter/side_by_side.h"
 #include "lutlib/bake/bake.h"
 #include "lutlib/metrics/viewing.h"
 
@@ -94,6 +95,8 @@ class Reduction {
     std::vector<Cell> cells_;
 };
 
+constexpr std::size_t colors_at_once = 1 << 17;
+
 std::vector<lutlib::RgbD> colors_of(const float* rgba, std::size_t pixels,
                                     const lutlib::Transform& shown) {
     std::vector<lutlib::RgbD> out(pixels);
@@ -115,10 +118,9 @@ TileSize tile_size_of(const io::ImageInfo& picture, int width) {
 
 Tile make_tile(const io::FloatImage& straight, const lutlib::Transform& original,
                const lutlib::Transform& shown, TileSize size, plot::Rgb8 behind) {
-    constexpr std::size_t at_once = 1 << 17;
     const auto width = static_cast<std::size_t>(straight.width);
     const std::size_t height = straight.pixels() / width;
-    const std::size_t rows_at_once = std::max<std::size_t>(1, at_once / width);
+    const std::size_t rows_at_once = std::max<std::size_t>(1, colors_at_once / width);
     const lutlib::Transform before = held_to_codes(original), after = held_to_codes(shown);
     const lutlib::Eye eye{lutlib::Viewing()};
     Reduction reduction(straight, size);
@@ -140,6 +142,25 @@ Tile make_tile(const io::FloatImage& straight, const lutlib::Transform& original
         }
     }
     return {reduction.picture(behind), lutlib::error_stats(std::move(all))};
+}
+
+std::vector<Tile> make_tiles(const io::FloatImage& straight, const lutlib::Transform& original,
+                             std::span<const lutlib::Transform> shown, TileSize size,
+                             plot::Rgb8 behind, std::size_t at_once) {
+    std::vector<Tile> out(shown.size());
+    do_side_by_side(shown.size(), at_once, [&](std::size_t i) {
+        out[i] = make_tile(straight, original, shown[i], size, behind);
+    });
+    return out;
+}
+
+std::size_t bytes_of_tile(const io::ImageInfo& picture, TileSize size) {
+    const std::size_t cells =
+        static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    const std::size_t colors = std::max(colors_at_once, static_cast<std::size_t>(picture.width));
+    // An error of each pixel, light of each cell, and the colours of a piece before and after.
+    return sizeof(double) * picture.pixels() + 4 * sizeof(double) * cells +
+           (2 * sizeof(lutlib::RgbD) + sizeof(double)) * colors;
 }
 
 } // namespace converter

@@ -6,10 +6,14 @@
 #include "lutlib/plot/raster.h"
 #include "lutlib/transform.h"
 
+#include <cstddef>
+#include <span>
+#include <vector>
+
 namespace converter {
 
 struct Tile {
-    plot::Raster picture;
+    plot::Raster picture{0, 0, {}};
     lutlib::ErrorStats delta_e_2000; ///< of the whole picture's pixels, but those of alpha 0
 };
 
@@ -24,5 +28,14 @@ TileSize tile_size_of(const lutlib::io::ImageInfo& picture, int width);
 /// light, each by the area that it covers; `behind` lies under what is transparent.
 Tile make_tile(const lutlib::io::FloatImage& straight, const lutlib::Transform& original,
                const lutlib::Transform& shown, TileSize size, plot::Rgb8 behind);
+
+/// A tile for each of `shown`, at most `at_once` made at the same time: those of make_tile().
+std::vector<Tile> make_tiles(const lutlib::io::FloatImage& straight,
+                             const lutlib::Transform& original,
+                             std::span<const lutlib::Transform> shown, TileSize size,
+                             plot::Rgb8 behind, std::size_t at_once);
+
+/// What one takes while it is made.
+std::size_t bytes_of_tile(const lutlib::io::ImageInfo& picture, TileSize size);
 
 } // namespace converter

@@ -1,6 +1,7 @@
 // lutconv sheet: a picture under many looks, side by side and measured.
 #include "converter/sheet.h"
 #include "converter/command.h"
+#include "converter/many.h"
 #include "converter/many_looks.h"
 #include "converter/options.h"
 #include "converter/placing.h"
@@ -9,6 +10,7 @@
 #include "converter/report.h"
 #include "converter/sheet_look.h"
 #include "converter/sheet_tile.h"
+#include "converter/side_by_side.h"
 #include "converter/unused.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
@@ -23,6 +25,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -33,6 +36,9 @@ namespace {
 namespace io = lutlib::io;
 
 constexpr int least_width = 16, most_width = 8192;
+/// What is taken for a look while it is read: a lattice of 129 nodes a side, as text and as
+/// numbers.
+constexpr std::size_t bytes_of_look = std::size_t{100} << 20;
 
 struct Options {
     std::string picture, output, picture_encoding, layer;
@@ -100,7 +106,23 @@ plot::Raster drawn(const Options& o, const Sheet& sheet, int columns) {
                     labelled, columns);
 }
 
-Sheet make_sheet(const Options& o, const std::vector<std::string>& paths) {
+// One line, however many they are.
+void tell_left_out(const std::vector<std::string>& files) {
+    constexpr std::size_t most = 5;
+    if (files.empty()) {
+        return;
+    }
+    std::string names;
+    for (std::size_t i = 0; i < std::min(files.size(), most); ++i) {
+        names += (names.empty() ? "" : ", ") + file_name(files[i]);
+    }
+    tell_remarks(std::array{fmt::format(
+        "left out {} {} of folders that {} no look{}: {}{}", files.size(),
+        files.size() == 1 ? "file" : "files", files.size() == 1 ? "is" : "are",
+        files.size() == 1 ? "" : "s", names, files.size() > most ? " and others" : "")});
+}
+
+Sheet make_sheet(const Options& o, const std::vector<SheetSource>& sources) {
     Sheet out;
     out.engine = o.engine.given() ? &o.engine.get() : nullptr;
     out.picture = read_upright(o);
@@ -112,15 +134,17 @@ Sheet make_sheet(const Options& o, const std::vector<std::string>& paths) {
     out.is_guessed = !said;
     const SheetPlace place{out.encoding, o.placing.look(), o.placing.convert(),
                            o.placing.adaptation(), out.engine};
-    out.looks = open_sheet_looks(paths, place);
+    SheetLooks opened = open_sheet_looks(sources, place, pieces_at_once(bytes_of_look));
+    tell_left_out(opened.left_out);
+    out.looks = std::move(opened.looks);
     std::vector<std::string> files;
-    for (const std::string& path : paths) {
-        files.push_back(io::input_name(path));
+    for (const SheetLook& look : out.looks) {
+        files.push_back(io::input_name(look.path));
     }
     out.names = short_names_of(files);
 
     const TileSize size = tile_size_of(out.picture, o.width);
-    const std::size_t count = paths.size() + 1;
+    const std::size_t count = out.looks.size() + 1;
     const int columns = o.columns ? o.columns : usual_columns(count);
     if (sheet_pixels(size.width, size.height, count, columns) > lutlib::limits::max_image_pixels) {
         throw lutlib::UsageError(fmt::format("{} tiles of {}x{} pixels make too large a sheet: "
@@ -128,10 +152,12 @@ Sheet make_sheet(const Options& o, const std::vector<std::string>& paths) {
                                              count, size.width, size.height));
     }
     const lutlib::Transform original = shown_without_look(place);
-    out.tiles.push_back(make_tile(out.picture, original, original, size, sheet_ground));
+    std::vector<lutlib::Transform> shown{original};
     for (const SheetLook& look : out.looks) {
-        out.tiles.push_back(make_tile(out.picture, original, look.shown, size, sheet_ground));
+        shown.push_back(look.shown);
     }
+    out.tiles = make_tiles(out.picture, original, shown, size, sheet_ground,
+                           pieces_at_once(bytes_of_tile(out.picture, size)));
     out.whole = drawn(o, out, columns);
     return out;
 }
@@ -209,11 +235,11 @@ int run(const Options& o, const Verb& verb) {
     inputs.push_back(o.picture);
     require_one_standard_input(inputs);
     require_output(o);
-    std::vector<std::string> paths;
+    std::vector<SheetSource> sources;
     for (const LookRoute& route : routes_of_looks(o.looks, "")) {
-        paths.push_back(route.route.from.path);
+        sources.push_back({route.route.from.path, route.route.from.in_folder});
     }
-    const Sheet sheet = make_sheet(o, paths);
+    const Sheet sheet = make_sheet(o, sources);
     Part adaptation{"--adaptation", false, ""};
     for (const SheetLook& look : sheet.looks) {
         if (!adaptation.has_part) {

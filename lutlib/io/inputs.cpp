@@ -80,7 +80,7 @@ void add_folder(const std::string& folder, Inputs& inputs,
     std::sort(paths.begin(), paths.end());
     for (std::string& path : paths) {
         std::string number = number_of(path);
-        inputs.files.push_back({std::move(path), std::move(number)});
+        inputs.files.push_back({std::move(path), std::move(number), true});
     }
 }
 

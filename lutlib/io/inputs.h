@@ -14,6 +14,7 @@ struct InputFile {
     /// The digits of its number, as its name has them: in the place of a pattern, else the last
     /// ones before its extension. Empty: none.
     std::string frame{};
+    bool in_folder = false; ///< found in a folder that was named, not by its own name
 
     friend bool operator==(const InputFile&, const InputFile&) = default;
 };

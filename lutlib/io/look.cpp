@@ -126,12 +126,16 @@ Look Look::of_bytes(std::string bytes, const std::string& path, const LookOption
     return out;
 }
 
-std::optional<Look> Look::open_if_look(const std::string& path) {
+std::optional<Look> Look::open_if_look(const std::string& path, const LookOptions& options) {
     std::string bytes = read_file(path);
     try {
-        return of_bytes(bytes, path);
+        return of_bytes(bytes, path, options);
+    } catch (const UsageError&) {
+        throw;
     } catch (const Error&) {
-        if (is_recipe(bytes) || claims_to_be_a_look(path)) {
+        const bool says_recipe =
+            is_recipe(bytes) && bytes.find("\"schema_version\"") != std::string::npos;
+        if (says_recipe || claims_to_be_a_look(path)) {
             throw;
         }
         return std::nullopt;

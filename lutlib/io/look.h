@@ -70,9 +70,10 @@ class Look {
     /// The same of bytes that have been read from `path`.
     static Look of_bytes(std::string bytes, const std::string& path,
                          const LookOptions& options = {});
-    /// Nothing for a file that is no look and does not say that it is one by its name. Throws Error
-    /// for a look that cannot be read.
-    static std::optional<Look> open_if_look(const std::string& path);
+    /// Nothing for a file that is no look and does not say that it is one, by its name or as
+    /// recipes do. Throws Error for a look that cannot be read, UsageError.
+    static std::optional<Look> open_if_look(const std::string& path,
+                                            const LookOptions& options = {});
 
     const std::string& path() const { return path_; }
     const LookKind& kind() const { return kind_; }

@@ -1,6 +1,7 @@
 // lutconv sheet: a picture under many looks.
 #include "converter/sheet.h"
 #include "converter/sheet_tile.h"
+#include "converter/side_by_side.h"
 #include "lutlib/bake/bake.h"
 #include "lutlib/color/difference.h"
 #include "lutlib/io/image.h"
@@ -11,7 +12,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <filesystem>
+#include <stdexcept>
 
 namespace converter_test {
 namespace {
@@ -180,6 +184,33 @@ TEST_F(SheetOfLooks, is_not_made_where_a_look_cannot_be_read_and_names_each_of_t
     EXPECT_EQ(std::count(names.begin(), names.end(), "sheet.png"), 0);
 }
 
+TEST_F(SheetOfLooks, leaves_out_what_is_no_look_of_a_folder_and_says_so_in_one_line) {
+    std::filesystem::create_directory(folder.path("looks"));
+    folder.write("looks/dim.cube", dim_cube);
+    folder.write("looks/settings.json", "{\"window\": 3}");
+    written("looks/photo.png", picture_of(20, 16, {0.5F, 0.5F, 0.5F, 1}), io::Depth::uint8);
+    const std::string looks = folder.path("looks"), png = folder.path("sheet.png");
+    const Result result = lutconv_in_process({"sheet", colors(), looks, "-o", png, "--json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err,
+              "lutconv: left out 2 files of folders that are no looks: photo.png, settings.json\n");
+    EXPECT_EQ(json::parse(result.out)["looks"].size(), 1U);
+    // Who names a file says that it is a look; and so does a .cube of a folder.
+    const Result named = lutconv_in_process(
+        {"sheet", colors(), looks, folder.path("looks/photo.png"), "-o", folder.path("no.png")});
+    EXPECT_EQ(named.exit_code, 2);
+    EXPECT_NE(named.err.find("photo.png"), std::string::npos) << named.err;
+    folder.write("looks/bad.cube", "LUT_1D_SIZE 2\n0 0 0\n");
+    const Result bad = lutconv_in_process({"sheet", colors(), looks, "-o", folder.path("no.png")});
+    EXPECT_EQ(bad.exit_code, 2);
+    EXPECT_NE(bad.err.find("bad.cube"), std::string::npos) << bad.err;
+    std::filesystem::remove(folder.path("looks/bad.cube"));
+    std::filesystem::remove(folder.path("looks/dim.cube"));
+    EXPECT_EQ(lutconv_in_process({"sheet", colors(), looks, "-o", folder.path("no.png")}).exit_code,
+              2);
+    EXPECT_FALSE(std::filesystem::exists(folder.path("no.png")));
+}
+
 TEST_F(SheetOfLooks, refuses_what_it_cannot_write_or_lay_out) {
     const std::string look = folder.write("dim.cube", dim_cube), png = folder.path("s.png");
     EXPECT_EQ(lutconv_in_process({"sheet", colors(), look, "-o", folder.path("s.exr")}).exit_code,
@@ -226,6 +257,63 @@ TEST(SheetTile, counts_no_transparent_pixel_and_shows_what_lies_behind_it) {
     EXPECT_EQ(tile.delta_e_2000.max, 0);
     EXPECT_EQ(tile.picture.at(0, 0), (plot::Rgb8{255, 0, 0}));
     EXPECT_EQ(tile.picture.at(1, 0), grey_ground);
+}
+
+TEST(SheetTiles, made_side_by_side_are_those_made_one_after_another) {
+    io::FloatImage picture = picture_of(301, 97, {0, 0, 0, 1});
+    for (std::size_t i = 0; i < picture.rgba.size(); ++i) {
+        picture.rgba[i] = static_cast<float>(i * 7919 % 1009) / 1008;
+    }
+    std::vector<lutlib::Transform> looks;
+    for (int i = 0; i < 9; ++i) {
+        looks.push_back(lutlib::Transform::each([i](lutlib::RgbD c) {
+            return lutlib::RgbD{std::pow(c.r, 1 + 0.1 * i), c.g * (1 - 0.05 * i), c.b};
+        }));
+    }
+    const auto size = converter::tile_size_of(picture, 64);
+    for (const std::size_t at_once : {1U, 2U, 16U}) {
+        const auto tiles = converter::make_tiles(picture, {}, looks, size, grey_ground, at_once);
+        ASSERT_EQ(tiles.size(), looks.size());
+        for (std::size_t i = 0; i < looks.size(); ++i) {
+            const auto one = converter::make_tile(picture, {}, looks[i], size, grey_ground);
+            EXPECT_EQ(tiles[i].picture.pixels(), one.picture.pixels());
+            EXPECT_EQ(tiles[i].delta_e_2000.mean, one.delta_e_2000.mean);
+            EXPECT_EQ(tiles[i].delta_e_2000.p99, one.delta_e_2000.p99);
+        }
+    }
+    EXPECT_GE(converter::bytes_of_tile(picture, size), picture.pixels() * sizeof(double));
+}
+
+TEST(SideBySide, does_all_once_never_more_than_allowed_and_throws_what_the_first_threw) {
+    for (const std::size_t at_once : {0U, 1U, 3U}) {
+        std::vector<std::atomic<int>> done(50);
+        std::atomic<int> now = 0, most = 0;
+        const auto work = [&](std::size_t i) {
+            const int here = ++now;
+            int seen = most;
+            while (seen < here && !most.compare_exchange_weak(seen, here)) {
+            }
+            std::vector<lutlib::RgbD> colors(20000, {0.5, 0.5, 0.5});
+            lutlib::apply_in_parallel(lutlib::Transform::each([](lutlib::RgbD c) { return c; }),
+                                      colors);
+            ++done[i];
+            --now;
+            if (i % 20 == 7) {
+                throw std::runtime_error(std::to_string(i));
+            }
+        };
+        try {
+            converter::do_side_by_side(done.size(), at_once, work);
+            ADD_FAILURE() << "nothing was thrown";
+        } catch (const std::runtime_error& error) {
+            EXPECT_STREQ(error.what(), "7");
+        }
+        EXPECT_TRUE(std::all_of(done.begin(), done.end(), [](const auto& n) { return n == 1; }));
+        EXPECT_LE(most, std::max<int>(static_cast<int>(at_once), 1));
+    }
+    converter::do_side_by_side(0, 4, [](std::size_t) { FAIL(); });
+    EXPECT_EQ(converter::pieces_at_once(std::size_t{1} << 40), 1U);
+    EXPECT_GE(converter::pieces_at_once(0), 1U);
 }
 
 TEST(SheetNames, are_as_short_as_they_can_be_told_apart) {

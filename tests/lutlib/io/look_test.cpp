@@ -200,6 +200,7 @@ TEST(OpenIfLook, takes_what_is_a_look_by_content_or_says_so_by_its_name) {
     write_file(folder.file("bad.cube"), "LUT_3D_SIZE 2\n0 0 zero\n");
     write_file(folder.file("bad.json"), R"({"schema_version": 99})");
     write_file(folder.file("notes.txt"), "Bring milk.\n");
+    write_file(folder.file("settings.json"), R"({"window": {"width": 640}})");
     write_file(folder.file("strip.png"), picture_of("piccolo", 16));
     PngImage photo;
     photo.width = photo.height = 3;
@@ -210,6 +211,7 @@ TEST(OpenIfLook, takes_what_is_a_look_by_content_or_says_so_by_its_name) {
     EXPECT_TRUE(Look::open_if_look(folder.file("strip.png")));
     EXPECT_FALSE(Look::open_if_look(folder.file("notes.txt")));
     EXPECT_FALSE(Look::open_if_look(folder.file("photo.png")));
+    EXPECT_FALSE(Look::open_if_look(folder.file("settings.json")));
     EXPECT_THROW(Look::open_if_look(folder.file("bad.cube")), Error);
     EXPECT_THROW(Look::open_if_look(folder.file("bad.json")), Error);
     EXPECT_THROW(Look::open_if_look(folder.file("missing.cube")), Error);

@@ -23,12 +23,6 @@ std::string profile_of(std::string_view bytes, const std::string& file) {
                                                 : "";
 }
 
-bool is_ours(const std::string& path) {
-    const std::string bytes = io::read_file(path);
-    return io::is_png(bytes) &&
-           io::text_entry(io::read_png(bytes, path), "Software").value_or("") == "lutconv";
-}
-
 } // namespace
 
 PaintPicture read_paint_picture(const std::string& path) {
@@ -82,7 +76,7 @@ void require_replaceable(const std::string& path, const std::vector<std::string>
                                 {path, 0, {}});
         }
     }
-    if (io::is_picture_extension(io::extension_of(path)) && !is_ours(path)) {
+    if (io::is_picture_extension(io::extension_of(path)) && !io::is_own_picture(path)) {
         throw lutlib::Error("it is a picture that lutconv did not make; name another file, or add "
                             "--force to overwrite it",
                             {path, 0, {}});

@@ -13,14 +13,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <ctime>
 #include <exception>
 #include <filesystem>
 #include <iterator>
 #include <set>
 #include <system_error>
-#include <unistd.h>
 
 namespace converter {
 namespace {
@@ -78,18 +76,12 @@ void require_files(std::span<const std::string> words, const std::string& output
     }
 }
 
-// A recipe may name a base in a folder that cannot be watched; reading it says why not.
-bool can_be_watched(const std::string& base) {
-    const fs::path folder = fs::path(base).parent_path();
-    return ::access(folder.empty() ? "." : folder.c_str(), R_OK) == 0 || errno == ENOENT ||
-           errno == ENOTDIR;
-}
-
-/// The files of some work, by the names that it gives them.
+/// The files of some work, by the names that it gives them. A recipe may name a base in a folder
+/// that cannot be watched; reading it says why not.
 std::vector<std::string> files_of(const WatchedWork& work) {
     std::vector<std::string> out = work.from;
     for (const std::string& path : work.from) {
-        if (std::string base = io::base_named_in(path); !base.empty() && can_be_watched(base)) {
+        if (std::string base = io::base_named_in(path); !base.empty() && io::can_be_watched(base)) {
             out.push_back(std::move(base));
         }
     }

@@ -119,6 +119,15 @@ std::optional<std::string> text_entry(const PngImage& image, std::string_view ke
     return std::nullopt;
 }
 
+bool is_own_picture(const std::string& path) {
+    try {
+        const std::string bytes = read_file(path);
+        return is_png(bytes) && text_entry(read_png(bytes, path), "Software") == "lutconv";
+    } catch (const Error&) {
+        return false;
+    }
+}
+
 LutPicture read_lut_picture(std::string_view bytes, const std::string& file) {
     if (is_png(bytes)) {
         if (pixels_of_png(bytes) > limits::max_lut_picture_pixels) {

@@ -44,6 +44,10 @@ CodeImage code_picture(const PngImage& image);
 /// A text entry of a PNG, if it has one.
 std::optional<std::string> text_entry(const PngImage& image, std::string_view key);
 
+/// Whether a file is a picture that lutconv or lutpreview made, as its text says. False for what
+/// cannot be read.
+bool is_own_picture(const std::string& path);
+
 /// A picture that may hold a lattice.
 struct LutPicture {
     Picture picture;    ///< of codes / largest code; floats as they are

@@ -15,6 +15,7 @@
 #include <sys/eventfd.h>
 #include <sys/inotify.h>
 #include <system_error>
+#include <unistd.h>
 #include <utility>
 
 namespace lutlib::io {
@@ -59,6 +60,10 @@ bool is_whole_when_new(const fs::path& path) {
 }
 
 } // namespace
+
+bool can_be_watched(const std::string& path) {
+    return ::access(folder_of_file(path).c_str(), R_OK) == 0 || errno == ENOENT || errno == ENOTDIR;
+}
 
 class FileWatch::Inotify {
   public:

@@ -9,6 +9,9 @@
 
 namespace lutlib::io {
 
+/// Whether the folder of a file, there or not, is one that FileWatch takes: one that may be listed.
+bool can_be_watched(const std::string& path);
+
 /// Tells which files have changed: written and closed, renamed into place, linked or removed. Their
 /// folders are watched, so that a file need not be there, and one that an editor renames over
 /// another is seen; so is what symbolic links lead to. Not told: a file that its writer keeps open,

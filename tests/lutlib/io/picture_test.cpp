@@ -84,6 +84,23 @@ TEST_P(EveryEngine, reads_back_every_look_that_is_baked_for_it) {
     }
 }
 
+TEST(OwnPicture, is_known_by_its_text_and_nothing_else_is_one) {
+    const ScratchFolder folder;
+    const std::string path = folder.file("strip.png");
+    EXPECT_FALSE(is_own_picture(path)) << "there is none";
+    const std::string bytes = picture_bytes(baked(*engine_named("unity"), graded()), {});
+    write_file(path, bytes);
+    EXPECT_TRUE(is_own_picture(path));
+    PngImage theirs = read_png(bytes, path);
+    theirs.text = {{"Software", "GIMP"}, {"Comment", "lutconv"}};
+    write_file(path, write_png(theirs));
+    EXPECT_FALSE(is_own_picture(path));
+    for (const std::string& other : {bytes.substr(0, bytes.size() / 2), std::string("lutconv")}) {
+        write_file(path, other);
+        EXPECT_FALSE(is_own_picture(path));
+    }
+}
+
 TEST(PictureFormat, goes_by_content_where_a_picture_was_flipped_and_kept_its_text) {
     Bake bake = baked(*engine_named("unity"), graded());
     const CodeImage upright = bake.picture;

@@ -7,6 +7,7 @@
 
 #include <fstream>
 #include <thread>
+#include <unistd.h>
 #include <utility>
 
 namespace lutlib::io {
@@ -179,6 +180,19 @@ TEST(FileWatch, is_woken_and_can_be_moved) {
     other.join();
     fill(folder.file("a"));
     EXPECT_EQ(watch.wait(), Paths{folder.file("a")});
+}
+
+TEST(FileWatch, takes_files_of_folders_that_may_be_listed_or_are_to_come) {
+    const ScratchFolder folder;
+    EXPECT_TRUE(can_be_watched(folder.file("a")));
+    EXPECT_TRUE(can_be_watched(folder.file("to come/a")));
+    EXPECT_TRUE(can_be_watched("a"));
+    EXPECT_FALSE(can_be_watched(std::string(300, 'x') + "/a"));
+    if (::geteuid() != 0) { // who lists every folder
+        fs::create_directory(folder.path() / "closed");
+        fs::permissions(folder.path() / "closed", fs::perms::owner_exec);
+        EXPECT_FALSE(can_be_watched(folder.file("closed/a")));
+    }
 }
 
 TEST(FileWatch, that_cannot_be_had_says_which_folder_and_why) {

@@ -9,7 +9,8 @@ namespace preview::editor {
 namespace {
 
 auto values_of(const lutlib::Recipe& r) {
-    return std::tie(r.title, r.input, r.output, r.base, r.base_lut, r.bake, r.operations);
+    return std::tie(r.title, r.input, r.output, r.adaptation, r.base, r.base_lut, r.bake,
+                    r.operations);
 }
 
 auto values_of(const Orbit& o) {

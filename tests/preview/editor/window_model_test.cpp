@@ -3,6 +3,7 @@
 #include "lutlib/io/file.h"
 #include "preview/editor/commands.h"
 #include "preview/editor/knots.h"
+#include "preview/editor/look_baker.h"
 #include "preview/effects/effect.h"
 #include "preview/look/cube_settings.h"
 #include "preview/scene/camera_settings.h"
@@ -179,6 +180,14 @@ TEST(History, keeps_the_newest_steps_of_a_long_session) {
     }
     EXPECT_EQ(steps, History::max_steps - 1);
     EXPECT_EQ(history.draft().exposure, 11);
+}
+
+TEST(Recipe, of_another_adaptation_is_another) {
+    lutlib::Recipe one, other;
+    other.adaptation = &lutlib::cat02;
+    EXPECT_TRUE(same(one, one));
+    EXPECT_FALSE(same(one, other));
+    EXPECT_FALSE(same(LookRequest{one, {}}, LookRequest{other, {}})) << "it would not be baked";
 }
 
 TEST(Operations, move_to_any_place_and_keep_the_others_in_order) {

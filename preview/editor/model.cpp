@@ -60,10 +60,28 @@ State initial_state() {
 History::History(State first) : states_{first}, draft_(std::move(first)) {}
 
 void History::mark_saved() {
-    draft_.saved = draft_.recipe;
+    change_all([saved = draft_.recipe](State& state) { state.saved = saved; });
+}
+
+void History::change_all(const std::function<void(State&)>& change) {
+    change(draft_);
     for (State& state : states_) {
-        state.saved = draft_.recipe;
+        change(state);
     }
+}
+
+void History::step_to_draft() {
+    states_.insert(states_.begin() + static_cast<std::ptrdiff_t>(++at_), draft_);
+    if (states_.size() > max_steps) {
+        states_.erase(states_.begin());
+        --at_;
+    }
+}
+
+void History::insert(State next) {
+    settle();
+    draft_ = std::move(next);
+    step_to_draft();
 }
 
 bool History::settle() {
@@ -71,11 +89,7 @@ bool History::settle() {
         return false;
     }
     states_.resize(at_ + 1);
-    if (states_.size() == max_steps) {
-        states_.erase(states_.begin());
-    }
-    states_.push_back(draft_);
-    at_ = states_.size() - 1;
+    step_to_draft();
     return true;
 }
 

@@ -9,6 +9,7 @@
 #include "preview/scene/scene.h"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -109,12 +110,19 @@ class History {
     bool redo();
     /// A file holds the draft's recipe now: every other state's is unsaved.
     void mark_saved();
+    /// Changes what every state, the draft too, has of the world outside: no step.
+    void change_all(const std::function<void(State&)>& change);
+    /// Makes a step to `next`, and keeps what can be redone behind it. What is not settled is
+    /// settled first.
+    void insert(State next);
     bool can_undo() const { return at_ > 0; }
     bool can_redo() const { return at_ + 1 < states_.size(); }
 
     static constexpr std::size_t max_steps = 500;
 
   private:
+    void step_to_draft();
+
     std::vector<State> states_;
     std::size_t at_ = 0;
     State draft_;

@@ -182,6 +182,67 @@ TEST(History, keeps_the_newest_steps_of_a_long_session) {
     EXPECT_EQ(history.draft().exposure, 11);
 }
 
+TEST(History, goes_to_an_inserted_step_and_keeps_what_can_be_redone_behind_it) {
+    History history(initial_state());
+    for (const float exposure : {1.0F, 2.0F}) {
+        history.draft().exposure = exposure;
+        history.settle();
+    }
+    history.undo();
+    history.draft().split = 0.25F; // not settled
+    history.undo();
+    history.redo();
+    State next = history.draft();
+    next.exposure = 3;
+    history.insert(next);
+    EXPECT_EQ(history.draft().exposure, 3);
+    EXPECT_FALSE(history.can_redo()) << "the split was a change, behind which nothing is redone";
+    EXPECT_TRUE(history.undo());
+    EXPECT_EQ(history.draft().split, 0.25F);
+    EXPECT_TRUE(history.undo());
+    next.exposure = 4;
+    history.insert(next);
+    std::vector<float> redone;
+    while (history.redo()) {
+        redone.push_back(history.draft().exposure);
+    }
+    EXPECT_EQ(redone, (std::vector<float>{1, 3}));
+}
+
+TEST(History, keeps_its_place_when_a_step_is_inserted_into_a_full_one) {
+    History history(initial_state());
+    for (std::size_t i = 1; i < History::max_steps; ++i) {
+        history.draft().exposure = static_cast<float>(i);
+        history.settle();
+    }
+    history.undo();
+    State next = history.draft();
+    next.exposure = 0.5F;
+    history.insert(next);
+    EXPECT_EQ(history.draft().exposure, 0.5F);
+    EXPECT_TRUE(history.redo());
+    EXPECT_EQ(history.draft().exposure, History::max_steps - 1);
+    EXPECT_FALSE(history.redo());
+    EXPECT_TRUE(history.undo());
+    EXPECT_TRUE(history.undo());
+    EXPECT_EQ(history.draft().exposure, History::max_steps - 2);
+}
+
+TEST(History, changes_the_world_in_every_state_and_makes_no_step_of_it) {
+    History history(initial_state());
+    history.draft().exposure = 1;
+    history.settle();
+    history.draft().exposure = 2; // not settled
+    history.change_all([](State& state) { state.base_path = "new"; });
+    EXPECT_EQ(history.draft().base_path, "new");
+    EXPECT_TRUE(history.undo());
+    EXPECT_EQ(history.draft().exposure, 1);
+    EXPECT_EQ(history.draft().base_path, "new");
+    EXPECT_TRUE(history.undo());
+    EXPECT_EQ(history.draft().base_path, "new");
+    EXPECT_FALSE(history.undo());
+}
+
 TEST(Recipe, of_another_adaptation_is_another) {
     lutlib::Recipe one, other;
     other.adaptation = &lutlib::cat02;

@@ -16,10 +16,11 @@ void open_looks(editor::State& state, const Options& options) {
     const bool only_a = options.look_b.empty();
     const std::string& on_recipe = only_a ? options.look_a : options.look_b;
     if (on_recipe != "none") {
-        editor::open_look(state, lutlib::io::Look::open(on_recipe, only_a ? a : b));
+        const lutlib::io::LookOptions& own = only_a ? a : b;
+        editor::open_look(state, lutlib::io::Look::open(on_recipe, own), own.encodings);
     }
     if (!only_a && options.look_a != "none") {
-        editor::open_side(state.sides[0], lutlib::io::Look::open(options.look_a, a));
+        editor::open_side(state.sides[0], lutlib::io::Look::open(options.look_a, a), a.encodings);
     }
 }
 
@@ -59,8 +60,9 @@ editor::State opening_state(const Options& options, const FrameSettings& given,
 } // namespace
 
 void open_window(const Options& options) {
-    const auto shown = std::make_shared<const Shown>(shown_of(options));
     WindowSetup setup;
+    setup.opened = Following::Clock::now();
+    const auto shown = std::make_shared<const Shown>(shown_of(options));
     const FrameSettings given = settings_of(options, shown->picture_size());
     setup.frame.shadow_size = given.shadow_size;
     setup.frame.force_all = given.force_all;

@@ -26,13 +26,14 @@ std::string source_name(const State& state) {
 
 } // namespace
 
-void open_look(State& state, const io::Look& look) {
+void open_look(State& state, const io::Look& look, const lutlib::LookEncodings& said) {
     State next = state;
     const bool is_recipe = look.recipe() != nullptr;
     next.recipe = look.as_recipe();
     next.recipe.title = look.title();
     next.saved = next.recipe;
     next.told = told_of(look);
+    next.said = said;
     next.recipe_path = is_recipe ? look.path() : "";
     next.base_path = is_recipe ? io::base_path(next.recipe, look.path()) : look.path();
     const auto shows_recipe = [](const Side& side) {
@@ -44,9 +45,14 @@ void open_look(State& state, const io::Look& look) {
     state = std::move(next);
 }
 
-void open_side(Side& side, const io::Look& look) {
+void open_side(Side& side, const io::Look& look, const lutlib::LookEncodings& said) {
     side.lut = look.table().lut;
     side.path = look.path();
+    side.files.clear();
+    for (const io::LookFile& file : look.files()) {
+        side.files.push_back(file.name);
+    }
+    side.said = said;
     side.told = told_of(look);
     side.source = SideSource::file;
 }

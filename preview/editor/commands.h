@@ -8,10 +8,11 @@
 
 namespace preview::editor {
 
-/// A recipe replaces the recipe; a LUT becomes the base of a new one. Side B shows it.
-void open_look(State& state, const lutlib::io::Look& look);
+/// A recipe replaces the recipe; a LUT becomes the base of a new one. Side B shows it. `said` is
+/// what the look was opened with in place of its own encodings.
+void open_look(State& state, const lutlib::io::Look& look, const lutlib::LookEncodings& said = {});
 /// The side shows another look, as a table.
-void open_side(Side& side, const lutlib::io::Look& look);
+void open_side(Side& side, const lutlib::io::Look& look, const lutlib::LookEncodings& said = {});
 
 void save_recipe(History& history, const std::string& path);
 

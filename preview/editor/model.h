@@ -44,6 +44,8 @@ struct Side {
     const GpuLookup* engine = nullptr; ///< of `baked`: a lookup that has an engine
     int size = 0, bits = 0;            ///< of `baked`; 0: the engine's own
     std::string path;                  ///< of `file`
+    std::vector<std::string> files;    ///< of `file`: itself and, of a recipe, its base
+    lutlib::LookEncodings said;        ///< of `file`: in place of what it says
     std::vector<std::string> told;     ///< of `file`: what its reading lost, guessed or left undone
     std::shared_ptr<const lutlib::Lut> lut;
     friend bool operator==(const Side&, const Side&) = default;
@@ -74,7 +76,8 @@ struct State : PictureSettings {
     lutlib::Recipe recipe;
     std::string recipe_path;       ///< empty: never saved
     std::string base_path;         ///< where the recipe's base lies
-    lutlib::Recipe saved;          ///< the recipe as it was opened or saved last
+    lutlib::LookEncodings said;    ///< in place of what a LUT that was opened says
+    lutlib::Recipe saved;          ///< the recipe as its file has it: opened or saved last
     std::vector<std::string> told; ///< what the reading of the look lost, guessed or left undone
     std::array<Side, 2> sides;
     PictureCodes picture;

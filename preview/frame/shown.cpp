@@ -71,6 +71,7 @@ void refuse_missing_file(const std::string& path) {
 Shown load_shown(const std::string& input, double seconds) {
     Shown shown;
     shown.name = input;
+    shown.seconds = seconds;
     if (const SceneInfo* info = scene_named(input)) {
         shown.scene = scene_at(*info, seconds);
         return shown;
@@ -87,6 +88,7 @@ Shown load_shown(const std::string& input, double seconds) {
     if (is_model_file(input)) {
         ImportedScene imported = import_scene(input);
         shown.scene = std::move(imported.scene);
+        shown.files = std::move(imported.files);
         if (!has_floor(*shown.scene)) {
             add_floor(*shown.scene);
         }
@@ -95,6 +97,7 @@ Shown load_shown(const std::string& input, double seconds) {
         shown.picture = read_picture(shown, input,
                                      "not applied and not written: the codes are taken for those "
                                      "of --picture-encoding");
+        shown.files = {input};
     }
     return shown;
 }
@@ -124,6 +127,16 @@ void load_surroundings(Shown& shown, const std::string& path) {
         shown.told.push_back(path + ": it holds no light: its codes are decoded as sRGB");
     }
     shown.surroundings = std::move(picture);
+    shown.surroundings_file = path;
+    shown.files.push_back(path);
+}
+
+Shown load_again(const Shown& shown) {
+    Shown out = load_shown(shown.name, shown.seconds);
+    if (!shown.surroundings_file.empty()) {
+        load_surroundings(out, shown.surroundings_file);
+    }
+    return out;
 }
 
 GpuShown::GpuShown(const gpu::Device& device, std::shared_ptr<const Shown> shown)

@@ -27,6 +27,9 @@ struct Shown {
     std::optional<Scene> scene;
     std::optional<ShownPicture> picture;
     std::optional<ShownPicture> surroundings; ///< a picture of all directions about the scene
+    double seconds = 0;                       ///< at which a built-in scene stands
+    std::string surroundings_file;            ///< where its picture lies
+    std::vector<std::string> files;           ///< that all of it was read from
     std::vector<std::string> left_out; ///< what its file has and the scene has not, with counts
     std::vector<std::string> told;     ///< what was made of pictures' colours: "FILE: ..." each
     /// What a picture's file holds and no file written here does, a phrase each.
@@ -43,6 +46,9 @@ Shown load_shown(const std::string& input, double seconds);
 /// Reads the picture of what surrounds `shown`, a scene; codes become light by sRGB's curve. Throws
 /// lutlib::Error for a file that is no picture, and UsageError for surroundings of a picture.
 void load_surroundings(Shown& shown, const std::string& path);
+
+/// The same, by its names alone, as its files have it now. Throws as both of those do.
+Shown load_again(const Shown& shown);
 
 /// What must outlive the frames that show it.
 class GpuShown {

@@ -50,11 +50,14 @@ constexpr Shortcut shortcuts[] = {
     {"Ctrl+Y", "redo", Key::y, true, false, [](Ui& ui) { ui.history.redo(); }},
     {"Ctrl+S", "save the recipe to its file", Key::s, true, false,
      [](Ui& ui) {
-         State& state = ui.history.draft();
-         if (state.recipe_path.empty()) {
+         const std::string path = ui.history.draft().recipe_path;
+         const auto save = [&ui, path] { save_recipe(ui.history, path); };
+         if (path.empty()) {
              ui.errors.emplace_back("the recipe has no file yet: save it under Files");
+         } else if (ui.offered) {
+             attempt_writing(ui, path, save);
          } else {
-             attempt(ui, [&] { save_recipe(ui.history, state.recipe_path); });
+             attempt(ui, save);
          }
      }},
     {"Ctrl+Shift+R", "make everything on the GPU anew", Key::r, true, true,
@@ -330,6 +333,7 @@ Rect draw(Ui& ui) {
     if (ImGui::Button("Help (F1)")) {
         ui.shows_help = true;
     }
+    notices(ui);
     if (ImGui::BeginTabBar("panels")) {
         for (const Panel& panel : panels) {
             const bool open = ImGui::BeginTabItem(panel.name);

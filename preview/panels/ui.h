@@ -2,6 +2,7 @@
 // know no GPU object.
 #pragma once
 
+#include "lutlib/io/look.h"
 #include "preview/editor/keys.h"
 #include "preview/editor/model.h"
 #include "preview/finish/probe.h"
@@ -62,9 +63,13 @@ struct Ui {
 
     History history;
     Facts facts;
-    std::vector<std::string> errors; ///< shown until they are closed
-    std::string report;              ///< of the last export
-    bool wants_new_screen = false;   ///< everything on the GPU shall be made anew
+    std::vector<std::string> errors;  ///< shown until they are closed
+    std::string report;               ///< of the last export
+    std::vector<std::string> notices; ///< why what is shown is not what files have now
+    /// The recipe's file as it has changed beside unsaved changes; null: there is nothing to
+    /// choose.
+    std::shared_ptr<const lutlib::io::Look> offered;
+    bool wants_new_screen = false; ///< everything on the GPU shall be made anew
     bool shows_help = false;
     bool quits = false;
     bool shows_passes = false; ///< set by the passes panel while it is seen: timings are wanted
@@ -106,6 +111,8 @@ void passes_panel(Ui& ui);
 void scopes_panel(Ui& ui);
 void cube_panel(Ui& ui);
 void dialogs(Ui& ui);
+/// What a person must know of files, above the panels.
+void notices(Ui& ui);
 void handle_shortcuts(Ui& ui);
 /// The scopes that are seen, side by side.
 void scope_strip(Ui& ui, const Rect& area);

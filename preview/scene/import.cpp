@@ -53,16 +53,20 @@ ImportedScene import_scene(const std::string& path) {
                             {path, 0, {}});
     }
     const std::string bytes = model_bytes(path);
+    std::vector<std::string> files{path};
     const ReadFile read = [&](const std::string& reference, std::size_t most) {
+        files.push_back(lutlib::io::referenced_path(path, reference));
         return lutlib::io::read_reference(path, reference, most);
     };
-    if (lutlib::io::extension_of(path) != "obj") {
-        return import_gltf(bytes, path, read);
-    }
-    LeftOut left_out;
     ImportedScene out;
-    out.scene = settled(obj_scene(bytes, path, read, left_out), path, left_out);
-    out.left_out = left_out.lines();
+    if (lutlib::io::extension_of(path) != "obj") {
+        out = import_gltf(bytes, path, read);
+    } else {
+        LeftOut left_out;
+        out.scene = settled(obj_scene(bytes, path, read, left_out), path, left_out);
+        out.left_out = left_out.lines();
+    }
+    out.files = std::move(files);
     return out;
 }
 

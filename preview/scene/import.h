@@ -24,6 +24,7 @@ namespace preview {
 
 struct ImportedScene {
     Scene scene;
+    std::vector<std::string> files{}; ///< that were read: the model's own, then what they name
     /// A line for each kind of thing left out or simplified, with its count. Printable whatever the
     /// file holds.
     std::vector<std::string> left_out;

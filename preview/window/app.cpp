@@ -8,6 +8,7 @@
 #include "preview/scene/import.h"
 #include "preview/window/autosave.h"
 #include "preview/window/display_end.h"
+#include "preview/window/following.h"
 #include "preview/window/gui.h"
 #include "preview/window/opening.h"
 #include "preview/window/present.h"
@@ -75,6 +76,8 @@ class App {
     editor::LookRequest requested_;
     bool baking_ = false;
     editor::LookBaker baker_;
+    Following following_;
+    Following::Clock::time_point opened_; ///< before all was read that is not followed yet
     FrameReader reader_{frames_in_flight};
     /// Of the last frame; none when something that it reads has been written since.
     std::optional<Graph> drawn_;
@@ -86,7 +89,7 @@ class App {
 
 App::App(WindowSetup setup)
     : setup_(std::move(setup)), window_(setup_.size), ui_(setup_.state),
-      baker_([] { glfwPostEmptyEvent(); }) {
+      baker_([] { glfwPostEmptyEvent(); }), opened_(setup_.opened) {
     gui_.emplace(window_.handle(), layout_path(), setup_.font);
     if (!gui_->notice().empty()) {
         ui_.errors.push_back(gui_->notice());
@@ -232,9 +235,13 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
     for (std::string& path : std::exchange(events_.dropped, {})) {
         paths.push_back(std::move(path));
     }
+    if (!paths.empty()) {
+        opened_ = Following::Clock::now();
+    }
     for (const std::string& path : paths) {
         panels::attempt(ui_, [&] { open(path); });
     }
+    following_.take(ui_, [this] { follow_shown(); });
     for (const editor::InputEvent& event : events) {
         if (event.kind == editor::InputEvent::Kind::key) {
             ui_.down[static_cast<std::size_t>(event.key)] = event.down;
@@ -247,6 +254,7 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
         }
     }
     follow_shown();
+    following_.follow(ui_, std::exchange(opened_, Following::Clock::now()));
     screen_->overlay.begin_frame();
     gui_->begin_frame(events);
     const panels::Rect area = panels::draw(ui_);

@@ -4,6 +4,7 @@
 #include "preview/editor/model.h"
 #include "preview/frame/settings.h"
 #include "preview/gpu/size.h"
+#include "preview/window/following.h"
 
 #include <string>
 
@@ -18,6 +19,7 @@ struct WindowSetup {
     std::string device;                              ///< as gpu::DeviceOptions::wanted
     bool validation = false;                         ///< under Vulkan's validation layers
     std::string font;                                ///< TrueType or OpenType file
+    Following::Clock::time_point opened{};           ///< before all that is shown was read
     std::string places; ///< file that tells where the controls are; empty: nobody asks
 };
 

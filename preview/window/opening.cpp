@@ -28,4 +28,13 @@ void take_shown(editor::State& state, std::shared_ptr<const Shown> shown) {
     state.shown = std::move(shown);
 }
 
+void take_shown_again(editor::State& state, const std::shared_ptr<const Shown>& fresh) {
+    const std::optional<Scene>& before = state.shown->scene;
+    if (fresh->scene && before && state.lights == before->lights) {
+        state.lights = fresh->scene->lights;
+    }
+    state.picture.has_light = !fresh->display_encoded();
+    state.shown = fresh;
+}
+
 } // namespace preview

@@ -10,4 +10,8 @@ namespace preview {
 /// Shows a scene or picture, with its camera, lights, usual effects and finish.
 void take_shown(editor::State& state, std::shared_ptr<const Shown> shown);
 
+/// What the state shows, as its files have it now: the camera and all settings stay, and so do
+/// lights that a person has changed.
+void take_shown_again(editor::State& state, const std::shared_ptr<const Shown>& fresh);
+
 } // namespace preview

@@ -161,6 +161,12 @@ constexpr OptionRow rows[] = {
     {.flag = "--font",
      .help = "The window's font, a TrueType or OpenType file",
      .of = [](O& o) -> std::string& { return o.font; }},
+    {.flag = "--watch-engine-folder",
+     .help =
+         "A folder of an engine's project, which the engine watches: Ctrl+E in the window writes "
+         "the look's strip there, named as the look is",
+     .of = [](O& o) -> std::string& { return o.engine_folder; },
+     .type = "DIR"},
     {.flag = "--places",
      .help = "Keep in this file where the window's controls are, for scripts: a line 'NAME X Y "
              "WIDTH HEIGHT' for each, in pixels, after 'frame NUMBER' and where the mouse was last "

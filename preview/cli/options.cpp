@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace preview {
@@ -117,6 +118,11 @@ ProbePlace parse_place(std::string_view option, const std::string& text, Size pi
     throw lutlib::UsageError(fmt::format("{} needs X,Y within the picture of {}x{}, got '{}'",
                                          option, picture.width, picture.height, text));
 }
+
+bool is_given(const Options& options, const std::string& flag) {
+    return std::find(options.given.begin(), options.given.end(), flag) != options.given.end();
+}
+
 bool opens_window(const Options& options) {
     return !options.headless && !options.explain && !options.timings && !options.list &&
            options.probe.empty() && options.output.empty() && options.cube_view.empty();

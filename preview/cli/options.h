@@ -62,6 +62,7 @@ struct Options {
     std::string depth;     ///< of the output; empty: as files of its name usually have
     bool exr_light = true; ///< files that hold light get that before the tone map
     std::string font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"; ///< of the window
+    std::string engine_folder;      ///< where the window exports strips at the press of a key
     std::string places;             ///< file that tells where the window's controls are
     std::vector<std::string> given; ///< each name, as "--split", of the options that were given
     /// A sentence for each option that was given and changes nothing in what the others ask for.
@@ -70,6 +71,9 @@ struct Options {
 
 /// Declares every option on `app`; parsing fills `options`, which must outlive it.
 void declare(CLI::App& app, Options& options);
+
+/// Whether the option was given, by its name as "--split".
+bool is_given(const Options& options, const std::string& flag);
 
 /// Whether they ask for the window, as those do that ask for nothing else.
 bool opens_window(const Options& options);

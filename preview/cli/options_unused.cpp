@@ -54,10 +54,6 @@ std::vector<std::string> picture_flags(std::string_view beginning) {
     return out;
 }
 
-bool is_given(const Options& options, const std::string& flag) {
-    return std::find(options.given.begin(), options.given.end(), flag) != options.given.end();
-}
-
 bool is_without(const Options& options, const std::string& name) {
     return std::find(options.without.begin(), options.without.end(), name) != options.without.end();
 }
@@ -135,7 +131,7 @@ std::vector<Rule> rules_of(const Options& o) {
         {{"--exr"},
          !output_holds_light(o) || (!o.frame.shows_intermediate() && o.frame.scope == nullptr),
          "it is for the picture, not for what --debug-view and --scope show"},
-        {{"--font", "--places"}, window, "no window opens"},
+        {{"--font", "--places", "--watch-engine-folder"}, window, "no window opens"},
         {{"--quiet", "--verbose"}, !window, "the window prints nothing"},
         {{"--split"}, compare == &compare_split || window, "it is for --compare split"},
         {{"--heat-scale"}, compare == &compare_difference || window, "it is for --compare diff"},

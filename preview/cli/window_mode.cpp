@@ -1,3 +1,4 @@
+#include "lutlib/error.h"
 #include "lutlib/io/look.h"
 #include "preview/cli/look_options.h"
 #include "preview/cli/modes.h"
@@ -5,6 +6,11 @@
 #include "preview/frame/shown.h"
 #include "preview/window/app.h"
 #include "preview/window/opening.h"
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <unistd.h>
 
 namespace preview {
 
@@ -21,6 +27,20 @@ void open_looks(editor::State& state, const Options& options) {
     }
     if (!only_a && options.look_a != "none") {
         editor::open_side(state.sides[0], lutlib::io::Look::open(options.look_a, a), a.encodings);
+    }
+}
+
+/// Of --watch-engine-folder.
+void require_writable_folder(const std::string& path) {
+    std::error_code unknown;
+    if (!std::filesystem::is_directory(path, unknown)) {
+        throw lutlib::Error("make the engine's folder first, or name another: there is none here",
+                            {path, 0, {}});
+    }
+    if (::access(path.c_str(), W_OK | X_OK) != 0) {
+        throw lutlib::Error("name a folder in which you may write with --watch-engine-folder: " +
+                                std::generic_category().message(errno),
+                            {path, 0, {}});
     }
 }
 
@@ -62,6 +82,10 @@ editor::State opening_state(const Options& options, const FrameSettings& given,
 void open_window(const Options& options) {
     WindowSetup setup;
     setup.opened = Following::Clock::now();
+    setup.engine_folder = options.engine_folder;
+    if (is_given(options, "--watch-engine-folder")) {
+        require_writable_folder(options.engine_folder);
+    }
     const auto shown = std::make_shared<const Shown>(shown_of(options));
     const FrameSettings given = settings_of(options, shown->picture_size());
     setup.frame.shadow_size = given.shadow_size;

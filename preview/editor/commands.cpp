@@ -18,6 +18,7 @@ namespace preview::editor {
 
 namespace {
 
+namespace fs = std::filesystem;
 namespace io = lutlib::io;
 
 std::string source_name(const State& state) {
@@ -57,6 +58,11 @@ void open_side(Side& side, const io::Look& look, const lutlib::LookEncodings& sa
     side.source = SideSource::file;
 }
 
+std::string look_name(const State& state) {
+    const std::string& path = !state.recipe_path.empty() ? state.recipe_path : state.base_path;
+    return path.empty() ? "look" : fs::path(path).stem().string();
+}
+
 void save_recipe(History& history, const std::string& path) {
     State& state = history.draft();
     io::save_recipe(state.recipe, path, state.base_path);
@@ -87,6 +93,19 @@ std::string export_strip(const State& state, const Side& side, const std::string
     return io::bake_report(
         source_name(state), path, baked, state.recipe.bake.domain.value_or(usual), place,
         lutlib::measure_lookup(baked.picture, engine, baked.size, look, breaks, viewing), viewing);
+}
+
+std::string strip_in(const std::string& folder, const State& state) {
+    return (fs::path(folder) / (look_name(state) + ".png")).string();
+}
+
+bool is_replaceable(const State& state, const std::string& path) {
+    std::error_code unknown;
+    if (!fs::exists(fs::symlink_status(path, unknown))) {
+        return true;
+    }
+    return fs::is_regular_file(path, unknown) && !fs::equivalent(path, state.base_path, unknown) &&
+           io::is_own_picture(path);
 }
 
 std::string export_lut(const State& state, const std::string& path) {

@@ -14,10 +14,18 @@ void open_look(State& state, const lutlib::io::Look& look, const lutlib::LookEnc
 /// The side shows another look, as a table.
 void open_side(Side& side, const lutlib::io::Look& look, const lutlib::LookEncodings& said = {});
 
+/// What people call the look: the name of its recipe, else of its base, without folder and ending.
+std::string look_name(const State& state);
+
 void save_recipe(History& history, const std::string& path);
 
 /// The recipe as a strip for the engine of `side`, as `lutconv bake` makes it; what it lost.
 std::string export_strip(const State& state, const Side& side, const std::string& path);
+/// The strip's file in an engine's folder, named as the look is.
+std::string strip_in(const std::string& folder, const State& state);
+/// Whether a strip may be written over what is at `path` without asking: nothing, or a picture that
+/// lutconv or lutpreview made, and not the one that the recipe starts from.
+bool is_replaceable(const State& state, const std::string& path);
 /// The recipe as a LUT in the format of the path's extension; what it lost.
 std::string export_lut(const State& state, const std::string& path);
 

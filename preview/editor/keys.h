@@ -13,6 +13,7 @@ enum class Key : std::uint8_t {
     escape,
     a, // from here on what a text field takes for itself
     b,
+    e,
     q,
     r,
     s,
@@ -24,7 +25,7 @@ enum class Key : std::uint8_t {
     digit_4,
     digit_5,
 };
-inline constexpr std::size_t key_count = 16;
+inline constexpr std::size_t key_count = 17;
 
 /// Whether the key types a character.
 constexpr bool is_printable(Key key) {

@@ -5,16 +5,9 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include <filesystem>
-
 namespace preview::panels {
 
 namespace {
-
-std::string stem_of(const State& state) {
-    const std::string& path = !state.recipe_path.empty() ? state.recipe_path : state.base_path;
-    return path.empty() ? "look" : std::filesystem::path(path).stem().string();
-}
 
 /// A line to type a path in, which shows `usual` while nothing was typed, and a button.
 bool path_line(Ui& ui, const char* button, std::string& typed, const std::string& usual,
@@ -55,7 +48,7 @@ void file_panel(Ui& ui) {
     ImGui::Separator();
 
     const std::string recipe =
-        state.recipe_path.empty() ? stem_of(state) + ".json" : state.recipe_path;
+        state.recipe_path.empty() ? look_name(state) + ".json" : state.recipe_path;
     if (path_line(ui, "Save recipe", ui.recipe_file, recipe, "save")) {
         const std::string path = path_or(ui.recipe_file, recipe);
         attempt_writing(ui, path, [&ui, path] {
@@ -63,7 +56,7 @@ void file_panel(Ui& ui) {
             ui.report = "saved " + path + "\n";
         });
     }
-    const std::string lut = stem_of(state) + "-export.cube";
+    const std::string lut = look_name(state) + "-export.cube";
     if (path_line(ui, "Export LUT", ui.lut_file, lut, "export-lut")) {
         const std::string path = path_or(ui.lut_file, lut);
         attempt_writing(ui, path,
@@ -81,7 +74,7 @@ void file_panel(Ui& ui) {
         }
         ImGui::EndCombo();
     }
-    const std::string strip = stem_of(state) + "-" + std::string(engine->name) + ".png";
+    const std::string strip = look_name(state) + "-" + std::string(engine->name) + ".png";
     if (path_line(ui, "Export strip", ui.strip_file, strip, "export-strip")) {
         const std::string path = path_or(ui.strip_file, strip);
         attempt_writing(ui, path, [&ui, path, engine] {
@@ -89,6 +82,15 @@ void file_panel(Ui& ui) {
             side.engine = engine;
             ui.report = export_strip(ui.history.draft(), side, path);
         });
+    }
+    if (!ui.engine_folder.empty()) {
+        if (ImGui::Button("Export into the engine's folder (Ctrl+E)")) {
+            export_to_engine(ui);
+        }
+        mark(ui, "export-engine");
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("%s", strip_in(ui.engine_folder, state).c_str());
+        }
     }
     ImGui::Separator();
     ImGui::PushTextWrapPos(0);

@@ -1,12 +1,29 @@
-// What a person must know of files: what could not be read again, what waits to be chosen.
+// What a person must know of files: what could not be read again, what waits to be chosen, what was
+// exported and what that lost.
+#include "preview/editor/commands.h"
 #include "preview/editor/reload.h"
 #include "preview/panels/ui.h"
 
 #include <imgui.h>
 
+#include <sstream>
+
 namespace preview::panels {
 
 namespace {
+
+/// Of a bake's report where it went, and what was lost.
+std::string short_report(const std::string& report) {
+    std::istringstream lines(report);
+    std::string out, line;
+    std::getline(lines, out);
+    while (std::getline(lines, line)) {
+        if (line.starts_with("  lost: ")) {
+            out += '\n' + line.substr(2);
+        }
+    }
+    return out;
+}
 
 void warning(const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 190, 60, 255));
@@ -33,6 +50,24 @@ void choice_of_offered(Ui& ui) {
 
 } // namespace
 
+void export_to_engine(Ui& ui) {
+    if (ui.engine_folder.empty()) {
+        ui.errors.emplace_back("name the engine's folder at the start: lutpreview "
+                               "--watch-engine-folder DIR");
+        return;
+    }
+    const State& state = ui.history.draft();
+    const std::string path = strip_in(ui.engine_folder, state);
+    Side side;
+    side.engine = engine_lookups()[ui.export_engine];
+    const auto write = [&ui, path, side] {
+        ui.exported.clear();
+        ui.report = export_strip(ui.history.draft(), side, path);
+        ui.exported = short_report(ui.report);
+    };
+    is_replaceable(state, path) ? attempt(ui, write) : attempt_writing(ui, path, write);
+}
+
 void notices(Ui& ui) {
     if (ui.offered && !is_offered(ui.history.draft(), *ui.offered)) {
         ui.offered.reset();
@@ -43,6 +78,14 @@ void notices(Ui& ui) {
     }
     if (ui.offered) {
         choice_of_offered(ui);
+    }
+    if (!ui.exported.empty()) {
+        ImGui::TextWrapped("%s", ui.exported.c_str());
+        mark(ui, "exported");
+        if (ImGui::Button("Close")) {
+            ui.exported.clear();
+        }
+        mark(ui, "exported.close");
     }
 }
 

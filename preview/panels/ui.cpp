@@ -39,10 +39,11 @@ void compare_by(Ui& ui, const Compare& row) {
 
 constexpr Shortcut shortcuts[] = {
     {"F1", "this list", Key::f1, false, false, [](Ui& ui) { ui.shows_help = !ui.shows_help; }},
-    {"Esc", "close it, errors and questions", Key::escape, false, false,
+    {"Esc", "close it, errors, questions and what was exported", Key::escape, false, false,
      [](Ui& ui) {
          ui.shows_help = false;
          ui.errors.clear();
+         ui.exported.clear();
          ui.to_replace.clear();
      }},
     {"Ctrl+Z", "undo", Key::z, true, false, [](Ui& ui) { ui.history.undo(); }},
@@ -60,6 +61,8 @@ constexpr Shortcut shortcuts[] = {
              attempt(ui, save);
          }
      }},
+    {"Ctrl+E", "export the strip into the engine's folder (--watch-engine-folder)", Key::e, true,
+     false, &export_to_engine},
     {"Ctrl+Shift+R", "make everything on the GPU anew", Key::r, true, true,
      [](Ui& ui) { ui.wants_new_screen = true; }},
     {"Ctrl+Q", "quit", Key::q, true, false, [](Ui& ui) { ui.quits = true; }},

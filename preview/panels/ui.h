@@ -69,6 +69,8 @@ struct Ui {
     /// The recipe's file as it has changed beside unsaved changes; null: there is nothing to
     /// choose.
     std::shared_ptr<const lutlib::io::Look> offered;
+    std::string engine_folder; ///< where strips go at the press of a key; empty: nobody named one
+    std::string exported;      ///< what went there and what that lost, till it is closed
     bool wants_new_screen = false; ///< everything on the GPU shall be made anew
     bool shows_help = false;
     bool quits = false;
@@ -90,14 +92,17 @@ struct Ui {
     std::map<std::string, Rect> places;
 
     std::string recipe_file, lut_file, strip_file, open_file;
-    std::string search; ///< typed into the list that is open
-    std::size_t export_engine = 0;
+    std::string search;            ///< typed into the list that is open
+    std::size_t export_engine = 0; ///< of engine_lookups()
 };
 
 /// Does `action`; what it throws becomes an error in the window, and the state is as before.
 void attempt(Ui& ui, const std::function<void()>& action);
 /// Asks before `action` writes over a file.
 void attempt_writing(Ui& ui, const std::string& path, std::function<void()> action);
+
+/// The look's strip, for the engine of the panel Files, into the engine's folder.
+void export_to_engine(Ui& ui);
 
 /// Everything over the picture; returns the part of the window that is left for the picture.
 Rect draw(Ui& ui);

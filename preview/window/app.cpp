@@ -38,6 +38,13 @@ std::string shown_path(const std::filesystem::path& path) {
     return lutlib::io::shown_text(path.string());
 }
 
+/// The row of engine_lookups() that side B is for.
+std::size_t export_engine_of(const editor::State& state) {
+    const std::vector<const GpuLookup*> rows = editor::engine_lookups();
+    return static_cast<std::size_t>(std::find(rows.begin(), rows.end(), state.sides[1].engine) -
+                                    rows.begin());
+}
+
 void print_validation(const gpu::Device& device) {
     for (const std::string& message : device.validation_messages()) {
         lutlib::io::print_err("lutpreview: " + lutlib::io::shown_text(message) + "\n");
@@ -90,6 +97,8 @@ class App {
 App::App(WindowSetup setup)
     : setup_(std::move(setup)), window_(setup_.size), ui_(setup_.state),
       baker_([] { glfwPostEmptyEvent(); }), opened_(setup_.opened) {
+    ui_.engine_folder = setup_.engine_folder;
+    ui_.export_engine = export_engine_of(ui_.history.draft());
     gui_.emplace(window_.handle(), layout_path(), setup_.font);
     if (!gui_->notice().empty()) {
         ui_.errors.push_back(gui_->notice());

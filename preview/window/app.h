@@ -19,7 +19,8 @@ struct WindowSetup {
     std::string device;                              ///< as gpu::DeviceOptions::wanted
     bool validation = false;                         ///< under Vulkan's validation layers
     std::string font;                                ///< TrueType or OpenType file
-    Following::Clock::time_point opened{};           ///< before all that is shown was read
+    std::string engine_folder; ///< where strips go at the press of a key; empty: nobody named one
+    Following::Clock::time_point opened{}; ///< before all that is shown was read
     std::string places; ///< file that tells where the controls are; empty: nobody asks
 };
 

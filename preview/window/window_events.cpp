@@ -21,11 +21,12 @@ struct KeyName {
 constexpr KeyName keys[] = {
     {GLFW_KEY_F1, editor::Key::f1},     {GLFW_KEY_ESCAPE, editor::Key::escape},
     {GLFW_KEY_A, editor::Key::a},       {GLFW_KEY_B, editor::Key::b},
-    {GLFW_KEY_Q, editor::Key::q},       {GLFW_KEY_R, editor::Key::r},
-    {GLFW_KEY_S, editor::Key::s},       {GLFW_KEY_Y, editor::Key::y},
-    {GLFW_KEY_Z, editor::Key::z},       {GLFW_KEY_1, editor::Key::digit_1},
-    {GLFW_KEY_2, editor::Key::digit_2}, {GLFW_KEY_3, editor::Key::digit_3},
-    {GLFW_KEY_4, editor::Key::digit_4}, {GLFW_KEY_5, editor::Key::digit_5},
+    {GLFW_KEY_E, editor::Key::e},       {GLFW_KEY_Q, editor::Key::q},
+    {GLFW_KEY_R, editor::Key::r},       {GLFW_KEY_S, editor::Key::s},
+    {GLFW_KEY_Y, editor::Key::y},       {GLFW_KEY_Z, editor::Key::z},
+    {GLFW_KEY_1, editor::Key::digit_1}, {GLFW_KEY_2, editor::Key::digit_2},
+    {GLFW_KEY_3, editor::Key::digit_3}, {GLFW_KEY_4, editor::Key::digit_4},
+    {GLFW_KEY_5, editor::Key::digit_5},
 };
 
 editor::Key key_of(int glfw) {

@@ -29,6 +29,7 @@ constexpr Exception exceptions[] = {
     {"ffmpeg ", "wants ffmpeg and a film"},
     {"lutpreview --b look.json ", "opens a window"},
     {"lutconv bake look.json -o strip.png --watch ", "goes on until somebody ends it"},
+    {"lutconv bake look.json -o Assets/Luts/look.png ", "goes on until somebody ends it"},
     {"build/bin/preview_golden_tests", "renews golden pictures"},
 };
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -113,6 +114,24 @@ TEST_F(Outputs, that_are_full_are_an_error) {
         EXPECT_NE(bytes("said").find("No space left on device"), std::string::npos)
             << bytes("said");
         EXPECT_TRUE(std::filesystem::is_character_file("/dev/full")) << name;
+    }
+}
+
+TEST_F(Outputs, that_go_into_an_engines_folder_need_one_before_a_window_opens) {
+    const auto said_of = [&](const std::string& folder) {
+        EXPECT_EQ(status_of("plain --watch-engine-folder '" + folder + "' 2>" + path("said")), 2);
+        return bytes("said");
+    };
+    std::ofstream(path("file")) << "x";
+    for (const std::string& folder : {path("gone"), path("file"), std::string()}) {
+        const std::string said = said_of(folder);
+        EXPECT_NE(said.find("make the engine's folder first"), std::string::npos) << said;
+        EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    }
+    if (::geteuid() != 0) { // who may write everywhere
+        std::filesystem::create_directory(path("closed"));
+        std::filesystem::permissions(path("closed"), std::filesystem::perms::owner_read);
+        EXPECT_NE(said_of(path("closed")).find("Permission denied"), std::string::npos);
     }
 }
 

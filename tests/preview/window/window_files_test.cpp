@@ -1,4 +1,4 @@
-// The window while the files that it shows change on disk.
+// The window while the files that it shows change on disk, and its way into an engine's folder.
 #include "tests/preview/scene/gltf_writer.h"
 #include "tests/preview/window/window_fixture.h"
 
@@ -143,6 +143,48 @@ TEST_F(WindowFiles, keeps_unsaved_changes_of_a_recipe_and_offers_the_files) {
     EXPECT_FALSE(has("offer")) << "of what it has written itself";
     EXPECT_FALSE(has("notice.0"));
     EXPECT_NE(dark.changed(plain, picture()), 0);
+}
+
+TEST_F(WindowFiles, exports_into_an_engines_folder_at_the_press_of_a_key) {
+    fs::create_directory(file("game"));
+    start({"picture.ppm", "--b", "look.cube", "--engine", "unity", "--watch-engine-folder",
+           file("game").string()});
+    first_screen();
+    key("ctrl+e");
+    wait_until([&] { return has("exported"); }, "what was exported");
+    EXPECT_EQ(verify("game/look.png", "look.cube"), 0);
+    EXPECT_EQ(
+        say({LUTCONV, "verify", "game/look.png", "--against", "look.cube", "--engine", "unity"},
+            desktop_->folder())
+            .code,
+        0);
+    click("exported.close");
+    EXPECT_FALSE(has("exported"));
+    // Its own file is written over, and the look that the file holds now.
+    write("look.cube", shown_as("1 0 0"));
+    when_right_is(0xff0000);
+    click("tab.Files");
+    click("export-engine");
+    wait_until([&] { return has("exported"); }, "what was exported");
+    EXPECT_EQ(verify("game/look.png", "look.cube"), 0);
+    // Somebody else's is not.
+    gradient(16, 16).write(file("game/look.png"));
+    const std::string theirs = contents("game/look.png");
+    key("ctrl+e");
+    click("replace.no");
+    EXPECT_EQ(contents("game/look.png"), theirs);
+    key("ctrl+e");
+    click("replace.yes");
+    EXPECT_EQ(verify("game/look.png", "look.cube"), 0);
+    fs::remove_all(file("game"));
+    key("ctrl+e");
+    wait_until([&] { return has("error.close"); }, "the error");
+    click("error.close");
+    std::size_t entries = 0;
+    for (const auto& entry : fs::directory_iterator(desktop_->folder())) {
+        entries += entry.path().filename().string().find("look.png") != std::string::npos;
+    }
+    EXPECT_EQ(entries, 0U);
 }
 
 TEST_F(WindowFiles, rests_while_others_change) {

@@ -3,6 +3,8 @@
 #include "lutlib/closest_name.h"
 #include "lutlib/error.h"
 
+#include <algorithm>
+
 namespace lutlib {
 
 std::string listed(std::span<const std::string_view> names) {
@@ -20,7 +22,14 @@ std::string what_there_is(std::string_view name, std::span<const std::string_vie
         out.append("did you mean ").append(meant).append("? ");
     }
     out += out.empty() ? "there " : "There ";
-    return out + (names.size() == 1 ? "is " : "are ") + (names.empty() ? "none" : listed(names));
+    out += names.size() == 1 ? "is " : "are ";
+    if (names.empty()) {
+        return out + "none";
+    }
+    constexpr std::size_t most = 100;
+    out += listed(names.first(std::min(names.size(), most)));
+    return names.size() > most ? out + " and " + std::to_string(names.size() - most) + " more"
+                               : out;
 }
 
 std::string no_such_name(std::string_view kind, std::string_view name,

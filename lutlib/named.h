@@ -24,7 +24,7 @@ constexpr bool same_name(std::string_view a, std::string_view b, Letters letters
 
 /// What is said beside a name that is none of these: "there are piccolo, unreal", or "did you mean
 /// unreal? There are piccolo, unreal" where two edits (one, of names of up to three letters) make a
-/// name of what was asked for.
+/// name of what was asked for. After a hundred names: "and 30 more".
 std::string what_there_is(std::string_view name, std::span<const std::string_view> names);
 /// "there is no engine 'unrael'; " and the above. `kind` is the singular of what the rows are.
 std::string no_such_name(std::string_view kind, std::string_view name,

@@ -34,6 +34,9 @@ void declare(CLI::App& app, const OptionRow& row, Options& options) {
             using T = std::remove_reference_t<decltype(member)>;
             if constexpr (std::is_same_v<T, bool>) {
                 app.add_flag(row.flag, member, row.help);
+            } else if constexpr (std::is_same_v<T, std::optional<bool>>) {
+                app.add_flag_function(
+                    row.flag, [&member](std::int64_t count) { member = count > 0; }, row.help);
             } else {
                 CLI::Option* const option = app.add_option(row.flag, member, row.help);
                 bool stands_for_itself = true;
@@ -113,14 +116,6 @@ void declare_cube(CLI::App& app, Options& options) {
 }
 
 void declare_effects(CLI::App& app, Options& options) {
-    app.add_flag_function(
-        "--fxaa,!--no-fxaa", [&options](std::int64_t count) { options.fxaa = count > 0; },
-        "Antialiasing; by default on for scenes but the chart, off for pictures");
-    app.add_flag_function(
-        "--dither,!--no-dither", [&options](std::int64_t count) { options.dither = count > 0; },
-        "Spread the rounding to 8 bits, so that smooth ramps show no contours; by default on in "
-        "the "
-        "window and off without it");
     app.add_option_function<std::vector<std::string>>(
            "--effect",
            [&options](const std::vector<std::string>& texts) {
@@ -165,6 +160,9 @@ void declare(CLI::App& app, Options& options) {
             [&options, member = is_given](const std::string&) { options.*member = true; });
     }
     declare<PictureSettings>(app, picture_numbers(), options.frame);
+    for (const OptionRow& row : picture_option_rows()) {
+        declare(app, row, options);
+    }
     declare_effects(app, options);
     for (const ChoiceRow<Options>& row : option_choices()) {
         declare(app, row, options);

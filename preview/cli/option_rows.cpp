@@ -189,6 +189,16 @@ constexpr OptionRow rows[] = {
      .max = 1024},
 };
 
+constexpr OptionRow picture_rows[] = {
+    {.flag = "--fxaa,!--no-fxaa",
+     .help = "Antialiasing; by default on for scenes but the chart, off for pictures",
+     .of = [](O& o) -> std::optional<bool>& { return o.fxaa; }},
+    {.flag = "--dither,!--no-dither",
+     .help = "Spread the rounding to 8 bits, so that smooth ramps show no contours; by default on "
+             "in the window and off without it",
+     .of = [](O& o) -> std::optional<bool>& { return o.dither; }},
+};
+
 std::span<const Scope> scope_rows() {
     return scopes;
 }
@@ -285,6 +295,10 @@ constexpr ChoiceRow<Options> choices[] = {
 
 std::span<const OptionRow> option_rows() {
     return rows;
+}
+
+std::span<const OptionRow> picture_option_rows() {
+    return picture_rows;
 }
 
 std::span<const ChoiceRow<Options>> option_choices() {

@@ -47,6 +47,15 @@ TEST(Named, a_refusal_lists_what_there_is) {
     EXPECT_EQ(names_of(pointers), "piccolo, ocio");
 }
 
+TEST(Named, a_refusal_lists_a_hundred_names_and_counts_the_rest) {
+    const std::vector<std::string_view> names(130, "space");
+    const std::string text = no_such_name("colour space", "another", names);
+    EXPECT_TRUE(text.starts_with("there is no colour space 'another'; there are space, space"));
+    EXPECT_TRUE(text.ends_with("space and 30 more")) << text;
+    EXPECT_EQ(text.size(), std::string("there is no colour space 'another'; there are ").size() +
+                               100 * 7 - 2 + std::string(" and 30 more").size());
+}
+
 TEST(Named, a_refusal_suggests_the_name_that_two_edits_make) {
     const std::string list = " There are piccolo, unreal, ocio";
     EXPECT_EQ(refusal("unrael"), "there is no engine 'unrael'; did you mean unreal?" + list);

@@ -1,5 +1,7 @@
 #include "lutlib/io/ocio/config.h"
 
+#include "lutlib/named.h"
+
 #include <functional>
 
 namespace lutlib::io {
@@ -7,13 +9,13 @@ namespace {
 
 constexpr int builtin_configs_since = 0x02020000;
 
-std::string listed(int count, const std::function<const char*(int)>& name) {
-    constexpr int most = 60;
-    std::string out;
-    for (int i = 0; i < std::min(count, most); ++i) {
-        out += (out.empty() ? "'" : ", '") + std::string(name(i)) + "'";
+[[noreturn]] void refuse(const std::string& kind, const std::string& name, const std::string& file,
+                         int count, const std::function<const char*(int)>& name_at) {
+    std::vector<std::string_view> names;
+    for (int i = 0; i < count; ++i) {
+        names.emplace_back(name_at(i));
     }
-    return count > most ? out + " and " + std::to_string(count - most) + " more" : out;
+    throw Error(no_such_name(kind, name, names), {file, 0, {}});
 }
 
 OCIO::ConstConfigRcPtr config_named(const std::string& name) {
@@ -28,10 +30,8 @@ OCIO::ConstConfigRcPtr config_named(const std::string& name) {
 void require_space(const OCIO::ConstConfigRcPtr& config, const std::string& space,
                    const std::string& file) {
     if (!config->getColorSpace(space.c_str())) {
-        throw Error("it has no colour space '" + space + "'; there are " +
-                        listed(config->getNumColorSpaces(),
-                               [&](int i) { return config->getColorSpaceNameByIndex(i); }),
-                    {file, 0, {}});
+        refuse("colour space", space, file, config->getNumColorSpaces(),
+               [&](int i) { return config->getColorSpaceNameByIndex(i); });
     }
 }
 
@@ -39,10 +39,8 @@ std::string view_of(const OCIO::ConstConfigRcPtr& config, const ConfigConversion
     const char* const display = c.display.c_str();
     const int views = config->getNumViews(display);
     if (views == 0) {
-        throw Error(
-            "it has no display '" + c.display + "'; there are " +
-                listed(config->getNumDisplays(), [&](int i) { return config->getDisplay(i); }),
-            {c.config, 0, {}});
+        refuse("display", c.display, c.config, config->getNumDisplays(),
+               [&](int i) { return config->getDisplay(i); });
     }
     if (c.view.empty()) {
         return config->getDefaultView(display);
@@ -52,9 +50,8 @@ std::string view_of(const OCIO::ConstConfigRcPtr& config, const ConfigConversion
             return c.view;
         }
     }
-    throw Error("its display '" + c.display + "' has no view '" + c.view + "'; there are " +
-                    listed(views, [&](int i) { return config->getView(display, i); }),
-                {c.config, 0, {}});
+    refuse("view of " + c.display, c.view, c.config, views,
+           [&](int i) { return config->getView(display, i); });
 }
 
 } // namespace

@@ -178,9 +178,10 @@ TEST(Ocio, takes_a_users_config_by_spaces_or_by_display_and_says_what_it_lacks) 
         EXPECT_NE(text.find(part), std::string::npos) << text;
     };
     says(refusal({file, "absent", "other", "", ""}),
-         "no colour space 'absent'; there are 'reference', 'other'");
-    says(refusal({file, "other", "", "Wall", ""}), "no display 'Wall'; there are 'Screen'");
-    says(refusal({file, "other", "", "Screen", "Odd"}), "no view 'Odd'; there are 'Straight'");
+         "there is no colour space 'absent'; there are reference, other");
+    says(refusal({file, "other", "", "Wall", ""}), "there is no display 'Wall'; there is Screen");
+    says(refusal({file, "other", "", "Screen", "Odd"}),
+         "there is no view of Screen 'Odd'; there are Straight");
     says(refusal({scratch.file("none.ocio"), "a", "b", "", ""}), "none.ocio");
     if (ocio().version() < "2.2") {
         says(refusal({"ocio://default", "a", "b", "", ""}), "name a .ocio file");

@@ -258,9 +258,12 @@ TEST(Options, read_sizes_and_places_and_nothing_like_them) {
 TEST(Options, every_row_sets_a_member_of_its_own) {
     Options options;
     std::set<const void*> members;
-    for (const OptionRow& row : option_rows()) {
-        std::visit([&](auto of) { EXPECT_TRUE(members.insert(&of(options)).second) << row.flag; },
-                   row.of);
+    for (const auto rows : {option_rows(), picture_option_rows()}) {
+        for (const OptionRow& row : rows) {
+            std::visit(
+                [&](auto of) { EXPECT_TRUE(members.insert(&of(options)).second) << row.flag; },
+                row.of);
+        }
     }
 }
 

@@ -7,40 +7,20 @@ option(LUT_TOGETHER "Compile several sources at once" OFF)
 # share a name with a neighbour, and those that take long by themselves.
 set(lut_apart
     lutlib/color/
-    lutlib/formats/
     lutlib/interpolation/apply
     lutlib/interpolation/grade_
-    lutlib/io/formats/
     lutlib/io/output_names
     lutlib/io/pending_file
     lutlib/io/references
-    lutlib/ops/
     lutlib/paint/denoise
-    lutlib/paint/find_bare
-    lutlib/paint/whole
     lutlib/plot/scatter
-    lutlib/resample/invert
+    lutlib/resample/invert.cpp
     lutlib/survey/precision
-    lutlib/verify/
     python/recipe
     python/work
-    converter/commands/
-    converter/stiff_page
-    converter/survey_figures
-    converter/survey_page
-    converter/verify_
+    converter/commands/sh
     preview/cli/options_unused
-    preview/editor/model
-    preview/effects/
-    preview/finish/probe
-    preview/passes/resolve
     preview/reference/occlusion
-    preview/scene/exterior
-    preview/scene/import_mesh
-    preview/scene/mesh
-    preview/scene/pictures
-    preview/scene/sample_things
-    preview/scene/sky
     preview/scene/studio
     preview/scene/surroundings
     tests/converter/placing

@@ -14,13 +14,13 @@ nlohmann::ordered_json color_json(lutlib::RgbD c) {
     return {c.r, c.g, c.b};
 }
 
-nlohmann::ordered_json to_json(const lutlib::WorstColor& worst) {
+nlohmann::ordered_json worst_json(const lutlib::WorstColor& worst) {
     return {{"in", color_json(to_double(worst.in))},
             {"a", color_json(worst.a)},
             {"b", color_json(worst.b)}};
 }
 
-std::string to_text(const lutlib::WorstColor& worst) {
+std::string worst_text(const lutlib::WorstColor& worst) {
     return fmt::format("{} -> {} and {}", color_text(to_double(worst.in)), color_text(worst.a),
                        color_text(worst.b));
 }
@@ -49,16 +49,16 @@ nlohmann::ordered_json to_json(const lutlib::Difference& d) {
             {"delta_e_2000", to_json(d.delta_e_2000)},
             {"delta_e_itp", to_json(d.delta_e_itp)},
             {"psnr", d.psnr},
-            {"worst", to_json(d.worst)},
-            {"worst_to_eye", to_json(d.worst_to_eye)},
-            {"worst_to_itp", to_json(d.worst_to_itp)}};
+            {"worst", worst_json(d.worst)},
+            {"worst_to_eye", worst_json(d.worst_to_eye)},
+            {"worst_to_itp", worst_json(d.worst_to_itp)}};
 }
 
 std::string to_text(const lutlib::Difference& d, const std::string& indent) {
     return fmt::format("{0}code values: {1}\n{0}dE2000: {2}\n{0}dE-ITP: {3}\n{0}PSNR: {4:.4g} dB\n"
                        "{0}worst: {5}\n{0}worst to the eye: {6}\n",
                        indent, to_text(d.absolute), to_text(d.delta_e_2000), to_text(d.delta_e_itp),
-                       d.psnr, to_text(d.worst), to_text(d.worst_to_eye));
+                       d.psnr, worst_text(d.worst), worst_text(d.worst_to_eye));
 }
 
 nlohmann::ordered_json to_json(const std::vector<lutlib::Loss>& losses) {

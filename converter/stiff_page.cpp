@@ -124,7 +124,7 @@ std::string summary(const StiffSurvey& survey) {
     return out + ".";
 }
 
-plot::Table table(const StiffSurvey& survey) {
+plot::Table stiff_table(const StiffSurvey& survey) {
     plot::Table out;
     out.columns = {"function",   "what it is",          "of",    "method",     "theory",
                    "order",      "order of the mean",   "nodes", "p99, worst", "mean, worst",
@@ -155,14 +155,14 @@ plot::Table table(const StiffSurvey& survey) {
     return out;
 }
 
-nlohmann::ordered_json to_json(const lutlib::Slope& slope) {
+nlohmann::ordered_json slope_json(const lutlib::Slope& slope) {
     nlohmann::ordered_json out{{"value", slope.value}, {"points", slope.points}};
     out["interval_95"] = std::isfinite(slope.interval) ? nlohmann::ordered_json(slope.interval)
                                                        : nlohmann::ordered_json();
     return out;
 }
 
-nlohmann::ordered_json to_json(const lutlib::StiffFigures& f) {
+nlohmann::ordered_json stiff_figures_json(const lutlib::StiffFigures& f) {
     return {{"p99", f.p99}, {"mean", f.mean}, {"max", f.max}};
 }
 
@@ -180,7 +180,7 @@ std::string stiff_html(const StiffSurvey& survey) {
         }
         page.views.push_back(std::move(view));
     }
-    page.table = table(survey);
+    page.table = stiff_table(survey);
     return html(page);
 }
 
@@ -191,14 +191,14 @@ nlohmann::ordered_json stiff_json(const StiffSurvey& survey) {
         nlohmann::ordered_json one{{"function", curve.profile->name},
                                    {"of", axis_text(curve.axis)},
                                    {"method", curve.method->name},
-                                   {"order", to_json(curve.largest)},
-                                   {"order_of_mean", to_json(curve.mean)}};
+                                   {"order", slope_json(curve.largest)},
+                                   {"order_of_mean", slope_json(curve.mean)}};
         one["theory"] = curve.profile->order >= 0 ? nlohmann::ordered_json(curve.profile->order)
                                                   : nlohmann::ordered_json();
         for (const StiffPoint& point : curve.points) {
             nlohmann::ordered_json at{{"size", point.size},
-                                      {"worst_phase", to_json(point.worst)},
-                                      {"mean_of_phases", to_json(point.average)}};
+                                      {"worst_phase", stiff_figures_json(point.worst)},
+                                      {"mean_of_phases", stiff_figures_json(point.average)}};
             at["bound"] =
                 point.bound > 0 ? nlohmann::ordered_json(point.bound) : nlohmann::ordered_json();
             one["points"].push_back(std::move(at));

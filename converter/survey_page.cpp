@@ -128,7 +128,7 @@ std::vector<std::string> method(const Survey& survey) {
     return out;
 }
 
-plot::Table table(const Survey& survey) {
+plot::Table survey_table(const Survey& survey) {
     plot::Table out;
     out.columns = {"nodes", "shaper", "storage", "lookup", "filling"};
     out.naming = {0, 1, 2, 3, 4};
@@ -233,7 +233,7 @@ std::string survey_html(const Survey& survey, const std::string& look,
     for (std::string& section : strain_sections(survey.strain)) {
         page.sections.push_back(std::move(section));
     }
-    page.table = table(survey);
+    page.table = survey_table(survey);
     return html(page);
 }
 

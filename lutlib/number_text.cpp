@@ -23,6 +23,10 @@ std::string shortest(double value) {
     return shortest_of(value);
 }
 
+std::string percent(double share) {
+    return std::to_string(std::lround(100 * share)) + " %";
+}
+
 void append_number(std::string& out, float value, Exponents exponents) {
     std::array<char, 64> text;
     char* const begin = text.data();

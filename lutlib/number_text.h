@@ -1,4 +1,5 @@
-// Numbers as text: the shortest decimals that read back as the same number, whatever the locale.
+// Numbers as text, whatever the locale: the shortest decimals that read back as the same number,
+// and shares in words.
 #pragma once
 
 #include "lutlib/rgb.h"
@@ -10,6 +11,9 @@ namespace lutlib {
 
 std::string shortest(float value);
 std::string shortest(double value);
+
+/// "12 %", of a share from 0 to 1.
+std::string percent(double share);
 
 enum class Exponents {
     allowed, ///< wherever that is shorter

@@ -30,7 +30,7 @@ namespace {
 
 namespace io = lutlib::io;
 
-struct Options {
+struct ApplyOptions {
     std::vector<std::string> pictures;
     std::string lut, output, depth, picture_encoding, output_encoding, layer;
     std::string alpha{alpha_rules().front().name};
@@ -46,7 +46,7 @@ std::optional<lutlib::Encoding> named_encoding(const std::string& name, const ch
 }
 
 // Of one picture that was named by itself.
-void print_report(const Options& o, const io::Route& route, const Grading& grading,
+void print_report(const ApplyOptions& o, const io::Route& route, const Grading& grading,
                   const Graded& graded) {
     if (o.json) {
         nlohmann::ordered_json json{{"lut", io::input_name(o.lut)}};
@@ -101,7 +101,7 @@ void tell_unused(const Verb& verb, const io::Look& look,
                        {"--alpha", has_alpha, "no picture has alpha"}});
 }
 
-int run(const Options& o, const Verb& verb) {
+int run_apply(const ApplyOptions& o, const Verb& verb) {
     std::vector<std::string> inputs_named = o.pictures;
     inputs_named.push_back(o.lut);
     require_one_standard_input(inputs_named);
@@ -160,7 +160,7 @@ int run(const Options& o, const Verb& verb) {
 } // namespace
 
 Run declare_apply(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<ApplyOptions>();
     verb.add_option("LUT", o->lut, "a LUT of any format or a recipe, or - for standard input")
         .required();
     verb.add_option("PICTURES", o->pictures,
@@ -205,7 +205,7 @@ Run declare_apply(Verb& verb) {
     verb.add_flag("--explain", o->explain,
                   "say what a picture did not need of the look, and was left out");
     verb.add_flag("--json", o->json, "print the results as JSON");
-    return [o, &verb] { return run(*o, verb); };
+    return [o, &verb] { return run_apply(*o, verb); };
 }
 
 } // namespace converter

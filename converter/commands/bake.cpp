@@ -36,7 +36,7 @@ using lutlib::BudgetBake;
 using lutlib::Domain;
 using lutlib::FilledBake;
 
-struct Options {
+struct BakeOptions {
     std::vector<std::string> inputs;
     std::string output_template;
     std::string input, output; ///< of one bake
@@ -53,7 +53,7 @@ struct Options {
          json = false;
 };
 
-std::optional<Promise> promise_of(const Options& o) {
+std::optional<Promise> promise_of(const BakeOptions& o) {
     if (o.max_delta_itp > 0) {
         return Promise{"--max-delta-itp", "dE-ITP", lutlib::Metric::delta_e_itp, o.max_delta_itp};
     }
@@ -64,11 +64,11 @@ std::optional<Promise> promise_of(const Options& o) {
 }
 
 // Measuring takes some twenty times as long as the bake, so only who wants figures waits for them.
-bool is_measured(const Options& o) {
+bool is_measured(const BakeOptions& o) {
     return o.measure || o.fit || promise_of(o) || (o.json && !o.no_measure);
 }
 
-FilledBake fill(const Options& o, const lutlib::Transform& look, const lutlib::Engine& engine,
+FilledBake fill(const BakeOptions& o, const lutlib::Transform& look, const lutlib::Engine& engine,
                 const lutlib::FitView& view) {
     const int size = o.size ? o.size : engine.default_size;
     const int bits = o.bits ? o.bits : engine.default_bits;
@@ -92,7 +92,7 @@ lutlib::Lut table_to_explain(const lutlib::io::Look& look, const lutlib::Transfo
     return out;
 }
 
-lutlib::io::Look opened(const Options& o) {
+lutlib::io::Look opened_look(const BakeOptions& o) {
     return o.config.given() && o.input == identity_word
                ? identity_look()
                : open_look(o.input,
@@ -100,7 +100,7 @@ lutlib::io::Look opened(const Options& o) {
 }
 
 // A config says what is converted, of spaces that have no encoding here.
-lutlib::LookPlace place_of(const Options& o, const lutlib::Engine& engine,
+lutlib::LookPlace place_of(const BakeOptions& o, const lutlib::Engine& engine,
                            const lutlib::io::Look& look) {
     if (o.config.given()) {
         return {};
@@ -110,9 +110,9 @@ lutlib::LookPlace place_of(const Options& o, const lutlib::Engine& engine,
     return out;
 }
 
-BakeResult make_result(const Options& o, const Verb& verb) {
+BakeResult make_result(const BakeOptions& o, const Verb& verb) {
     const lutlib::Engine& engine = *o.engine;
-    const lutlib::io::Look look = opened(o);
+    const lutlib::io::Look look = opened_look(o);
     BakeResult out;
     out.input = o.input;
     out.output = o.output;
@@ -164,11 +164,11 @@ BakeResult make_result(const Options& o, const Verb& verb) {
     return out;
 }
 
-std::string made_of(const Options& o) {
+std::string made_of(const BakeOptions& o) {
     return lutlib::io::input_name(o.input) + (o.config.given() ? ", " + o.config.text() : "");
 }
 
-void write_picture(const Options& o, const BakeResult& result) {
+void write_picture(const BakeOptions& o, const BakeResult& result) {
     lutlib::io::write_file(
         o.output, lutlib::io::picture_bytes(result.filled.bake,
                                             {.source = made_of(o),
@@ -179,13 +179,13 @@ void write_picture(const Options& o, const BakeResult& result) {
                                              .look = names_of(result.place.look)}));
 }
 
-void say_that_nothing_was_written(const Options& o, const BudgetBake& found) {
+void say_that_nothing_was_written(const BakeOptions& o, const BudgetBake& found) {
     print(fmt::format("  nothing was written; raise {} above {:.4g}{}\n", promise_of(o)->option,
                       found.largest, o.size || o.bits ? ", or leave --size and --bits open" : ""),
           std::string(lutlib::io::standard_stream));
 }
 
-int bake_one(const Options& o, const Verb& verb) {
+int bake_one(const BakeOptions& o, const Verb& verb) {
     require_png_name(o.output, "bake");
     const BakeResult result = make_result(o, verb);
     if (result.is_kept()) {
@@ -200,7 +200,7 @@ int bake_one(const Options& o, const Verb& verb) {
 }
 
 // The one that was named, else the first that reads several lattices in one picture.
-const lutlib::Engine& stacking_engine(const Options& o, const Verb& verb) {
+const lutlib::Engine& stacking_engine(const BakeOptions& o, const Verb& verb) {
     const std::vector<const lutlib::Engine*> named = o.engines.all();
     if (!verb.given("--engine")) {
         const auto all = lutlib::engines();
@@ -213,7 +213,7 @@ const lutlib::Engine& stacking_engine(const Options& o, const Verb& verb) {
     return *named.front();
 }
 
-int bake_stacked(const Options& o, const Verb& verb) {
+int bake_stacked(const BakeOptions& o, const Verb& verb) {
     if (const std::optional<Promise> promise = promise_of(o)) {
         throw lutlib::UsageError(fmt::format("--stack excludes {}", promise->option));
     }
@@ -226,7 +226,7 @@ int bake_stacked(const Options& o, const Verb& verb) {
                                 {"rows", nlohmann::ordered_json::array()}};
     std::vector<BakeResult> results;
     for (const LookRoute& route : routes_of_looks(o.inputs, "", std::array{&engine})) {
-        Options one = o;
+        BakeOptions one = o;
         one.input = route.route.from.path;
         one.output = o.output_template;
         one.engine = &engine;
@@ -256,25 +256,25 @@ int bake_stacked(const Options& o, const Verb& verb) {
     return ok;
 }
 
-std::vector<LookRoute> routes_of(const Options& o) {
+std::vector<LookRoute> bake_routes(const BakeOptions& o) {
     const std::vector<const lutlib::Engine*> engines = o.engines.all();
     return routes_of_looks(o.inputs, o.output_template, engines);
 }
 
-int bake_route(const Options& o, const LookRoute& route, const Verb& verb) {
-    Options one = o;
+int bake_route(const BakeOptions& o, const LookRoute& route, const Verb& verb) {
+    BakeOptions one = o;
     one.input = route.route.from.path;
     one.output = route.route.to;
     one.engine = route.engine;
     return bake_one(one, verb);
 }
 
-std::vector<WatchedWork> watched_works(const Options& o, const Verb& verb) {
+std::vector<WatchedWork> watched_bakes(const BakeOptions& o, const Verb& verb) {
     std::vector<WatchedWork> out;
     if (o.stack) {
         out.push_back({o.inputs, o.output_template, [&o, &verb] { return bake_stacked(o, verb); }});
     } else {
-        for (const LookRoute& route : routes_of(o)) {
+        for (const LookRoute& route : bake_routes(o)) {
             out.push_back({{route.route.from.path}, route.route.to, [&o, &verb, route] {
                                return bake_route(o, route, verb);
                            }});
@@ -288,19 +288,19 @@ std::vector<WatchedWork> watched_works(const Options& o, const Verb& verb) {
     return out;
 }
 
-int run(const Options& o, const Verb& verb) {
+int run_bake(const BakeOptions& o, const Verb& verb) {
     o.config.check();
     o.config.require_alone(o.placing.given());
     if (o.no_measure && (o.fit || promise_of(o))) {
         throw lutlib::UsageError("a fit and a promise are measured; leave --no-measure out");
     }
     if (o.watch.given()) {
-        o.watch.run(o.inputs, o.output_template, [&] { return watched_works(o, verb); });
+        o.watch.run(o.inputs, o.output_template, [&] { return watched_bakes(o, verb); });
     }
     if (o.stack) {
         return bake_stacked(o, verb);
     }
-    return run_over(routes_of(o),
+    return run_over(bake_routes(o),
                     [&](const LookRoute& route) { return bake_route(o, route, verb); });
 }
 
@@ -315,7 +315,7 @@ std::string stacking_engines() {
 } // namespace
 
 Run declare_bake(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<BakeOptions>();
     verb.add_option("LUTS", o->inputs,
                     "LUT or recipe files, or - for standard input; folders of them; with "
                     "--ocio-config also the word identity")
@@ -363,7 +363,7 @@ Run declare_bake(Verb& verb) {
     verb.add_flag("--json", o->json, "print the results as JSON");
     o->watch.declare(verb);
     o->config.declare(verb);
-    return [o, &verb] { return run(*o, verb); };
+    return [o, &verb] { return run_bake(*o, verb); };
 }
 
 } // namespace converter

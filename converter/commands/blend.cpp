@@ -19,7 +19,7 @@
 namespace converter {
 namespace {
 
-struct Options {
+struct BlendOptions {
     std::string a, b;
     double amount = 0.5;
     NewLutOptions made;
@@ -32,7 +32,7 @@ std::string encodings_text(const lutlib::Lut& lut) {
     return name(lut.encodings.input) + " to " + name(lut.encodings.output);
 }
 
-int run(const Options& o, const Verb& verb) {
+int run_blend(const BlendOptions& o, const Verb& verb) {
     if (!(std::abs(o.amount) <= 100)) {
         throw lutlib::UsageError("--amount must be a number from -100 to 100; 0 is the first look, "
                                  "1 the second");
@@ -67,13 +67,13 @@ int run(const Options& o, const Verb& verb) {
 } // namespace
 
 Run declare_blend(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<BlendOptions>();
     verb.add_option("A", o->a, "the look at amount 0, or the word identity").required();
     verb.add_option("B", o->b, "the look at amount 1, or the word identity").required();
     verb.add_option("--amount", o->amount, "share of B; beyond 0..1 extrapolates")
         .capture_default_str();
     o->made.declare(verb);
-    return [o, &verb] { return run(*o, verb); };
+    return [o, &verb] { return run_blend(*o, verb); };
 }
 
 } // namespace converter

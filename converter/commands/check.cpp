@@ -26,7 +26,7 @@ namespace {
 namespace io = lutlib::io;
 using lutlib::Severity;
 
-struct Options {
+struct CheckOptions {
     std::vector<std::string> inputs;
     std::string output_template;
     std::string input, output; ///< of one look
@@ -151,7 +151,7 @@ nlohmann::ordered_json repair_json(const lutlib::Repaired& repaired) {
     return out;
 }
 
-int check_one(const Options& o) {
+int check_one(const CheckOptions& o) {
     const Checked checked = read_to_check(o.input);
     const lutlib::Lut& lut = checked.lut;
     lutlib::Health health = examine(lut, checked.options);
@@ -187,7 +187,7 @@ int check_one(const Options& o) {
     return o.strict && !healthy ? verification_failed : ok;
 }
 
-int run(const Options& o, const Verb& verb) {
+int run_check(const CheckOptions& o, const Verb& verb) {
     if (o.repairs.clamp && !o.repair) {
         throw lutlib::UsageError("--clamp works with --repair only; add --repair, or drop --clamp");
     }
@@ -197,7 +197,7 @@ int run(const Options& o, const Verb& verb) {
     }
     tell_unused(verb, {{"--tolerance", o.explain, "it is --explain that takes it"}});
     return run_over(routes_of_looks(o.inputs, o.output_template), [&](const LookRoute& route) {
-        Options one = o;
+        CheckOptions one = o;
         one.input = route.route.from.path;
         one.output = route.route.to;
         return check_one(one);
@@ -219,7 +219,7 @@ std::string check_list() {
 } // namespace
 
 Run declare_check(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<CheckOptions>();
     verb.add_option("LUTS", o->inputs,
                     "LUT or recipe files, or - for standard input; folders of them")
         .required();
@@ -237,7 +237,7 @@ Run declare_check(Verb& verb) {
         .capture_default_str();
     verb.add_flag("--json", o->json, "print the results as JSON");
     verb.footer(check_list());
-    return [o, &verb] { return run(*o, verb); };
+    return [o, &verb] { return run_check(*o, verb); };
 }
 
 } // namespace converter

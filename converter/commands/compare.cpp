@@ -22,7 +22,7 @@
 namespace converter {
 namespace {
 
-struct Options {
+struct CompareOptions {
     std::string a, b, encoding;
     double reference_white = lutlib::reference_white_nits;
     InterpolationOption interpolation;
@@ -49,7 +49,7 @@ struct Compared {
     bool lattice = false;
 };
 
-Compared opened(const std::string& name, const Options& o) {
+Compared opened_for_compare(const std::string& name, const CompareOptions& o) {
     if (name == "identity") {
         return {};
     }
@@ -57,19 +57,19 @@ Compared opened(const std::string& name, const Options& o) {
     return {look.exact(), look.domain(), look.breaks(), look.encodings().output, has_lattice(look)};
 }
 
-std::string limit_text(const Options& o, const lutlib::ErrorStats& error) {
+std::string limit_text(const CompareOptions& o, const lutlib::ErrorStats& error) {
     return o.max_delta_e < 0 ? ""
            : error.max <= o.max_delta_e
                ? fmt::format("within dE2000 {:g}\n", o.max_delta_e)
                : fmt::format("FAILED: dE2000 {:.4g} is above {:g}\n", error.max, o.max_delta_e);
 }
 
-int run(const Options& o, const Verb& verb) {
+int run_compare(const CompareOptions& o, const Verb& verb) {
     if (o.samples < 1 || o.samples > 100000000) {
         throw lutlib::UsageError("--samples must be a number from 1 to 100000000");
     }
     require_one_standard_input(std::array{o.a, o.b});
-    const Compared a = opened(o.a, o), b = opened(o.b, o);
+    const Compared a = opened_for_compare(o.a, o), b = opened_for_compare(o.b, o);
     tell_unused(verb, {interpolation_part(a.lattice || b.lattice)});
     lutlib::Domain domain = united(a.domain, b.domain);
     if (!o.domain.empty()) {
@@ -106,7 +106,7 @@ int run(const Options& o, const Verb& verb) {
 } // namespace
 
 Run declare_compare(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<CompareOptions>();
     verb.add_option("A", o->a, "a LUT or recipe file, or the word identity").required();
     verb.add_option("B", o->b, "the other, or the word identity").required();
     o->interpolation.declare(verb, "how LUTs are read between their nodes");
@@ -125,7 +125,7 @@ Run declare_compare(Verb& verb) {
                     "exit with status 1 where the looks differ by more than this dE2000 anywhere")
         .takes(Takes::zero_or_more);
     verb.add_flag("--json", o->json, "print the results as JSON");
-    return [o, &verb] { return run(*o, verb); };
+    return [o, &verb] { return run_compare(*o, verb); };
 }
 
 } // namespace converter

@@ -17,7 +17,7 @@
 namespace converter {
 namespace {
 
-struct Options {
+struct ComposeOptions {
     std::vector<std::string> inputs;
     NewLutOptions made;
 };
@@ -40,7 +40,7 @@ std::vector<std::string> mismatches(const std::vector<std::string>& paths,
     return out;
 }
 
-int run(const Options& o, const Verb& verb) {
+int run_compose(const ComposeOptions& o, const Verb& verb) {
     if (o.inputs.size() < 2) {
         throw lutlib::UsageError("compose takes two looks or more, the first to apply first");
     }
@@ -80,13 +80,13 @@ int run(const Options& o, const Verb& verb) {
 } // namespace
 
 Run declare_compose(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<ComposeOptions>();
     verb.add_option("LUT", o->inputs, "the looks; the first gets the input")
         .required()
         .expected(1, -1);
     o->made.declare(verb);
     verb.footer("compose A B -o C: C(x) = B(A(x)), on A's domain, with the largest size of all.");
-    return [o, &verb] { return run(*o, verb); };
+    return [o, &verb] { return run_compose(*o, verb); };
 }
 
 } // namespace converter

@@ -34,7 +34,7 @@ namespace {
 
 namespace io = lutlib::io;
 
-struct Options {
+struct ConvertOptions {
     std::vector<std::string> inputs;
     std::string output_template, from, format;
     std::string input, output; ///< of one look
@@ -55,7 +55,7 @@ std::string format_list() {
     return out;
 }
 
-const lutlib::FileFormat& target_of(const Options& o, const lutlib::Lut& lut) {
+const lutlib::FileFormat& target_of(const ConvertOptions& o, const lutlib::Lut& lut) {
     return o.format.empty() ? io::format_for_writing(o.output, lut)
                             : io::require_file_format(o.format);
 }
@@ -69,7 +69,7 @@ void take_names(const lutlib::LookPlace& place, lutlib::EncodingNames& names) {
 
 // What is known of the look's encodings goes into the file. A LUT picture is read by engines, which
 // feed it what their rows say.
-lutlib::LookPlace put_in_place(const Options& o, const io::Look& look, lutlib::Lut& lut) {
+lutlib::LookPlace put_in_place(const ConvertOptions& o, const io::Look& look, lutlib::Lut& lut) {
     lutlib::LookPlace place{look.encodings(), {}, {}, o.placing.convert(), &o.placing.adaptation()};
     take_names(place, lut.encodings);
     const lutlib::FileFormat& format = target_of(o, lut);
@@ -90,7 +90,7 @@ lutlib::LookPlace put_in_place(const Options& o, const io::Look& look, lutlib::L
 
 // The look without what it does not need, where the format can hold that as it is; a file needs a
 // table even of an identity. Returns what was left out.
-std::optional<Explanation> leave_out(lutlib::Lut& lut, const Options& o) {
+std::optional<Explanation> leave_out(lutlib::Lut& lut, const ConvertOptions& o) {
     if (!o.explain) {
         return std::nullopt;
     }
@@ -109,8 +109,8 @@ std::optional<Explanation> leave_out(lutlib::Lut& lut, const Options& o) {
     return out;
 }
 
-nlohmann::ordered_json as_json(const Options& o, const lutlib::FileFormat& format,
-                               const io::Encoded& file) {
+nlohmann::ordered_json conversion_json(const ConvertOptions& o, const lutlib::FileFormat& format,
+                                       const io::Encoded& file) {
     return {{"input", io::input_name(o.input)},
             {"output", io::output_name(o.output)},
             {"format", format.name},
@@ -119,8 +119,8 @@ nlohmann::ordered_json as_json(const Options& o, const lutlib::FileFormat& forma
             {"losses", to_json(file.losses)}};
 }
 
-std::string as_text(const Options& o, const lutlib::FileFormat& format, const io::Encoded& file,
-                    const std::vector<std::string>& notes) {
+std::string as_text(const ConvertOptions& o, const lutlib::FileFormat& format,
+                    const io::Encoded& file, const std::vector<std::string>& notes) {
     std::string out =
         fmt::format("{} -> {}\n  {}\n  {}, input {}\n", input_text(o.input), output_text(o.output),
                     format.layout ? fmt::format("PNG picture of layout {}", format.layout->name)
@@ -133,7 +133,7 @@ std::string as_text(const Options& o, const lutlib::FileFormat& format, const io
 }
 
 // The picture without the chunks that say how its codes are meant; everything else as it is.
-int strip_tags(const Options& o) {
+int strip_tags(const ConvertOptions& o) {
     const std::string name = io::input_name(o.input);
     const std::string bytes = io::read_file(o.input);
     if (!io::is_png(bytes)) {
@@ -207,7 +207,7 @@ std::vector<std::string> notes_of(const io::Look& look, const io::Encoded& file,
     return out;
 }
 
-Converted converted(const Options& o, const io::Look& look) {
+Converted converted(const ConvertOptions& o, const io::Look& look) {
     const io::LookTable table = look.table(o.save.size);
     lutlib::Lut lut = *table.lut;
     Converted out;
@@ -245,8 +245,8 @@ lutlib::Difference error_of(const io::Look& look, const Converted& made) {
         made.place.shown().output.value_or(lutlib::srgb()));
 }
 
-void print_report(const Options& o, const Converted& made,
-                  const std::optional<lutlib::Difference>& error) {
+void print_conversion(const ConvertOptions& o, const Converted& made,
+                      const std::optional<lutlib::Difference>& error) {
     if (!o.json) {
         print(as_text(o, *made.format, made.file, made.notes) +
                   (error ? figures_of_file(made.file.losses, *error) : "") +
@@ -254,7 +254,7 @@ void print_report(const Options& o, const Converted& made,
               o.output);
         return;
     }
-    nlohmann::ordered_json json = as_json(o, *made.format, made.file);
+    nlohmann::ordered_json json = conversion_json(o, *made.format, made.file);
     if (error) {
         json["error"] = to_json(*error);
     }
@@ -266,7 +266,7 @@ void print_report(const Options& o, const Converted& made,
     print(json, o.output);
 }
 
-int convert_one(const Options& o, const Verb& verb) {
+int convert_one(const ConvertOptions& o, const Verb& verb) {
     if (o.strip_tags) {
         return strip_tags(o);
     }
@@ -282,19 +282,19 @@ int convert_one(const Options& o, const Verb& verb) {
         refuse(made.file.losses, o.output);
     }
     io::write_file(o.output, made.file.bytes);
-    print_report(o, made,
-                 made.file.losses.empty() ? std::nullopt : std::optional(error_of(look, made)));
+    print_conversion(o, made,
+                     made.file.losses.empty() ? std::nullopt : std::optional(error_of(look, made)));
     return ok;
 }
 
-int convert_route(const Options& o, const LookRoute& route, const Verb& verb) {
-    Options one = o;
+int convert_route(const ConvertOptions& o, const LookRoute& route, const Verb& verb) {
+    ConvertOptions one = o;
     one.input = route.route.from.path;
     one.output = route.route.to;
     return convert_one(one, verb);
 }
 
-std::vector<WatchedWork> watched_works(const Options& o, const Verb& verb) {
+std::vector<WatchedWork> watched_conversions(const ConvertOptions& o, const Verb& verb) {
     std::vector<WatchedWork> out;
     for (const LookRoute& route : routes_of_looks(o.inputs, o.output_template)) {
         out.push_back({{route.route.from.path}, route.route.to, [&o, &verb, route] {
@@ -304,9 +304,9 @@ std::vector<WatchedWork> watched_works(const Options& o, const Verb& verb) {
     return out;
 }
 
-int run(const Options& o, const Verb& verb) {
+int run_convert(const ConvertOptions& o, const Verb& verb) {
     if (o.watch.given()) {
-        o.watch.run(o.inputs, o.output_template, [&] { return watched_works(o, verb); });
+        o.watch.run(o.inputs, o.output_template, [&] { return watched_conversions(o, verb); });
     }
     return run_over(routes_of_looks(o.inputs, o.output_template),
                     [&](const LookRoute& route) { return convert_route(o, route, verb); });
@@ -315,7 +315,7 @@ int run(const Options& o, const Verb& verb) {
 } // namespace
 
 Run declare_convert(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<ConvertOptions>();
     verb.add_option("LUTS", o->inputs,
                     "LUTs of any format or recipes, or - for standard input; folders of them")
         .required();
@@ -350,7 +350,7 @@ Run declare_convert(Verb& verb) {
     verb.add_flag("--json", o->json, "print the results as JSON");
     o->watch.declare(verb);
     verb.footer(format_list());
-    return [o, &verb] { return run(*o, verb); };
+    return [o, &verb] { return run_convert(*o, verb); };
 }
 
 } // namespace converter

@@ -26,7 +26,7 @@ namespace {
 
 namespace io = lutlib::io;
 
-struct Options {
+struct EditOptions {
     std::string input, output, recipe, save_recipe, title, input_encoding, output_encoding,
         adaptation;
     ConfigOptions config;
@@ -51,7 +51,7 @@ void suit_light(lutlib::Recipe& recipe) {
 }
 
 // The recipe file, then LUT as its base, then the flags. `base`: where the base lies.
-lutlib::Recipe assemble(const Options& o, std::string& base) {
+lutlib::Recipe assemble(const EditOptions& o, std::string& base) {
     lutlib::Recipe recipe;
     if (!o.recipe.empty()) {
         const io::Look read = open_look(o.recipe);
@@ -110,18 +110,19 @@ lutlib::Recipe assemble(const Options& o, std::string& base) {
     return recipe;
 }
 
-std::string made_of(const Options& o, const lutlib::Recipe& recipe) {
+std::string edit_source(const EditOptions& o, const lutlib::Recipe& recipe) {
     const std::string base = o.input.empty() ? o.recipe : o.input;
     return fmt::format("{}, {} operator{}", o.config.given() ? o.config.text() : input_text(base),
                        recipe.operations.size(), recipe.operations.size() == 1 ? "" : "s");
 }
 
 // The config's conversion first, then the recipe, which then has no base.
-lutlib::Transform exact_of(const Options& o, const lutlib::Recipe& recipe) {
+lutlib::Transform exact_of(const EditOptions& o, const lutlib::Recipe& recipe) {
     return o.config.before(lutlib::Transform::of(recipe));
 }
 
-lutlib::Lut baked(const Options& o, const lutlib::Recipe& recipe, const lutlib::Transform& exact) {
+lutlib::Lut baked(const EditOptions& o, const lutlib::Recipe& recipe,
+                  const lutlib::Transform& exact) {
     if (!o.config.given()) {
         return bake_recipe(recipe);
     }
@@ -148,7 +149,7 @@ void tell_of_base(const std::string& recipe, const std::string& base) {
     }
 }
 
-int run(const Options& o, const Verb& verb) {
+int run_edit(const EditOptions& o, const Verb& verb) {
     o.config.check();
     if (o.output.empty() && o.save_recipe.empty()) {
         throw lutlib::UsageError("nothing to write: give -o LUT, --save-recipe R.json or both");
@@ -189,7 +190,7 @@ int run(const Options& o, const Verb& verb) {
         write_and_report({.lut = lut,
                           .output = o.output,
                           .shown = shown,
-                          .made_of = made_of(o, recipe),
+                          .made_of = edit_source(o, recipe),
                           .exact = exact,
                           .encoding = recipe.output_encoding(),
                           .notes = notes,
@@ -202,7 +203,7 @@ int run(const Options& o, const Verb& verb) {
 } // namespace
 
 Run declare_edit(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<EditOptions>();
     verb.add_option("LUT", o->input,
                     "a LUT or recipe file to edit, - for standard input, or the word identity");
     verb.add_option("-o,--output", o->output, "the baked LUT, or - for standard output");
@@ -222,7 +223,7 @@ Run declare_edit(Verb& verb) {
     verb.add_flag("--json", o->json, "print the results as JSON");
     o->operators.declare(verb);
     verb.footer("Operators apply in the order in which their flags are given, after the recipe's.");
-    return [o, &verb] { return run(*o, verb); };
+    return [o, &verb] { return run_edit(*o, verb); };
 }
 
 } // namespace converter

@@ -11,7 +11,7 @@
 namespace converter {
 namespace {
 
-terminal::Table as_table() {
+terminal::Table encodings_table() {
     terminal::Table out;
     const auto add = [&](std::string_view name, const std::string& label, std::string_view source) {
         out.row({std::string(name), label, std::string(source)});
@@ -34,7 +34,7 @@ terminal::Table as_table() {
 } // namespace
 
 Run declare_encodings(Verb& verb) {
-    return declare_listing(verb, "chromaticities", as_table, encodings_json);
+    return declare_listing(verb, "chromaticities", encodings_table, encodings_json);
 }
 
 } // namespace converter

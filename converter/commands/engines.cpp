@@ -30,7 +30,7 @@ void add(terminal::Table& table, const Engine& e) {
     }
 }
 
-void run(bool json) {
+void run_engines(bool json) {
     terminal::Table table;
     for (const Engine& engine : lutlib::engines()) {
         add(table, engine);
@@ -49,7 +49,7 @@ Run declare_engines(Verb& verb) {
         .excludes({"--json"});
     return [json, page] {
         if (page->empty()) {
-            run(*json);
+            run_engines(*json);
         } else {
             print(engine_page(lutlib::require_engine(*page)), "");
         }

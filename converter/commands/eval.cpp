@@ -21,7 +21,7 @@ namespace {
 
 using lutlib::Rgb;
 
-struct Options {
+struct EvalOptions {
     std::string lut;
     InterpolationOption interpolation;
     bool json = false;
@@ -92,7 +92,7 @@ std::vector<Rgb> from_standard_input() {
     return out;
 }
 
-int run(const Options& o, const Verb& verb) {
+int run_eval(const EvalOptions& o, const Verb& verb) {
     const std::vector<std::string> words = verb.words();
     if (o.lut == "-" && words.empty()) {
         throw lutlib::UsageError("the LUT and the colours cannot both come from standard input");
@@ -119,13 +119,13 @@ int run(const Options& o, const Verb& verb) {
 } // namespace
 
 Run declare_eval(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<EvalOptions>();
     verb.add_option("LUT", o->lut, "a LUT or recipe file, or - for standard input").required();
     o->interpolation.declare(verb, "how the cube is read between its nodes");
     verb.add_flag("--json", o->json, "print inputs and outputs as JSON");
     verb.allow_words();
     verb.footer("R G B...: colours; without any, lines of three numbers from standard input");
-    return [o, &verb] { return run(*o, verb); };
+    return [o, &verb] { return run_eval(*o, verb); };
 }
 
 } // namespace converter

@@ -31,7 +31,7 @@ namespace {
 
 namespace io = lutlib::io;
 
-struct Options {
+struct ExtractOptions {
     std::string input, output, original, heat, layout, around;
     EngineOption engine;
     int size = 0, bits = 0;
@@ -79,7 +79,8 @@ std::string words_of(const lutlib::FoundStrip& strip) {
     throw lutlib::Error(sentence, {io::input_name(path), 0, {}});
 }
 
-lutlib::FoundStrip the_strip(const std::vector<lutlib::FoundStrip>& found, const Options& o) {
+lutlib::FoundStrip the_strip(const std::vector<lutlib::FoundStrip>& found,
+                             const ExtractOptions& o) {
     if (found.empty()) {
         refuse(o.around.empty()
                    ? "no neutral strip was found in it: place one with 'lutconv identity --into' "
@@ -97,7 +98,7 @@ lutlib::FoundStrip the_strip(const std::vector<lutlib::FoundStrip>& found, const
     return found.front();
 }
 
-void take_strip(const Options& o, PaintPicture& graded, Extracted& out) {
+void take_strip(const ExtractOptions& o, PaintPicture& graded, Extracted& out) {
     lutlib::StripSearch search{.around = pixel_of(o.around),
                                .bits = graded.image.depth == io::Depth::uint16 ? 16 : 8};
     if (!o.layout.empty()) {
@@ -147,7 +148,7 @@ void tell_of_strip(const PaintPicture& graded, Extracted& out) {
     }
 }
 
-void check_original(const Options& o, const PaintPicture& original, Extracted& out) {
+void check_original(const ExtractOptions& o, const PaintPicture& original, Extracted& out) {
     const lutlib::Picture &before = original.colors, &after = out.upright;
     const lutlib::Area frame = lutlib::frame_area(out.strip);
     // As identity places it: below, or to the right.
@@ -182,7 +183,7 @@ void clean(Extracted& out) {
     out.denoised_to_eye = lutlib::error_stats(std::move(errors));
 }
 
-Extracted extract(const Options& o) {
+Extracted extract(const ExtractOptions& o) {
     Extracted out;
     PaintPicture graded = read_paint_picture(o.input);
     std::optional<PaintPicture> original;
@@ -235,7 +236,7 @@ std::string heat_png(const lutlib::OnPicture& on) {
     return png_of(out, "dE2000 of 0 to 10 between the look and the graded picture");
 }
 
-std::string made_picture(const Options& o, const Extracted& found) {
+std::string made_picture(const ExtractOptions& o, const Extracted& found) {
     const lutlib::Engine& engine = o.engine.get();
     const lutlib::Bake picture = bake(lutlib::Transform::of(found.lut), engine, engine.default_size,
                                       o.bits ? o.bits : engine.default_bits);
@@ -245,7 +246,8 @@ std::string made_picture(const Options& o, const Extracted& found) {
                                        .encodings = {"srgb", "srgb"}});
 }
 
-nlohmann::ordered_json to_json(const Options& o, const Extracted& found, bool written) {
+nlohmann::ordered_json extraction_json(const ExtractOptions& o, const Extracted& found,
+                                       bool written) {
     const lutlib::Area area = lutlib::strip_area(found.strip);
     nlohmann::ordered_json out{
         {"graded", o.input},
@@ -269,16 +271,17 @@ nlohmann::ordered_json to_json(const Options& o, const Extracted& found, bool wr
         out["denoised"] = {{"moved", found.denoised->moved},
                            {"mean", found.denoised->mean},
                            {"largest", found.denoised->largest},
-                           {"delta_e_2000", converter::to_json(found.denoised_to_eye)}};
+                           {"delta_e_2000", to_json(found.denoised_to_eye)}};
     }
     if (found.on_original) {
-        out["on_original"] = {{"delta_e_2000", converter::to_json(found.on_original->delta_e_2000)},
+        out["on_original"] = {{"delta_e_2000", to_json(found.on_original->delta_e_2000)},
                               {"edits", found.on_original->edits}};
     }
     return out;
 }
 
-std::string to_text(const Options& o, const Extracted& found, bool readable, bool written) {
+std::string extraction_text(const ExtractOptions& o, const Extracted& found, bool readable,
+                            bool written) {
     std::string out = fmt::format("{} <- {}\n  {}\n", written ? output_text(o.output) : "nothing",
                                   input_text(o.input), words_of(found.strip));
     for (const std::string& note : found.notes) {
@@ -306,7 +309,7 @@ std::string to_text(const Options& o, const Extracted& found, bool readable, boo
     return out;
 }
 
-int run(const Options& o) {
+int run_extract(const ExtractOptions& o) {
     const std::string shown = standard_output_of(std::array{o.output, o.heat});
     require_one_standard_input(std::array{o.input, o.original});
     if (!o.heat.empty() && o.original.empty()) {
@@ -340,9 +343,9 @@ int run(const Options& o) {
         io::write_files(others);
     }
     if (o.json) {
-        print(to_json(o, found, written), shown);
+        print(extraction_json(o, found, written), shown);
     } else {
-        print(to_text(o, found, readable, written),
+        print(extraction_text(o, found, readable, written),
               written ? shown : std::string(io::standard_stream));
     }
     return written ? ok : verification_failed;
@@ -351,7 +354,7 @@ int run(const Options& o) {
 } // namespace
 
 Run declare_extract(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<ExtractOptions>();
     verb.add_option("GRADED", o->input,
                     "the graded picture of any type, with the strip in it, or - for standard "
                     "input")
@@ -383,7 +386,7 @@ Run declare_extract(Verb& verb) {
     verb.add_flag("--json", o->json, "print the results as JSON");
     verb.footer("Exit code 1, and nothing written, where the strip was blurred, cropped, scaled or "
                 "edited in places.");
-    return [o] { return run(*o); };
+    return [o] { return run_extract(*o); };
 }
 
 } // namespace converter

@@ -18,7 +18,7 @@ std::string extensions_of(const lutlib::FileFormat& format) {
     return out;
 }
 
-terminal::Table as_table() {
+terminal::Table formats_table() {
     terminal::Table out;
     for (const lutlib::FileFormat* const format : lutlib::io::file_formats()) {
         const bool reads = format->read || format->read_in_pieces, writes = format->write;
@@ -34,7 +34,7 @@ terminal::Table as_table() {
 } // namespace
 
 Run declare_formats(Verb& verb) {
-    return declare_listing(verb, "what each can hold", as_table, formats_json);
+    return declare_listing(verb, "what each can hold", formats_table, formats_json);
 }
 
 } // namespace converter

@@ -24,7 +24,7 @@ namespace {
 
 namespace io = lutlib::io;
 
-struct Options {
+struct IdentityOptions {
     std::string output, into, place;
     EngineOption engine;
     int size = 0, bits = 0;
@@ -33,11 +33,11 @@ struct Options {
 
 constexpr int usual_size = 33;
 
-const lutlib::Engine& engine_of(const Options& o) {
+const lutlib::Engine& engine_of(const IdentityOptions& o) {
     return o.engine.given() ? o.engine.get() : *lutlib::engine_named("piccolo");
 }
 
-std::string bytes_of(const Options& o) {
+std::string bytes_of(const IdentityOptions& o) {
     if (io::extension_of(o.output) == "png" || o.engine.given()) {
         require_png_name(o.output, "--engine");
         const lutlib::Engine& engine = engine_of(o);
@@ -116,7 +116,7 @@ void require_exact_type(const std::string& path) {
     }
 }
 
-int frame_bits(const Options& o, const io::FloatImage& shot) {
+int frame_bits(const IdentityOptions& o, const io::FloatImage& shot) {
     return o.bits ? o.bits : shot.depth == io::Depth::uint16 ? 16 : 8;
 }
 
@@ -156,7 +156,7 @@ io::FloatImage composed(const PaintPicture& shot, const lutlib::CodeImage& frame
     return out;
 }
 
-int run_into(const Options& o) {
+int run_into(const IdentityOptions& o) {
     require_exact_type(o.output);
     const Place& place = lutlib::require_named(places, "place", o.place);
     const lutlib::Engine& engine = engine_of(o);
@@ -215,7 +215,7 @@ int run_into(const Options& o) {
 } // namespace
 
 Run declare_identity(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<IdentityOptions>();
     verb.add_option("-o,--output", o->output,
                     "a LUT file of any extension, or - for a .cube to standard output")
         .required();

@@ -76,7 +76,7 @@ nlohmann::ordered_json encodings_json(const lutlib::LookEncodings& known) {
     return {{"input", name(names.input)}, {"output", name(names.output)}};
 }
 
-std::string encodings_text(const lutlib::LookEncodings& known) {
+std::string known_encodings(const lutlib::LookEncodings& known) {
     const lutlib::EncodingNames names = names_of(known);
     const auto name = [](const std::string& text) {
         return text.empty() ? std::string("unknown") : text;
@@ -84,7 +84,7 @@ std::string encodings_text(const lutlib::LookEncodings& known) {
     return fmt::format("  encodings: input {}, output {}\n", name(names.input), name(names.output));
 }
 
-int run(const std::string& path, bool json) {
+int run_info(const std::string& path, bool json) {
     const std::string bytes = lutlib::io::read_file(path);
     const lutlib::io::Look look = open_look(bytes, path);
     const std::optional<PictureFacts> picture = picture_facts(bytes, look);
@@ -119,7 +119,7 @@ int run(const std::string& path, bool json) {
     if (!lut.title.empty()) {
         out += "  title: " + one_line(lut.title) + "\n";
     }
-    out += encodings_text(look.encodings());
+    out += known_encodings(look.encodings());
     if (picture) {
         out += picture->text;
     }
@@ -147,7 +147,7 @@ Run declare_info(Verb& verb) {
     const auto json = std::make_shared<bool>(false);
     verb.add_option("LUT", *path, "a LUT file, or - for standard input").required();
     verb.add_flag("--json", *json, "print as JSON");
-    return [path, json] { return run(*path, *json); };
+    return [path, json] { return run_info(*path, *json); };
 }
 
 } // namespace converter

@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::array channel_names{"red", "green", "blue"};
 
-struct Options {
+struct InvertOptions {
     std::string input, output;
     int size = 0, shaper_size = 0;
     std::vector<std::string> domain;
@@ -179,7 +179,7 @@ nlohmann::ordered_json choice_json(const lutlib::ClosestInversion& found) {
         {"aimed_at_p99", lutlib::RoundTripAim().p99}, {"kept", found.kept}, {"attempts", attempts}};
 }
 
-nlohmann::ordered_json as_json(const Options& o, const lutlib::Inversion& inversion) {
+nlohmann::ordered_json inversion_json(const InvertOptions& o, const lutlib::Inversion& inversion) {
     nlohmann::ordered_json out{{"input", o.input}, {"output", o.output}};
     if (inversion.curve) {
         out["entries"] = inversion.lut.shaper->size();
@@ -211,7 +211,7 @@ bool keeps_shaper(const std::string& output) {
     return lutlib::io::format_for_writing(output, both).holds.curve_and_cube;
 }
 
-void take_shaper(const Options& o, const lutlib::Lut& look, lutlib::InvertOptions& options) {
+void take_shaper(const InvertOptions& o, const lutlib::Lut& look, lutlib::InvertOptions& options) {
     options.shaper = o.shaper.empty() && !keeps_shaper(o.output) ? "none" : o.shaper;
     const bool shapes = !o.shaper.empty() && o.shaper != "none";
     if (shapes && !look.cube) {
@@ -236,7 +236,7 @@ void take_shaper(const Options& o, const lutlib::Lut& look, lutlib::InvertOption
                         : lutlib::encoding_named(look.encodings.output).value_or(lutlib::srgb());
 }
 
-int run(const Options& o, const Verb& verb) {
+int run_invert(const InvertOptions& o, const Verb& verb) {
     lutlib::InvertOptions options;
     if (o.size) {
         options.size = o.size;
@@ -262,7 +262,7 @@ int run(const Options& o, const Verb& verb) {
     const WrittenLook written = write_look(inversion.lut, o.output);
     const RoundTrip trip = measured(*look, inversion, written, viewing);
     if (o.json) {
-        nlohmann::ordered_json json = as_json(o, inversion);
+        nlohmann::ordered_json json = inversion_json(o, inversion);
         if (!found.attempts.empty()) {
             json["size_choice"] = choice_json(found);
         }
@@ -302,7 +302,7 @@ int run(const Options& o, const Verb& verb) {
 } // namespace
 
 Run declare_invert(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<InvertOptions>();
     verb.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input").required();
     verb.add_option("-o,--output", o->output, "the inverse, or - for standard output").required();
     verb.add_option(
@@ -337,7 +337,7 @@ Run declare_invert(Verb& verb) {
                     encoding_help("what the look gives, for --shaper (default: as its file says, "
                                   "else srgb)"));
     verb.add_flag("--json", o->json, "print the results as JSON");
-    return [o, &verb] { return run(*o, verb); };
+    return [o, &verb] { return run_invert(*o, verb); };
 }
 
 } // namespace converter

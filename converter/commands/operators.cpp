@@ -27,7 +27,7 @@ std::string range_text(const Parameter& p) {
                : numbers;
 }
 
-terminal::Table as_table() {
+terminal::Table operators_table() {
     terminal::Table out;
     for (const lutlib::Op* const op : lutlib::ops()) {
         out.row({std::string(op->name), std::string(op->help)});
@@ -41,7 +41,7 @@ terminal::Table as_table() {
 } // namespace
 
 Run declare_operators(Verb& verb) {
-    return declare_listing(verb, "defaults and formulas", as_table, operators_json);
+    return declare_listing(verb, "defaults and formulas", operators_table, operators_json);
 }
 
 } // namespace converter

@@ -31,7 +31,7 @@ namespace io = lutlib::io;
 
 constexpr std::array<std::string_view, 1> suites{"stiff"};
 
-struct Options {
+struct ReportOptions {
     std::string input, suite, output, json, csv, input_encoding, output_encoding, gpu_times;
     std::vector<int> sizes;
     double promise = 1;
@@ -76,7 +76,7 @@ struct Report {
     nlohmann::ordered_json json;
 };
 
-Report report_on_look(const Options& o) {
+Report report_on_look(const ReportOptions& o) {
     lutlib::Recipe recipe = recipe_of(open_look(o.input));
     if (!o.input_encoding.empty()) {
         recipe.input = encoding_of(o.input_encoding, "--input-encoding");
@@ -104,7 +104,7 @@ Report report_on_look(const Options& o) {
             survey_json(survey, name, gpu)};
 }
 
-Report report_on_suite(const Options& o) {
+Report report_on_suite(const ReportOptions& o) {
     ProgressBar bar;
     lutlib::StiffSettings settings;
     if (!o.sizes.empty()) {
@@ -117,7 +117,7 @@ Report report_on_suite(const Options& o) {
             stiff_json(survey)};
 }
 
-int run(const Options& o, const Verb& verb) {
+int run_report(const ReportOptions& o, const Verb& verb) {
     if (o.input.empty() == o.suite.empty()) {
         throw lutlib::UsageError("report takes either a look or --suite " + lutlib::listed(suites));
     }
@@ -149,7 +149,7 @@ int run(const Options& o, const Verb& verb) {
 } // namespace
 
 Run declare_report(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<ReportOptions>();
     verb.add_option("LOOK", o->input, "a LUT or recipe file, or - for standard input");
     verb.add_option("--suite", o->suite,
                     "instead of a look: stiff, functions that are hard for lattices");
@@ -172,7 +172,7 @@ Run declare_report(Verb& verb) {
     verb.add_flag("--unclamped", o->unclamped,
                   "where displays take the output: errors of what lies outside 0..1 too, which no "
                   "display shows (for looks whose output goes on being worked on)");
-    return [o, &verb] { return run(*o, verb); };
+    return [o, &verb] { return run_report(*o, verb); };
 }
 
 } // namespace converter

@@ -13,12 +13,12 @@
 namespace converter {
 namespace {
 
-struct Options {
+struct ResampleOptions {
     std::string input;
     NewLutOptions made;
 };
 
-int run(const Options& o, const Verb& verb) {
+int run_resample(const ResampleOptions& o, const Verb& verb) {
     const lutlib::Encoding encoding = o.made.results();
     const lutlib::ResamplingMethod& method = o.made.method.get();
     const auto look = read_table(o.input);
@@ -40,11 +40,11 @@ int run(const Options& o, const Verb& verb) {
 } // namespace
 
 Run declare_resample(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<ResampleOptions>();
     verb.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input").required();
     o->made.declare(verb);
     verb.footer("Without --size, --domain or --shaper the look's own are kept.");
-    return [o, &verb] { return run(*o, verb); };
+    return [o, &verb] { return run_resample(*o, verb); };
 }
 
 } // namespace converter

@@ -24,7 +24,7 @@ namespace io = lutlib::io;
 
 constexpr int most_samples = 10'000'000;
 
-struct Options {
+struct VerifyOptions {
     std::vector<std::string> pictures;
     std::string against;
     std::string picture; ///< of one verdict
@@ -38,7 +38,7 @@ struct Options {
     bool json = false;
 };
 
-int verify_one(const Options& o, const Verb& verb) {
+int verify_one(const VerifyOptions& o, const Verb& verb) {
     const Subject s = open_subject(o.picture, o.engine.given() ? &o.engine.get() : nullptr,
                                    o.row < 0 ? std::nullopt : std::optional(o.row));
     const Verdict v = judge(s, {.picture = o.picture,
@@ -55,7 +55,7 @@ int verify_one(const Options& o, const Verb& verb) {
     return v.passed ? ok : verification_failed;
 }
 
-int run(const Options& o, const Verb& verb) {
+int run_verify(const VerifyOptions& o, const Verb& verb) {
     if (o.samples < 1 || o.samples > most_samples) {
         throw lutlib::UsageError(fmt::format("--samples must be 1 to {}", most_samples));
     }
@@ -68,7 +68,7 @@ int run(const Options& o, const Verb& verb) {
                                  "which then cannot come from there");
     }
     return run_over(routes, [&](const LookRoute& route) {
-        Options one = o;
+        VerifyOptions one = o;
         one.picture = route.route.from.path;
         return verify_one(one, verb);
     });
@@ -76,7 +76,7 @@ int run(const Options& o, const Verb& verb) {
 } // namespace
 
 Run declare_verify(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<VerifyOptions>();
     verb.add_option("PICTURES", o->pictures,
                     "the LUT pictures, or - for standard input; folders of them")
         .required();
@@ -97,7 +97,7 @@ Run declare_verify(Verb& verb) {
     declare_reference_white(verb, o->reference_white);
     verb.add_flag("--json", o->json, "print the results as JSON");
     o->config.declare(verb);
-    return [o, &verb] { return run(*o, verb); };
+    return [o, &verb] { return run_verify(*o, verb); };
 }
 
 } // namespace converter

@@ -93,8 +93,8 @@ int recognise_resolve(std::string_view bytes) {
     return recognise(bytes) == 0 ? 0 : head_has(bytes, "D_INPUT_RANGE") ? 95 : 80;
 }
 
-Reading read(const FileFormat& /*format*/, std::string_view bytes, const std::string& file,
-             const ReadOptions& /*options*/) {
+Reading read_cube_row(const FileFormat& /*format*/, std::string_view bytes, const std::string& file,
+                      const ReadOptions& /*options*/) {
     return {.lut = read_cube(bytes, file)};
 }
 
@@ -151,7 +151,7 @@ constinit const FileFormat formats::cube{
               .keywords = true,
               .encodings = true},
     .recognise = recognise,
-    .read = read,
+    .read = read_cube_row,
     .read_in_pieces = read_cube_in_pieces,
     .read_broken = read_broken_cube,
     .write =
@@ -173,7 +173,7 @@ constinit const FileFormat formats::cube_resolve{
               .keywords = true,
               .encodings = true},
     .recognise = recognise_resolve,
-    .read = read,
+    .read = read_cube_row,
     .read_in_pieces = read_cube_in_pieces,
     .read_broken = read_broken_cube,
     .write =

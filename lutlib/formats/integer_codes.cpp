@@ -10,8 +10,6 @@ namespace lutlib {
 namespace {
 
 constexpr std::array usual_depths{8, 10, 12, 14, 16};
-// A table of codes holds white, or near it; one of intensities stays well below.
-constexpr float least_largest_code = 128;
 constexpr int vlt_bits = 12;
 
 /// The largest value of a table of whole numbers; nullopt where one is negative or not whole.
@@ -69,7 +67,7 @@ void scale_table(std::vector<Rgb>& values, Domain& domain, bool vlt, const char*
         return;
     }
     const std::optional<int> of_input = depth_of(domain);
-    if (!vlt && !of_input && *largest < least_largest_code) {
+    if (!vlt && !of_input && *largest < float{least_largest_code}) {
         if (!stays_inside(*largest, domain)) {
             notes.push_back(whole_numbers_text(which, *largest) +
                             ": read as they are; if they are codes, write the range of the codes "

@@ -8,6 +8,9 @@
 
 namespace lutlib {
 
+/// A table of codes, of any depth, holds white or what is near it; one of intensities stays below.
+inline constexpr int least_largest_code = 128;
+
 /// 2^bits - 1.
 double largest_code(int bits);
 

@@ -15,7 +15,6 @@
 namespace lutlib {
 namespace {
 
-constexpr int least_largest_code = 128; // below it, no codes of any depth
 constexpr std::size_t longest_mesh = 65536;
 
 std::optional<int> whole_number(std::string_view word) {

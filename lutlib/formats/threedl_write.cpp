@@ -106,8 +106,8 @@ constexpr Holds holds{.cube = true,
                       .max_cube_size = max_threedl_size,
                       .integer_bits = threedl_bits};
 
-Reading read(const FileFormat& /*format*/, std::string_view bytes, const std::string& file,
-             const ReadOptions& /*options*/) {
+Reading read_threedl_row(const FileFormat& /*format*/, std::string_view bytes,
+                         const std::string& file, const ReadOptions& /*options*/) {
     return {read_threedl(bytes, file), {}};
 }
 
@@ -150,7 +150,7 @@ constinit const FileFormat formats::flame{
     .label = "Autodesk Flame .3dl: a cube of integer codes",
     .extensions = {"3dl"},
     .holds = holds,
-    .read = read,
+    .read = read_threedl_row,
     .write = [](const FileFormat& /*format*/, const Lut& lut,
                 const WriteOptions& options) { return write_flame(lut, options); },
     .readers = flame_readers,
@@ -162,7 +162,7 @@ constinit const FileFormat formats::lustre{
     .extensions = {"3dl"},
     .holds = holds,
     .magic = "3DMESH",
-    .read = read,
+    .read = read_threedl_row,
     .write = [](const FileFormat& /*format*/, const Lut& lut,
                 const WriteOptions& options) { return write_lustre(lut, options); },
     .readers = lustre_readers,

@@ -17,7 +17,7 @@ constexpr Parameter rgb(std::string_view name, std::string_view flag, std::strin
             .fallback_rgb = {neutral, neutral, neutral}};
 }
 
-constexpr Parameter parameters[] = {
+constexpr Parameter cdl_parameters[] = {
     rgb("slope", "cdl-slope", "Slope", 0, 10, 1),
     rgb("offset", "cdl-offset", "Offset", -10, 10, 0),
     rgb("power", "cdl-power", "Power", 0.05, 10, 1),
@@ -34,7 +34,7 @@ constexpr Parameter parameters[] = {
      .fallback = 0},
 };
 
-Transform compile(const Values& values, const OpContext&) {
+Transform compile_cdl(const Values& values, const OpContext&) {
     const auto slope = std::get<RgbD>(values[0]), offset = std::get<RgbD>(values[1]),
                power = std::get<RgbD>(values[2]);
     const double saturation = std::get<double>(values[3]);
@@ -54,7 +54,7 @@ Transform compile(const Values& values, const OpContext&) {
     });
 }
 
-bool per_channel(const Values& values) {
+bool is_cdl_per_channel(const Values& values) {
     return std::get<double>(values[3]) == 1;
 }
 
@@ -66,9 +66,9 @@ const Op cdl{.name = "cdl",
                      "values below zero take no power and nothing is cut",
              .reference = "ASC CDL 1.2; without clamp as OpenColorIO's CDL_NO_CLAMP",
              .space = Space::codes,
-             .parameters = parameters,
+             .parameters = cdl_parameters,
              .monotone_on_neutrals = false,
-             .per_channel = per_channel,
-             .compile = compile};
+             .per_channel = is_cdl_per_channel,
+             .compile = compile_cdl};
 
 } // namespace lutlib::op

@@ -3,7 +3,7 @@
 namespace lutlib::op {
 namespace {
 
-constexpr Parameter parameters[] = {
+constexpr Parameter contrast_parameters[] = {
     {.name = "amount",
      .flag = "contrast",
      .label = "Contrast",
@@ -22,9 +22,9 @@ constexpr Parameter parameters[] = {
 };
 
 // x amount + pivot (1 - amount) rather than (x - pivot) amount + pivot: exact at amount 1.
-Transform compile(const Values& values, const OpContext& context) {
+Transform compile_contrast(const Values& values, const OpContext& context) {
     const double amount = std::get<double>(values[0]);
-    const double shift = number_of(parameters[1], values[1], context) * (1 - amount);
+    const double shift = number_of(contrast_parameters[1], values[1], context) * (1 - amount);
     return Transform::each([amount, shift](RgbD c) {
         return c * amount + RgbD{shift, shift, shift};
     });
@@ -39,9 +39,9 @@ const Op contrast{
         "Scales code values about the pivot, which stays: middle grey, unless you choose another",
     .reference = "(x - pivot) amount + pivot",
     .space = Space::codes,
-    .parameters = parameters,
+    .parameters = contrast_parameters,
     .monotone_on_neutrals = true,
     .per_channel = always,
-    .compile = compile};
+    .compile = compile_contrast};
 
 } // namespace lutlib::op

@@ -22,7 +22,7 @@ constexpr Parameter tone(std::string_view name, std::string_view flag, std::stri
             .axis = {.label = "in", .unit = "code value", .min = -1, .max = 16, .diagonal = true}};
 }
 
-constexpr Parameter parameters[] = {
+constexpr Parameter curves_parameters[] = {
     tone("master", "curve", "Master"),
     tone("red", "curve-red", "Red"),
     tone("green", "curve-green", "Green"),
@@ -51,9 +51,10 @@ class Tone {
     double low_ = 0, high_ = 0;
 };
 
-Transform compile(const Values& values, const OpContext&) {
-    const std::array<Tone, 4> t{Tone{parameters[0], values[0]}, Tone{parameters[1], values[1]},
-                                Tone{parameters[2], values[2]}, Tone{parameters[3], values[3]}};
+Transform compile_curves(const Values& values, const OpContext&) {
+    const std::array<Tone, 4> t{
+        Tone{curves_parameters[0], values[0]}, Tone{curves_parameters[1], values[1]},
+        Tone{curves_parameters[2], values[2]}, Tone{curves_parameters[3], values[3]}};
     return Transform::each([t](RgbD c) {
         return RgbD{t[1](t[0](c.r)), t[2](t[0](c.g)), t[3](t[0](c.b))};
     });
@@ -66,8 +67,8 @@ const Op curves{.name = "curves",
                 .help = "Tone curves through knots, for all channels and for each",
                 .reference = "Fritsch and Carlson 1980, see curve.h; slope 1 outside the knots",
                 .space = Space::codes,
-                .parameters = parameters,
+                .parameters = curves_parameters,
                 .per_channel = always,
-                .compile = compile};
+                .compile = compile_curves};
 
 } // namespace lutlib::op

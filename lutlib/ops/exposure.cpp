@@ -5,7 +5,7 @@
 namespace lutlib::op {
 namespace {
 
-constexpr Parameter parameters[] = {
+constexpr Parameter exposure_parameters[] = {
     {.name = "stops",
      .flag = "exposure",
      .label = "Exposure",
@@ -15,7 +15,7 @@ constexpr Parameter parameters[] = {
      .fallback = 0},
 };
 
-Transform compile(const Values& values, const OpContext&) {
+Transform compile_exposure(const Values& values, const OpContext&) {
     const double gain = std::exp2(std::get<double>(values[0]));
     return Transform::each([gain](RgbD c) { return c * gain; });
 }
@@ -27,9 +27,9 @@ const Op exposure{.name = "exposure",
                   .help = "Multiplies linear light; one stop doubles it",
                   .reference = "light * 2^stops",
                   .space = Space::linear,
-                  .parameters = parameters,
+                  .parameters = exposure_parameters,
                   .monotone_on_neutrals = true,
                   .per_channel = always,
-                  .compile = compile};
+                  .compile = compile_exposure};
 
 } // namespace lutlib::op

@@ -18,7 +18,7 @@
 namespace lutlib::op {
 namespace {
 
-constexpr Parameter parameters[] = {
+constexpr Parameter gamut_compression_parameters[] = {
     {.name = "amount",
      .flag = "gamut-compression",
      .label = "Amount",
@@ -142,7 +142,7 @@ class Gamut {
     double peak_;
 };
 
-Transform compile(const Values& values, const OpContext& context) {
+Transform compile_gamut_compression(const Values& values, const OpContext& context) {
     const auto value = [&values](std::size_t i) { return std::get<double>(values[i]); };
     const double amount = value(0), threshold = value(1), limit = value(2);
     if (amount == 0) {
@@ -180,8 +180,8 @@ const Op gamut_compression{
     .reference = "threshold and limit of the ACES 1.3 Reference Gamut Compression, on Oklab chroma "
                  "over that of the gamut's edge",
     .space = Space::oklab,
-    .parameters = parameters,
+    .parameters = gamut_compression_parameters,
     .monotone_on_neutrals = true,
-    .compile = compile};
+    .compile = compile_gamut_compression};
 
 } // namespace lutlib::op

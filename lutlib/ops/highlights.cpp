@@ -11,7 +11,7 @@
 namespace lutlib::op {
 namespace {
 
-constexpr Parameter parameters[] = {
+constexpr Parameter highlights_parameters[] = {
     {.name = "white",
      .flag = "highlights-white",
      .label = "Brought to white",
@@ -35,7 +35,7 @@ constexpr Parameter parameters[] = {
      .fallback = 0.5},
 };
 
-Transform compile(const Values& values, const OpContext&) {
+Transform compile_highlights(const Values& values, const OpContext&) {
     const double white = std::get<double>(values[0]), start = std::get<double>(values[1]),
                  bleach = std::get<double>(values[2]);
     if (white == 1) {
@@ -54,7 +54,7 @@ Transform compile(const Values& values, const OpContext&) {
     });
 }
 
-bool per_channel(const Values& values) {
+bool is_highlights_per_channel(const Values& values) {
     return std::get<double>(values[2]) == 1; // bleach
 }
 
@@ -67,9 +67,9 @@ const Op highlights{
             "the largest channel), 1 compresses each channel, which pales bright colours",
     .reference = "Reinhard et al. 2002, equation 4, above a knee",
     .space = Space::linear,
-    .parameters = parameters,
+    .parameters = highlights_parameters,
     .monotone_on_neutrals = true,
-    .per_channel = per_channel,
-    .compile = compile};
+    .per_channel = is_highlights_per_channel,
+    .compile = compile_highlights};
 
 } // namespace lutlib::op

@@ -21,7 +21,7 @@ constexpr Parameter number(std::string_view name, std::string_view flag, std::st
             .fallback = fallback};
 }
 
-constexpr Parameter parameters[] = {
+constexpr Parameter hue_range_parameters[] = {
     number("centre", "range-centre", "Centre", "degrees, red at 0", 0, 360, 0),
     number("width", "range-width", "Width", "degrees", 0, 360, 40),
     number("softness", "range-softness", "Softness", "degrees", 5, 180, 30),
@@ -30,7 +30,7 @@ constexpr Parameter parameters[] = {
     number("luminance", "range-luminance", "Luminance", "factor", 0, 2, 1),
 };
 
-Transform compile(const Values& values, const OpContext&) {
+Transform compile_hue_range(const Values& values, const OpContext&) {
     const auto value = [&values](std::size_t i) { return std::get<double>(values[i]); };
     const double centre = value(0), full = value(1) / 2, softness = value(2);
     const double turn = value(3), saturation = value(4), luminance = value(5);
@@ -50,7 +50,7 @@ const Op hue_range{.name = "hue-range",
                    .help = "Turns, saturates and lights one band of hues",
                    .reference = "rotation and factors in Oklab, weighted by a raised cosine of hue",
                    .space = Space::oklab,
-                   .parameters = parameters,
-                   .compile = compile};
+                   .parameters = hue_range_parameters,
+                   .compile = compile_hue_range};
 
 } // namespace lutlib::op

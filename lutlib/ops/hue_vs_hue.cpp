@@ -3,12 +3,12 @@
 namespace lutlib::op {
 namespace {
 
-constexpr Parameter parameters[] = {
+constexpr Parameter hue_vs_hue_parameters[] = {
     curve_parameter("hue-vs-hue", "Turn", "degrees", -180, 180, 0, hue_axis),
 };
 
-Transform compile(const Values& values, const OpContext&) {
-    const Curve curve = curve_of(parameters[0], values[0]);
+Transform compile_hue_vs_hue(const Values& values, const OpContext&) {
+    const Curve curve = curve_of(hue_vs_hue_parameters[0], values[0]);
     return Transform::each([curve](RgbD c) { return rotated(c, curve(dial_hue(c.g, c.b))); });
 }
 
@@ -19,7 +19,7 @@ const Op hue_vs_hue{.name = "hue-vs-hue",
                     .help = "Turns hues by an angle that depends on the hue",
                     .reference = "rotation of Oklab (a, b)",
                     .space = Space::oklab,
-                    .parameters = parameters,
-                    .compile = compile};
+                    .parameters = hue_vs_hue_parameters,
+                    .compile = compile_hue_vs_hue};
 
 } // namespace lutlib::op

@@ -16,13 +16,13 @@ constexpr Parameter rgb(std::string_view name, std::string_view label, double mi
             .fallback_rgb = {neutral, neutral, neutral}};
 }
 
-constexpr Parameter parameters[] = {
+constexpr Parameter lift_gamma_gain_parameters[] = {
     rgb("lift", "Lift", -0.5, 0.5, 0),
     rgb("gamma", "Gamma", 0.1, 10, 1),
     rgb("gain", "Gain", 0, 4, 1),
 };
 
-Transform compile(const Values& values, const OpContext&) {
+Transform compile_lift_gamma_gain(const Values& values, const OpContext&) {
     const auto lift = std::get<RgbD>(values[0]), gamma = std::get<RgbD>(values[1]),
                gain = std::get<RgbD>(values[2]);
     const RgbD power{1 / gamma.r, 1 / gamma.g, 1 / gamma.b};
@@ -44,9 +44,9 @@ const Op lift_gamma_gain{
     .help = "Lift moves black and holds white, gain scales, gamma bends the middle",
     .reference = "(gain (x + lift (1 - x)))^(1 / gamma), odd below zero",
     .space = Space::codes,
-    .parameters = parameters,
+    .parameters = lift_gamma_gain_parameters,
     .monotone_on_neutrals = true,
     .per_channel = always,
-    .compile = compile};
+    .compile = compile_lift_gamma_gain};
 
 } // namespace lutlib::op

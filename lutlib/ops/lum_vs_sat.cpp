@@ -3,12 +3,12 @@
 namespace lutlib::op {
 namespace {
 
-constexpr Parameter parameters[] = {
+constexpr Parameter lum_vs_sat_parameters[] = {
     curve_parameter("lum-vs-sat", "Factor", "factor", 0, 4, 1, luminance_axis),
 };
 
-Transform compile(const Values& values, const OpContext&) {
-    const Curve curve = curve_of(parameters[0], values[0]);
+Transform compile_lum_vs_sat(const Values& values, const OpContext&) {
+    const Curve curve = curve_of(lum_vs_sat_parameters[0], values[0]);
     return Transform::each([curve](RgbD c) { return with_chroma(c, curve(c.r)); });
 }
 
@@ -19,7 +19,7 @@ const Op lum_vs_sat{.name = "lum-vs-sat",
                     .help = "Scales saturation by a factor that depends on the luminance",
                     .reference = "factor on Oklab chroma",
                     .space = Space::oklab,
-                    .parameters = parameters,
-                    .compile = compile};
+                    .parameters = lum_vs_sat_parameters,
+                    .compile = compile_lum_vs_sat};
 
 } // namespace lutlib::op

@@ -3,7 +3,7 @@
 namespace lutlib::op {
 namespace {
 
-constexpr Parameter parameters[] = {
+constexpr Parameter offset_parameters[] = {
     {.name = "amount",
      .flag = "offset",
      .label = "Offset",
@@ -13,7 +13,7 @@ constexpr Parameter parameters[] = {
      .max = 1},
 };
 
-Transform compile(const Values& values, const OpContext&) {
+Transform compile_offset(const Values& values, const OpContext&) {
     const auto amount = std::get<RgbD>(values[0]);
     return Transform::each([amount](RgbD c) { return c + amount; });
 }
@@ -25,9 +25,9 @@ const Op offset{.name = "offset",
                 .help = "Adds to every code value",
                 .reference = "x + amount",
                 .space = Space::codes,
-                .parameters = parameters,
+                .parameters = offset_parameters,
                 .monotone_on_neutrals = true,
                 .per_channel = always,
-                .compile = compile};
+                .compile = compile_offset};
 
 } // namespace lutlib::op

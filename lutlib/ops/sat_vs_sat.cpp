@@ -3,12 +3,12 @@
 namespace lutlib::op {
 namespace {
 
-constexpr Parameter parameters[] = {
+constexpr Parameter sat_vs_sat_parameters[] = {
     curve_parameter("sat-vs-sat", "Factor", "factor", 0, 4, 1, saturation_axis),
 };
 
-Transform compile(const Values& values, const OpContext&) {
-    const Curve curve = curve_of(parameters[0], values[0]);
+Transform compile_sat_vs_sat(const Values& values, const OpContext&) {
+    const Curve curve = curve_of(sat_vs_sat_parameters[0], values[0]);
     return Transform::each([curve](RgbD c) { return with_chroma(c, curve(saturation_of(c))); });
 }
 
@@ -19,7 +19,7 @@ const Op sat_vs_sat{.name = "sat-vs-sat",
                     .help = "Scales saturation by a factor that depends on the saturation",
                     .reference = "factor on Oklab chroma",
                     .space = Space::oklab,
-                    .parameters = parameters,
-                    .compile = compile};
+                    .parameters = sat_vs_sat_parameters,
+                    .compile = compile_sat_vs_sat};
 
 } // namespace lutlib::op

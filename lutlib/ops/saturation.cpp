@@ -4,7 +4,7 @@
 namespace lutlib::op {
 namespace {
 
-constexpr Parameter parameters[] = {
+constexpr Parameter saturation_parameters[] = {
     {.name = "amount",
      .flag = "saturation",
      .label = "Saturation",
@@ -14,7 +14,7 @@ constexpr Parameter parameters[] = {
      .fallback = 1},
 };
 
-Transform compile(const Values& values, const OpContext&) {
+Transform compile_saturation(const Values& values, const OpContext&) {
     const double amount = std::get<double>(values[0]);
     return Transform::each([amount](RgbD c) { return scale_saturation(c, amount); });
 }
@@ -26,8 +26,8 @@ const Op saturation{.name = "saturation",
                     .help = "Moves code values away from their Rec.709 luma, or towards it",
                     .reference = "ASC CDL 1.2: luma + amount (x - luma)",
                     .space = Space::codes,
-                    .parameters = parameters,
+                    .parameters = saturation_parameters,
                     .monotone_on_neutrals = true,
-                    .compile = compile};
+                    .compile = compile_saturation};
 
 } // namespace lutlib::op

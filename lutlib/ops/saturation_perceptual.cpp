@@ -3,7 +3,7 @@
 namespace lutlib::op {
 namespace {
 
-constexpr Parameter parameters[] = {
+constexpr Parameter saturation_perceptual_parameters[] = {
     {.name = "amount",
      .flag = "saturation-perceptual",
      .label = "Saturation, perceptual",
@@ -13,7 +13,7 @@ constexpr Parameter parameters[] = {
      .fallback = 1},
 };
 
-Transform compile(const Values& values, const OpContext&) {
+Transform compile_saturation_perceptual(const Values& values, const OpContext&) {
     const double amount = std::get<double>(values[0]);
     return Transform::each([amount](RgbD c) { return RgbD{c.r, c.g * amount, c.b * amount}; });
 }
@@ -25,8 +25,8 @@ const Op saturation_perceptual{.name = "saturation-perceptual",
                                .help = "Scales Oklab chroma; hue and lightness stay",
                                .reference = "Ottosson 2020: (L, amount a, amount b)",
                                .space = Space::oklab,
-                               .parameters = parameters,
+                               .parameters = saturation_perceptual_parameters,
                                .monotone_on_neutrals = true,
-                               .compile = compile};
+                               .compile = compile_saturation_perceptual};
 
 } // namespace lutlib::op

@@ -29,7 +29,7 @@ constexpr Parameter amount(std::string_view name, std::string_view flag, std::st
             .fallback = 0};
 }
 
-constexpr Parameter parameters[] = {
+constexpr Parameter split_toning_parameters[] = {
     hue("shadow_hue", "split-shadow-hue", "Shadow hue", 210),
     amount("shadow_amount", "split-shadow-amount", "Shadow amount"),
     hue("highlight_hue", "split-highlight-hue", "Highlight hue", 35),
@@ -60,7 +60,7 @@ double smoothstep(double low, double high, double x) {
 
 // Black and white stay: the shadows' weight rises from 0 at L = 0, the highlights' falls to 0 at
 // L = 1; both are 0 outside.
-Transform compile(const Values& values, const OpContext&) {
+Transform compile_split_toning(const Values& values, const OpContext&) {
     const Tint shadow = tint(values[0], values[1]), highlight = tint(values[2], values[3]);
     const double balance = std::get<double>(values[4]);
     const double dark_end = std::min(1.0, 2 * balance),
@@ -82,7 +82,7 @@ const Op split_toning{.name = "split-toning",
                       .help = "Tints shadows and highlights; black and white stay neutral",
                       .reference = "added to Oklab's a and b, weighted by smooth steps of L",
                       .space = Space::oklab,
-                      .parameters = parameters,
-                      .compile = compile};
+                      .parameters = split_toning_parameters,
+                      .compile = compile_split_toning};
 
 } // namespace lutlib::op

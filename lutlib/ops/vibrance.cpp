@@ -7,7 +7,7 @@
 namespace lutlib::op {
 namespace {
 
-constexpr Parameter parameters[] = {
+constexpr Parameter vibrance_parameters[] = {
     {.name = "amount",
      .flag = "vibrance",
      .label = "Vibrance",
@@ -19,7 +19,7 @@ constexpr Parameter parameters[] = {
 
 // The derivative of s (1 + amount (1 - s)^2) is positive for every |amount| <= 1, so colours keep
 // their order of saturation.
-Transform compile(const Values& values, const OpContext&) {
+Transform compile_vibrance(const Values& values, const OpContext&) {
     const double amount = std::get<double>(values[0]);
     return Transform::each([amount](RgbD c) {
         const double room = 1 - std::min(std::hypot(c.g, c.b) / srgb_chroma, 1.0);
@@ -35,8 +35,8 @@ const Op vibrance{.name = "vibrance",
                   .help = "Saturates pale colours more than vivid ones",
                   .reference = "Oklab chroma C (1 + amount (1 - s)^2), s = C / .3225, at most 1",
                   .space = Space::oklab,
-                  .parameters = parameters,
+                  .parameters = vibrance_parameters,
                   .monotone_on_neutrals = true,
-                  .compile = compile};
+                  .compile = compile_vibrance};
 
 } // namespace lutlib::op

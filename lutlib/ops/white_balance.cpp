@@ -14,7 +14,7 @@ namespace {
 
 constexpr double neutral_kelvin = 6504;
 
-constexpr Parameter parameters[] = {
+constexpr Parameter white_balance_parameters[] = {
     {.name = "temperature",
      .flag = "temperature",
      .label = "Temperature",
@@ -70,7 +70,7 @@ Matrix3 balance(double kelvin, double tint, const Primaries& primaries) {
     return diagonal({kept, kept, kept}) * m;
 }
 
-Transform compile(const Values& values, const OpContext& context) {
+Transform compile_white_balance(const Values& values, const OpContext& context) {
     const double kelvin = std::get<double>(values[0]), tint = std::get<double>(values[1]);
     if (kelvin == neutral_kelvin && tint == 0) {
         return {};
@@ -123,8 +123,8 @@ const Op white_balance{
         "left below 2521 K",
     .reference = "Krystek 1985 for the light, Bradford adaptation (Lam 1985) in linear light",
     .space = Space::linear,
-    .parameters = parameters,
-    .compile = compile,
+    .parameters = white_balance_parameters,
+    .compile = compile_white_balance,
     .note = note};
 
 } // namespace lutlib::op

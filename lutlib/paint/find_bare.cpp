@@ -125,14 +125,14 @@ std::vector<BareShape> shapes_of(const BareSearch& search) {
     return out;
 }
 
-struct Candidate {
+struct RankedStrip {
     BarePlace place;
     BareStrip strip;
 };
 
 // Of the picture turned by a quarter or not.
 void append_strips(const Picture& picture, bool quarter, const BareSearch& search,
-                   std::vector<Candidate>& found) {
+                   std::vector<RankedStrip>& found) {
     const Turn before{quarter ? 1 : 0, false};
     const Picture held = turned(picture, before);
     const ColumnSteps steps(held);
@@ -158,15 +158,15 @@ std::vector<BareStrip> find_bare(const Picture& picture, const BareSearch& searc
             return {*whole};
         }
     }
-    std::vector<Candidate> found;
+    std::vector<RankedStrip> found;
     append_strips(picture, false, search, found);
     append_strips(picture, true, search, found);
-    std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+    std::stable_sort(found.begin(), found.end(), [](const RankedStrip& a, const RankedStrip& b) {
         return a.place.roughness < b.place.roughness;
     });
     std::vector<BarePlace> kept;
     std::vector<BareStrip> out;
-    for (const Candidate& one : found) {
+    for (const RankedStrip& one : found) {
         if (std::none_of(kept.begin(), kept.end(), [&](const BarePlace& other) {
                 return overlap(one.place, other, picture.size());
             })) {

@@ -2,6 +2,7 @@
 
 #include "lutlib/color/luma.h"
 #include "lutlib/error.h"
+#include "lutlib/number_text.h"
 
 #include <algorithm>
 #include <array>
@@ -57,10 +58,6 @@ struct Line {
         return spread > 0 && all > 0 ? both * both / (spread * all) : 0;
     }
 };
-
-std::string percent(double share) {
-    return std::to_string(std::lround(100 * share)) + " %";
-}
 
 std::string hundredths(double value) {
     const long all = std::lround(100 * value);

@@ -1,6 +1,7 @@
 #include "lutlib/paint/whole.h"
 
 #include "lutlib/color/encoding.h"
+#include "lutlib/number_text.h"
 #include "lutlib/transform.h"
 
 #include <algorithm>
@@ -24,10 +25,6 @@ std::string in_tenths(double value) {
 
 std::string codes(double value) {
     return in_tenths(value) + " codes of 8 bits";
-}
-
-std::string percent(double share) {
-    return std::to_string(std::lround(100 * share)) + " %";
 }
 
 double sum(Rgb c) {

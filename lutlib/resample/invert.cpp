@@ -22,7 +22,7 @@
 namespace lutlib {
 namespace {
 
-constexpr int largest_size = 129;
+constexpr int largest_inverse = 129;
 
 void add(InverseRegion& region, Rgb wanted, double extent) {
     if (region.count++ == 0) {
@@ -240,11 +240,11 @@ Lut with_cube(const Lut& lut) {
     if (!out.cube) {
         out.cube = identity_cube(2, output_range(lut));
     }
-    if (out.cube->size > largest_size) {
+    if (out.cube->size > largest_inverse) {
         throw Error("a cube of " + std::to_string(out.cube->size) +
                     " nodes per axis is too large to "
                     "invert; resample it to at most " +
-                    std::to_string(largest_size));
+                    std::to_string(largest_inverse));
     }
     out.interpolation.reset();
     return out;

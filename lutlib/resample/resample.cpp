@@ -30,7 +30,7 @@ constexpr std::array<ResamplingMethod, 3> method_rows{{
 }};
 
 // What a 1D table can give, widened where it is constant.
-Domain range_of(const Lut1D& curve) {
+Domain values_of(const Lut1D& curve) {
     Domain out{curve.entries.front(), curve.entries.front()};
     for (const Rgb& entry : curve.entries) {
         for (std::size_t c = 0; c < 3; ++c) {
@@ -90,7 +90,7 @@ Lut sample_like(const Lut& like, const Sampling& sampling, const Transform& whol
         }
         out.shaper = like.shaper;
         out.cube =
-            sample_cube(after_table, like.cube ? like.cube->domain : range_of(*like.shaper), size);
+            sample_cube(after_table, like.cube ? like.cube->domain : values_of(*like.shaper), size);
     } else {
         out.shaper = encoding_shaper(shaper, sampling.input, domain, sampling.shaper_size);
         out.cube = sample_cube_behind(whole, *out.shaper, size);

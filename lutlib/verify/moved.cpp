@@ -9,7 +9,7 @@ namespace lutlib {
 namespace {
 
 // Of the texels, what must be right in another place.
-constexpr double convincing = 0.98;
+constexpr double convincing_share = 0.98;
 
 // Whether a texel holds a look's value.
 class Holds {
@@ -87,7 +87,7 @@ std::optional<Diagnosis> shifted(const CodeImage& picture, const Engine& engine,
             }
             const Share all = share_of(picture, texels, holds, across, down, 1);
             const double share = static_cast<double>(all.right) / static_cast<double>(all.within);
-            if (!all.convinces(convincing) || (best && best->explained >= share)) {
+            if (!all.convinces(convincing_share) || (best && best->explained >= share)) {
                 continue;
             }
             const std::string sideways =
@@ -108,7 +108,7 @@ std::optional<Diagnosis> slices_exchanged(const CodeImage& picture, const Engine
     const Holds holds(picture, look);
     const std::size_t in_slice = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
     const auto most_wrong =
-        static_cast<std::size_t>((1 - convincing) * static_cast<double>(in_slice));
+        static_cast<std::size_t>((1 - convincing_share) * static_cast<double>(in_slice));
     // The texels of the place of slice `at` that hold slice `of`; fewer where that is hopeless.
     const auto right_in = [&, &where = pixels, &what = values](std::size_t at, std::size_t of) {
         std::size_t right = 0, wrong = 0;

@@ -32,7 +32,7 @@ std::optional<double> off_nodes(const std::vector<double>& nodes, double in) {
 // mistakes leave black, white and what is beside them nearly as it is.
 constexpr double ends = 0.1;
 // Of what lies between nodes; a mistake in a few slices leaves most as it is.
-constexpr double least_wrong = 0.5;
+constexpr double least_wrong_between = 0.5;
 
 struct Group {
     double squares = 0; ///< in codes of 8 bits, less what rounding leaves
@@ -93,7 +93,8 @@ std::optional<std::string> sampling_between_nodes(const CodeImage& picture, cons
     }
     if (near.texels < least_texels || between.texels < least_texels ||
         between.mean() < least_square || near.mean() > most_near_nodes * between.mean() ||
-        static_cast<double>(between.wrong) < least_wrong * static_cast<double>(between.texels)) {
+        static_cast<double>(between.wrong) <
+            least_wrong_between * static_cast<double>(between.texels)) {
         return std::nullopt;
     }
     return "the picture is right at the look's nodes and differs between them, by " +

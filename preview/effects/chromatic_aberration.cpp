@@ -6,7 +6,7 @@
 namespace preview::effect {
 namespace {
 
-constexpr lutlib::Parameter parameters[] = {
+constexpr lutlib::Parameter chromatic_aberration_parameters[] = {
     {.name = "strength", .flag = "strength", .label = "Strength", .fallback = 1},
     {.name = "corner",
      .flag = "corner",
@@ -17,12 +17,13 @@ constexpr lutlib::Parameter parameters[] = {
      .fallback = 6},
 };
 
-struct Push {
+struct ChromaticAberrationPush {
     float corner;
     std::uint32_t side_width;
 };
 
-ImageHandle add(Graph& graph, const EffectInput& in, const lutlib::Values& values) {
+ImageHandle add_chromatic_aberration(Graph& graph, const EffectInput& in,
+                                     const lutlib::Values& values) {
     const ImageDesc desc = graph.image_desc(in.picture);
     const float width = static_cast<float>(in.width), height = static_cast<float>(desc.height);
     const float half_diagonal = 0.5F * std::sqrt(width * width + height * height);
@@ -30,7 +31,7 @@ ImageHandle add(Graph& graph, const EffectInput& in, const lutlib::Values& value
     pass.sample(in.picture, Sampler::linear_clamp);
     const ImageHandle out = pass.write(graph.image("with fringes", desc));
     const float corner = number_at(values, 1) / 1000 * height;
-    pass.push(Push{number_at(values, 0) * corner / half_diagonal, in.width});
+    pass.push(ChromaticAberrationPush{number_at(values, 0) * corner / half_diagonal, in.width});
     pass.dispatch_over(desc.width, desc.height, many_each);
     return out;
 }
@@ -43,7 +44,7 @@ const PostEffect chromatic_aberration{
     .help = "Red and blue stand apart from green towards the corners, as a simple lens shows them",
     .reference = "red from r + k r^3, blue from r - k r^3, r the distance from the middle",
     .stage = Stage::hdr,
-    .parameters = parameters,
-    .add = add};
+    .parameters = chromatic_aberration_parameters,
+    .add = add_chromatic_aberration};
 
 } // namespace preview::effect

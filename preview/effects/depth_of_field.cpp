@@ -9,7 +9,7 @@
 namespace preview::effect {
 namespace {
 
-constexpr lutlib::Parameter parameters[] = {
+constexpr lutlib::Parameter depth_of_field_parameters[] = {
     {.name = "strength", .flag = "strength", .label = "Strength", .fallback = 1},
     {.name = "focus",
      .flag = "focus",
@@ -140,7 +140,7 @@ void blur(Graph& graph, Halves& halves, float largest) {
     fill.dispatch_over(desc.width, desc.height);
 }
 
-ImageHandle add(Graph& graph, const EffectInput& in, const lutlib::Values& values) {
+ImageHandle add_depth_of_field(Graph& graph, const EffectInput& in, const lutlib::Values& values) {
     const ImageDesc desc = graph.image_desc(in.picture);
     Lens lens = lens_of(values, in.depth, desc.height);
     const auto texel = [](float share, std::uint32_t length) {
@@ -171,9 +171,9 @@ const PostEffect depth_of_field{
     .reference = "thin lens: circle on the sensor f/N f/(z_f - f) |1 - z_f/z|; layers apart after "
                  "Jimenez 2014, Next Generation Post Processing in Call of Duty",
     .stage = Stage::hdr,
-    .parameters = parameters,
+    .parameters = depth_of_field_parameters,
     .needs_depth = true,
     .idle_because = idle_because,
-    .add = add};
+    .add = add_depth_of_field};
 
 } // namespace preview::effect

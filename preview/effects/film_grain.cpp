@@ -6,7 +6,7 @@
 namespace preview::effect {
 namespace {
 
-constexpr lutlib::Parameter parameters[] = {
+constexpr lutlib::Parameter film_grain_parameters[] = {
     {.name = "strength", .flag = "strength", .label = "Strength", .fallback = 0.25},
     {.name = "size",
      .flag = "size",
@@ -29,20 +29,20 @@ constexpr lutlib::Parameter parameters[] = {
      .fallback = 0},
 };
 
-struct Push {
+struct FilmGrainPush {
     float amplitude, cell;
     std::uint32_t frame, is_colored, side_width;
 };
 
-ImageHandle add(Graph& graph, const EffectInput& in, const lutlib::Values& values) {
+ImageHandle add_film_grain(Graph& graph, const EffectInput& in, const lutlib::Values& values) {
     const ImageDesc desc = graph.image_desc(in.picture);
     Pass pass = graph.compute("film-grain", "film_grain.comp");
     pass.read(in.picture);
     const ImageHandle out = pass.write(graph.image("with grain", desc));
     const float cell = number_at(values, 1) / 1000 * static_cast<float>(desc.height);
-    pass.push(Push{0.15F * number_at(values, 0), std::max(cell, 1.0F),
-                   step_at(in.seconds, std::get<double>(values[2])),
-                   number_at(values, 3) != 0 ? 1U : 0U, in.width});
+    pass.push(FilmGrainPush{0.15F * number_at(values, 0), std::max(cell, 1.0F),
+                            step_at(in.seconds, std::get<double>(values[2])),
+                            number_at(values, 3) != 0 ? 1U : 0U, in.width});
     pass.dispatch_over(desc.width, desc.height, many_each);
     return out;
 }
@@ -56,7 +56,7 @@ const PostEffect film_grain{
     .reference = "color + 0.15 strength 4 luma (1 - luma) noise, noise of variance 1 between the "
                  "points of a grid",
     .stage = Stage::after_look,
-    .parameters = parameters,
-    .add = add};
+    .parameters = film_grain_parameters,
+    .add = add_film_grain};
 
 } // namespace preview::effect

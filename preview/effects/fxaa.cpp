@@ -4,11 +4,11 @@
 namespace preview::effect {
 namespace {
 
-constexpr lutlib::Parameter parameters[] = {
+constexpr lutlib::Parameter fxaa_parameters[] = {
     {.name = "strength", .flag = "strength", .label = "Strength", .fallback = 1},
 };
 
-ImageHandle add(Graph& graph, const EffectInput& in, const lutlib::Values& values) {
+ImageHandle add_fxaa(Graph& graph, const EffectInput& in, const lutlib::Values& values) {
     const ImageDesc desc = graph.image_desc(in.picture);
     Pass pass = graph.compute("fxaa", "fxaa.comp");
     pass.read(in.picture);
@@ -25,8 +25,8 @@ const PostEffect fxaa{.name = "fxaa",
                       .help = "Smooths the stairs of edges; strength scales how far",
                       .reference = "Lottes 2011, FXAA 3.11, quality preset",
                       .stage = Stage::last,
-                      .parameters = parameters,
+                      .parameters = fxaa_parameters,
                       .usual_for_scenes = true,
-                      .add = add};
+                      .add = add_fxaa};
 
 } // namespace preview::effect

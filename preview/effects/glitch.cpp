@@ -7,7 +7,7 @@
 namespace preview::effect {
 namespace {
 
-constexpr lutlib::Parameter parameters[] = {
+constexpr lutlib::Parameter glitch_parameters[] = {
     {.name = "strength", .flag = "strength", .label = "Strength", .fallback = 0.6},
     {.name = "shift",
      .flag = "shift",
@@ -40,13 +40,13 @@ constexpr lutlib::Parameter parameters[] = {
      .fallback = 12},
 };
 
-struct Push {
+struct GlitchPush {
     float green_shift, tear, torn_lines, noise;
     std::uint32_t moment;
     std::int32_t line, side_width;
 };
 
-ImageHandle add(Graph& graph, const EffectInput& in, const lutlib::Values& values) {
+ImageHandle add_glitch(Graph& graph, const EffectInput& in, const lutlib::Values& values) {
     const ImageDesc desc = graph.image_desc(in.picture);
     const float rows = static_cast<float>(desc.height), strength = number_at(values, 0);
     const auto texels = [&](std::size_t parameter) {
@@ -55,11 +55,11 @@ ImageHandle add(Graph& graph, const EffectInput& in, const lutlib::Values& value
     Pass pass = graph.compute("glitch", "glitch.comp");
     pass.read(in.picture);
     const ImageHandle out = pass.write(graph.image("damaged", desc));
-    pass.push(Push{strength * texels(1), strength * texels(2), 0.2F * strength,
-                   strength * number_at(values, 3),
-                   step_at(in.seconds, std::get<double>(values[5])),
-                   static_cast<std::int32_t>(std::max(std::lround(texels(4)), 1L)),
-                   static_cast<std::int32_t>(in.width)});
+    pass.push(GlitchPush{strength * texels(1), strength * texels(2), 0.2F * strength,
+                         strength * number_at(values, 3),
+                         step_at(in.seconds, std::get<double>(values[5])),
+                         static_cast<std::int32_t>(std::max(std::lround(texels(4)), 1L)),
+                         static_cast<std::int32_t>(in.width)});
     pass.dispatch_over(desc.width, desc.height, many_each);
     return out;
 }
@@ -73,7 +73,7 @@ const PostEffect glitch{
     .reference = "green from x + shift e |e|, e -1..1 from border to border; a fifth of the lines "
                  "torn",
     .stage = Stage::after_look,
-    .parameters = parameters,
-    .add = add};
+    .parameters = glitch_parameters,
+    .add = add_glitch};
 
 } // namespace preview::effect

@@ -7,7 +7,7 @@
 namespace preview::effect {
 namespace {
 
-constexpr lutlib::Parameter parameters[] = {
+constexpr lutlib::Parameter paintbrush_parameters[] = {
     {.name = "strength", .flag = "strength", .label = "Strength", .fallback = 1},
     {.name = "size",
      .flag = "size",
@@ -46,7 +46,7 @@ struct StrokesPush {
     float cell, frequency, depth, coherence;
     std::uint32_t side_width, columns;
 };
-struct Push {
+struct PaintbrushPush {
     float strength, cell, half_length;
     std::uint32_t side_width, columns;
 };
@@ -58,7 +58,7 @@ float depth_at(double seconds, double rate) {
     return static_cast<float>(whole - 256 * std::floor(whole / 256) + part * part * (3 - 2 * part));
 }
 
-ImageHandle add(Graph& graph, const EffectInput& in, const lutlib::Values& values) {
+ImageHandle add_paintbrush(Graph& graph, const EffectInput& in, const lutlib::Values& values) {
     const ImageDesc desc = graph.image_desc(in.picture);
     const auto rows = static_cast<float>(desc.height);
     const float cell = std::max(number_at(values, 1) / 1000 * rows / (2 * half_width), least_cell);
@@ -81,8 +81,8 @@ ImageHandle add(Graph& graph, const EffectInput& in, const lutlib::Values& value
     pass.read(flows);
     pass.read(colors);
     const ImageHandle out = pass.write(graph.image("painted", desc));
-    pass.push(
-        Push{number_at(values, 0), cell, number_at(values, 2) * half_width, in.width, columns});
+    pass.push(PaintbrushPush{number_at(values, 0), cell, number_at(values, 2) * half_width,
+                             in.width, columns});
     pass.dispatch(sides * ((in.width + 15) / 16), (desc.height + 15) / 16);
     return out;
 }
@@ -96,7 +96,7 @@ const PostEffect paintbrush{
     .reference = "Bridson, Houriham and Nordenstam 2007, Curl-noise for procedural fluid flow; "
                  "strokes sum w color / sum w",
     .stage = Stage::after_look,
-    .parameters = parameters,
-    .add = add};
+    .parameters = paintbrush_parameters,
+    .add = add_paintbrush};
 
 } // namespace preview::effect

@@ -7,7 +7,7 @@
 namespace preview::effect {
 namespace {
 
-constexpr lutlib::Parameter parameters[] = {
+constexpr lutlib::Parameter pointillism_parameters[] = {
     {.name = "strength", .flag = "strength", .label = "Strength", .fallback = 1},
     {.name = "size",
      .flag = "size",
@@ -27,18 +27,18 @@ struct CellsPush {
     float cell;
     std::uint32_t side_width, columns, samples, is_colored;
 };
-struct Push {
+struct PointillismPush {
     float strength, cell;
     std::uint32_t side_width, columns;
 };
 
-constexpr float least_cell = 2; ///< texels
+constexpr float least_dot = 2; ///< texels
 constexpr std::uint32_t most_samples = 8;
 
-ImageHandle add(Graph& graph, const EffectInput& in, const lutlib::Values& values) {
+ImageHandle add_pointillism(Graph& graph, const EffectInput& in, const lutlib::Values& values) {
     const ImageDesc desc = graph.image_desc(in.picture);
     const float cell =
-        std::max(number_at(values, 1) / 1000 * static_cast<float>(desc.height), least_cell);
+        std::max(number_at(values, 1) / 1000 * static_cast<float>(desc.height), least_dot);
     const auto cells_over = [&](std::uint32_t length) {
         return static_cast<std::uint32_t>(std::ceil(static_cast<float>(length) / cell));
     };
@@ -56,7 +56,7 @@ ImageHandle add(Graph& graph, const EffectInput& in, const lutlib::Values& value
     pass.read(in.picture);
     pass.read(cells);
     const ImageHandle out = pass.write(graph.image("dots", desc));
-    pass.push(Push{number_at(values, 0), cell, in.width, columns});
+    pass.push(PointillismPush{number_at(values, 0), cell, in.width, columns});
     pass.dispatch_over(desc.width, desc.height, many_each);
     return out;
 }
@@ -69,7 +69,7 @@ const PostEffect pointillism{
     .help = "A dot in each cell of a grid, the larger the darker the picture is there",
     .reference = "a dot's share of its cell is 1 - min(r, g, b), or 1 - luma in black",
     .stage = Stage::after_look,
-    .parameters = parameters,
-    .add = add};
+    .parameters = pointillism_parameters,
+    .add = add_pointillism};
 
 } // namespace preview::effect

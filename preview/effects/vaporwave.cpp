@@ -6,7 +6,7 @@
 namespace preview::effect {
 namespace {
 
-constexpr lutlib::Parameter parameters[] = {
+constexpr lutlib::Parameter vaporwave_parameters[] = {
     {.name = "strength", .flag = "strength", .label = "Strength", .fallback = 1},
     {.name = "field",
      .flag = "field",
@@ -24,21 +24,21 @@ constexpr lutlib::Parameter parameters[] = {
      .fallback = 0.5},
 };
 
-struct Push {
+struct VaporwavePush {
     float strength, field, moved;
     std::uint32_t side_width;
 };
 
-ImageHandle add(Graph& graph, const EffectInput& in, const lutlib::Values& values) {
+ImageHandle add_vaporwave(Graph& graph, const EffectInput& in, const lutlib::Values& values) {
     const ImageDesc desc = graph.image_desc(in.picture);
     Pass pass = graph.compute("vaporwave", "vaporwave.comp");
     pass.read(in.picture);
     pass.read(in.depth.image, Neutral::white);
     const ImageHandle out = pass.write(graph.image("vaporwave", desc));
     const double fields = in.seconds * std::get<double>(values[2]);
-    pass.push(Push{number_at(values, 0),
-                   number_at(values, 1) / 1000 * static_cast<float>(desc.height),
-                   static_cast<float>(fields - 2 * std::floor(fields / 2)), in.width});
+    pass.push(VaporwavePush{number_at(values, 0),
+                            number_at(values, 1) / 1000 * static_cast<float>(desc.height),
+                            static_cast<float>(fields - 2 * std::floor(fields / 2)), in.width});
     pass.dispatch_over(desc.width, desc.height, many_each);
     return out;
 }
@@ -51,8 +51,8 @@ const PostEffect vaporwave{
     .help = "Surfaces in purple and pink, and where there is none a moving checkerboard",
     .reference = "0.7 mix(dark, light, luma) + 0.3 color; fields change over one texel",
     .stage = Stage::after_look,
-    .parameters = parameters,
+    .parameters = vaporwave_parameters,
     .needs_depth = true,
-    .add = add};
+    .add = add_vaporwave};
 
 } // namespace preview::effect

@@ -7,7 +7,7 @@
 namespace preview::effect {
 namespace {
 
-constexpr lutlib::Parameter parameters[] = {
+constexpr lutlib::Parameter vignette_parameters[] = {
     {.name = "strength", .flag = "strength", .label = "Strength", .fallback = 1},
     {.name = "angle",
      .flag = "angle",
@@ -18,19 +18,19 @@ constexpr lutlib::Parameter parameters[] = {
      .fallback = 60},
 };
 
-struct Push {
+struct VignettePush {
     float strength, corner_tangent;
     std::uint32_t side_width;
 };
 
-ImageHandle add(Graph& graph, const EffectInput& in, const lutlib::Values& values) {
+ImageHandle add_vignette(Graph& graph, const EffectInput& in, const lutlib::Values& values) {
     const ImageDesc desc = graph.image_desc(in.picture);
     const double half_angle = std::get<double>(values[1]) / 2 * std::numbers::pi / 180;
     Pass pass = graph.compute("vignette", "vignette.comp");
     pass.read(in.picture);
     const ImageHandle out = pass.write(graph.image("vignetted", desc));
-    pass.push(Push{static_cast<float>(std::get<double>(values[0])),
-                   static_cast<float>(std::tan(half_angle)), in.width});
+    pass.push(VignettePush{static_cast<float>(std::get<double>(values[0])),
+                           static_cast<float>(std::tan(half_angle)), in.width});
     pass.dispatch_over(desc.width, desc.height, many_each);
     return out;
 }
@@ -44,7 +44,7 @@ const PostEffect vignette{
     .reference = "Gardner 1947, Validity of the Cosine-Fourth-Power Law of Illumination: "
                  "light (1 - strength + strength cos^4)",
     .stage = Stage::hdr,
-    .parameters = parameters,
-    .add = add};
+    .parameters = vignette_parameters,
+    .add = add_vignette};
 
 } // namespace preview::effect

@@ -8,7 +8,7 @@ namespace preview {
 
 namespace {
 
-struct Push {
+struct ResolvePush {
     std::array<std::int32_t, 2> corner, extent;
     float exposure;
 };
@@ -36,8 +36,9 @@ Resolved add_resolve(Graph& graph, ImageHandle source, Size size, float exposure
     const auto signed_pair = [](std::uint32_t x, std::uint32_t y) {
         return std::array{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
     };
-    pass.push(Push{signed_pair((size.width - extent.width) / 2, (size.height - extent.height) / 2),
-                   signed_pair(extent.width, extent.height), exposure});
+    pass.push(
+        ResolvePush{signed_pair((size.width - extent.width) / 2, (size.height - extent.height) / 2),
+                    signed_pair(extent.width, extent.height), exposure});
     pass.dispatch_over(size.width, size.height, many_each);
     return out;
 }

@@ -1,16 +1,16 @@
 #include "preview/scene/environment.h"
 
+#include "preview/scene/angles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 namespace preview {
 
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 constexpr float cosine_sharpness = 2.133F, cosine_amplitude = 1.170F;
 
 // Share of the zenith in the irradiance of a surface whose normal has the height y, for the

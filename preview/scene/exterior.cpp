@@ -1,6 +1,7 @@
 // The exterior: a terrace above hills under a clear sky, whose sun stands where --sun-height and
 // --sun-azimuth put it. White walls and cloth near the sun's brightest, terracotta, leaves, skin, a
 // chrome ball that shows the sky, and distance that fades into blue.
+#include "preview/scene/angles.h"
 #include "preview/scene/builtin.h"
 #include "preview/scene/pictures.h"
 #include "preview/scene/shapes.h"
@@ -12,13 +13,11 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace preview {
 
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 constexpr float wall_top = 0.62F;
 constexpr float wall_z = -2.2F;
 constexpr glm::vec3 leaf_green{0.045F, 0.115F, 0.022F};

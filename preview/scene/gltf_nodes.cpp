@@ -15,8 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-/// Places beyond it are as good as nowhere.
-constexpr float most_coordinate = 1e9F;
 constexpr std::size_t no_parent = SIZE_MAX;
 
 bool is_usable(const glm::mat4& m) {

@@ -9,9 +9,6 @@ namespace preview {
 
 namespace {
 
-/// Coordinates beyond it are as good as infinite: areas' squares must be floats.
-constexpr float most_coordinate = 1e9F;
-
 bool is_usable(const glm::vec3& v) {
     return std::abs(v.x) < most_coordinate && std::abs(v.y) < most_coordinate &&
            std::abs(v.z) < most_coordinate; // false for NaN

@@ -14,6 +14,10 @@
 
 namespace preview {
 
+/// A coordinate beyond it is as good as infinite: its place is nowhere, and squares of areas must be
+/// floats.
+inline constexpr float most_coordinate = 1e9F;
+
 /// What is left out, counted.
 class LeftOut {
   public:

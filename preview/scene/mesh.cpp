@@ -1,17 +1,16 @@
 #include "preview/scene/mesh.h"
 
+#include "preview/scene/angles.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 namespace preview {
 
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 // Sweeps a circle of radius `tube` along the closed curve centre(t), t in 0..1. The frame is made
 // from the tangent and `axis(t)`, which never points along the tangent.

@@ -1,11 +1,11 @@
 #include "preview/scene/pictures.h"
 
+#include "preview/scene/angles.h"
 #include "preview/scene/picture_maker.h"
 
 #include <glm/common.hpp>
 
 #include <cmath>
-#include <numbers>
 
 namespace preview {
 
@@ -24,7 +24,6 @@ std::uint32_t wrapped(int cell, int period) {
     return static_cast<std::uint32_t>(rest < 0 ? rest + period : rest);
 }
 
-constexpr float pi = std::numbers::pi_v<float>;
 constexpr float board_count = 4;
 
 struct Wood {

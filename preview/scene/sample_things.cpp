@@ -1,4 +1,5 @@
 // What stands on the sample's table.
+#include "preview/scene/angles.h"
 #include "preview/scene/pictures.h"
 #include "preview/scene/sample_parts.h"
 #include "preview/scene/shapes.h"
@@ -9,13 +10,10 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace preview {
 
 namespace {
-
-constexpr float pi = std::numbers::pi_v<float>;
 
 Mesh turned_shape(std::span<const glm::vec2> points, int steps, int sectors) {
     return lathe(smoothed(points, steps), sectors);

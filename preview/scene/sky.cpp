@@ -13,7 +13,6 @@ namespace preview {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double least_cosine = 0.01;
 constexpr double least_turbidity = 2, most_turbidity = 10;
 
@@ -67,7 +66,7 @@ double held_turbidity(const Sky& sky) {
 
 /// kcd/m2.
 double zenith_luminance(double turbidity, double angle) {
-    const double chi = (4.0 / 9 - turbidity / 120) * (pi - 2 * angle);
+    const double chi = (4.0 / 9 - turbidity / 120) * (std::numbers::pi - 2 * angle);
     return (4.0453 * turbidity - 4.9710) * std::tan(chi) - 0.2155 * turbidity + 2.4192;
 }
 
@@ -106,11 +105,11 @@ glm::dvec3 level_irradiance(const SkyBlock& block) {
         const double up = std::sqrt(squared);
         const double across = std::sqrt(1 - squared);
         for (int k = 0; k < azimuths; ++k) {
-            const double turn = 2 * pi * (k + 0.5) / azimuths;
+            const double turn = 2 * std::numbers::pi * (k + 0.5) / azimuths;
             sum += sky_radiance(block, {across * std::sin(turn), up, across * std::cos(turn)});
         }
     }
-    return sum * (pi / (heights * azimuths));
+    return sum * (std::numbers::pi / (heights * azimuths));
 }
 
 } // namespace
@@ -149,7 +148,7 @@ SkyBlock sky_block(const Sky& sky) {
         level_irradiance(block) +
         sun_irradiance(sky) *
             std::max(std::sin(glm::radians(static_cast<double>(sky.sun_height))), 0.0);
-    block.ground = glm::vec4(glm::vec3(irradiance * (ground_albedo / pi)), 0);
+    block.ground = glm::vec4(glm::vec3(irradiance * (ground_albedo / std::numbers::pi)), 0);
     return block;
 }
 
@@ -188,7 +187,7 @@ glm::dvec3 sun_irradiance(const Sky& sky) {
 
 glm::dvec3 sun_disc(const Sky& sky, double most) {
     const double sine = std::sin(glm::radians(sun_radius));
-    const glm::dvec3 radiance = sun_irradiance(sky) / (pi * sine * sine);
+    const glm::dvec3 radiance = sun_irradiance(sky) / (std::numbers::pi * sine * sine);
     const double largest = std::max({radiance.x, radiance.y, radiance.z, most});
     return radiance * (most / largest);
 }

@@ -64,7 +64,7 @@ std::vector<PrelutPoint> prelut(const Lut& lut, std::size_t channel) {
     return points;
 }
 
-std::string write(const FileFormat& /*format*/, const Lut& lut, const WriteOptions& options) {
+std::string write_csp(const FileFormat& /*format*/, const Lut& lut, const WriteOptions& options) {
     validate(lut);
     if (!lut.shaper && !lut.cube) {
         throw Error("a .csp file needs a table; bake the identity to a size first");
@@ -94,8 +94,8 @@ std::string write(const FileFormat& /*format*/, const Lut& lut, const WriteOptio
 }
 
 // OpenColorIO's reader looks for the end of the metadata without end.
-Reading read(const FileFormat& format, std::string_view bytes, const std::string& file,
-             const ReadOptions& options) {
+Reading read_csp(const FileFormat& format, std::string_view bytes, const std::string& file,
+                 const ReadOptions& options) {
     LineScanner lines(bytes);
     std::size_t begun = 0;
     for (std::string_view line; lines.next(line);) {
@@ -117,7 +117,7 @@ Reading read(const FileFormat& format, std::string_view bytes, const std::string
 }
 
 constexpr FileFormat checked(FileFormat row) {
-    row.read = read;
+    row.read = read_csp;
     return row;
 }
 
@@ -135,7 +135,7 @@ constinit const FileFormat csp = checked(read_by_opencolorio({
               .per_channel_domain = true,
               .title = true},
     .magic = "CSPLUTV100",
-    .write = write,
+    .write = write_csp,
 }));
 
 } // namespace lutlib::formats

@@ -106,7 +106,7 @@ Reading read_in(const io::LutPicture& source, const Layout& layout, const std::s
     return out;
 }
 
-std::string write(const FileFormat& format, const Lut& lut, const WriteOptions& options) {
+std::string write_picture(const FileFormat& format, const Lut& lut, const WriteOptions& options) {
     const Picture picture = to_picture(*lut.cube, *format.layout);
     PngImage codes;
     codes.width = picture.width;
@@ -125,8 +125,8 @@ std::string write(const FileFormat& format, const Lut& lut, const WriteOptions& 
     return io::write_png(codes);
 }
 
-Reading read(const FileFormat& format, std::string_view bytes, const std::string& file,
-             const ReadOptions& options) {
+Reading read_picture(const FileFormat& format, std::string_view bytes, const std::string& file,
+                     const ReadOptions& options) {
     return read_in(io::read_lut_picture(bytes, file), *format.layout, file, options);
 }
 
@@ -191,8 +191,8 @@ std::span<const FileFormat> pictures() {
                 .label = labels[out.size()],
                 .extensions = {"png"},
                 .holds = {.cube = true, .title = true, .encodings = true, .integer_bits = 16},
-                .read = read,
-                .write = write,
+                .read = read_picture,
+                .write = write_picture,
                 .picture = true,
                 .layout = &layout,
             });

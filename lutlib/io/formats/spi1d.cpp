@@ -13,7 +13,8 @@
 namespace lutlib::formats {
 namespace {
 
-std::string write(const FileFormat& /*format*/, const Lut& lut, const WriteOptions& /*options*/) {
+std::string write_spi1d(const FileFormat& /*format*/, const Lut& lut,
+                        const WriteOptions& /*options*/) {
     validate(lut);
     if (!lut.shaper || lut.cube) {
         throw Error("an .spi1d file holds one curve and nothing else");
@@ -40,7 +41,7 @@ constinit const FileFormat spi1d = read_by_opencolorio({
     .extensions = {"spi1d"},
     .holds = {.curve = true, .curve_domain = true},
     .magic = "Components",
-    .write = write,
+    .write = write_spi1d,
 });
 
 } // namespace lutlib::formats

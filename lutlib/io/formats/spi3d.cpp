@@ -13,7 +13,8 @@
 namespace lutlib::formats {
 namespace {
 
-std::string write(const FileFormat& /*format*/, const Lut& lut, const WriteOptions& /*options*/) {
+std::string write_spi3d(const FileFormat& /*format*/, const Lut& lut,
+                        const WriteOptions& /*options*/) {
     validate(lut);
     if (!lut.cube || lut.shaper || !lut.cube->domain.is_unit()) {
         throw Error("an .spi3d file holds one cube of input 0..1 and nothing else");
@@ -40,7 +41,7 @@ constinit const FileFormat spi3d = read_by_opencolorio({
     .extensions = {"spi3d"},
     .holds = {.cube = true},
     .magic = "SPILUT",
-    .write = write,
+    .write = write_spi3d,
 });
 
 } // namespace lutlib::formats

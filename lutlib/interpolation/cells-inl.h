@@ -1,7 +1,6 @@
 // Tetrahedral interpolation of 8-bit pixels in whole numbers: a code's place between nodes is a
-// multiple of 1/255, which 16 bits hold exactly; each cell keeps its eight corners in one line of
-// the caches, which one multiply-add weighs, four by 0. Compiled once for each instruction set, as
-// grade_kernels.cpp is.
+// multiple of 1/255, which 16 bits hold exactly, and one multiply-add weighs two nodes that lie
+// side by side. Compiled once for each instruction set, as grade_kernels.cpp is.
 #if defined(LUTLIB_INTERPOLATION_CELLS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef LUTLIB_INTERPOLATION_CELLS_INL_H
 #undef LUTLIB_INTERPOLATION_CELLS_INL_H
@@ -20,174 +19,187 @@ using DU32 = hn::RebindToUnsigned<D>;
 using DU16 = hn::Repartition<std::uint16_t, D>;
 using DI16 = hn::Repartition<std::int16_t, D>;
 using DU8 = hn::Repartition<std::uint8_t, D>;
+using VU32 = hn::Vec<DU32>;
 using VU16 = hn::Vec<DU16>;
+using VI16 = hn::Vec<DI16>;
+using VU8 = hn::Vec<DU8>;
 
 /// a0 b0 + a1 b1 of every two neighbours.
-HWY_INLINE VI dot_pairs(hn::Vec<DI16> a, hn::Vec<DI16> b) {
+HWY_INLINE VI dot_pairs(VI16 a, VI16 b) {
     VI rest = hn::Zero(DI());
     const VI sum = hn::ReorderWidenMulAccumulate(DI(), a, b, hn::Zero(DI()), rest);
     return hn::Add(sum, rest); // some processors leave a part in each
 }
 
-/// Of a strip's pixels, in their order: the cell's offset in bytes and four pairs of weights.
+/// Of a strip's pixels, in their order, for each of their two pairs of nodes: where it lies, in
+/// half pairs, and what the two weigh, in the lower and in the upper half.
 struct FoundCells {
-    HWY_ALIGN std::array<std::int32_t, strip> offset;
-    HWY_ALIGN std::array<std::int16_t, 8 * strip> weight;
+    HWY_ALIGN std::array<std::int32_t, strip> offset[2];
+    HWY_ALIGN std::array<std::uint32_t, strip> weights[2];
 };
 
 class Cells {
   public:
     HWY_INLINE explicit Cells(const GradeTables& tables)
-        : cells_(tables.cells()), size_(tables.size), factor_(tables.cell_factor()),
-          offset_(tables.cell_offset()) {
-        HWY_ALIGN std::array<std::uint8_t, 64> from;
-        for (std::size_t i = 0; i < from.size(); ++i) {
-            from[i] = static_cast<std::uint8_t>(i / 16 % blocks * 4 + i % 4);
+        : cells_(tables.cells()), size_(static_cast<std::uint32_t>(tables.size)) {
+        const std::uint32_t step[3] = {1, size_, size_ * size_};
+        for (std::uint32_t c = 0; c < 3; ++c) {
+            step_[c] = halves_of_a_cell * step[c] | 2 * (c + 1);
         }
-        spread_ = hn::Load(DU8(), from.data());
     }
 
     /// Of as many pixels as a vector has floats, in their order.
     HWY_INLINE void find(const std::uint8_t* in, std::size_t i, FoundCells& found) const {
         const DU32 d;
-        const DU16 d16;
         const DI16 s16;
-        const auto pixels = hn::LoadU(d, reinterpret_cast<const std::uint32_t*>(in));
-        const Axis rb = locate(hn::BitCast(d16, hn::And(pixels, hn::Set(d, 0x00FF00FF))));
-        const Axis g =
-            locate(hn::BitCast(d16, hn::And(hn::ShiftRight<8>(pixels), hn::Set(d, 0x000000FF))));
-        const auto n = static_cast<std::uint32_t>(size_);
-        const auto rb_steps = hn::BitCast(s16, hn::Set(d, n * n << 16 | 1));
-        const VI cell = hn::Add(dot_pairs(hn::BitCast(s16, rb.i), rb_steps),
-                                dot_pairs(hn::BitCast(s16, g.i), hn::BitCast(s16, hn::Set(d, n))));
-        static_assert(GradeTables::cell_bytes == 1 << 6);
-        hn::Store(hn::ShiftLeft<6>(cell), DI(), &found.offset[i]);
-        put_weights(rb.f, g.f, i, found);
+        const VU32 pixels = hn::LoadU(d, reinterpret_cast<const std::uint32_t*>(in));
+        const Axis rb = locate(hn::And(pixels, hn::Set(d, 0x00FF00FF)));
+        const Axis g = locate(hn::And(hn::ShiftLeft<8>(pixels), hn::Set(d, 0x00FF0000)));
+        const auto steps = [&](std::uint32_t two)
+                               HWY_ATTR { return hn::BitCast(s16, hn::Set(d, two)); };
+        const VI cell = hn::Add(dot_pairs(hn::BitCast(s16, rb.i), steps(size_ * size_ << 16 | 1)),
+                                dot_pairs(hn::BitCast(s16, g.i), steps(size_ << 16)));
+        static_assert(halves_of_a_cell == 1 << 3);
+        put(hn::ShiftLeft<3>(cell), rb.f, g.f, i, found);
     }
 
-    /// The codes of every fourth pixel of the vector that begins at `at`, from its `first` on.
-    template <std::size_t first>
-    HWY_INLINE VI codes(const FoundCells& found, std::size_t at) const {
-        const D d;
-        VI sum;
-        if constexpr (blocks == 1) {
-            sum = one_sum<first>(found, at);
-        } else if constexpr (blocks == 2) {
-            const VI a = one_sum<first>(found, at), b = one_sum<first + 4>(found, at);
-            sum = hn::Add(hn::ConcatLowerLower(DI(), b, a), hn::ConcatUpperUpper(DI(), b, a));
-        } else {
-            // Quarters of two sums, added crosswise, then of four.
-            const VI a = halved(one_sum<first>(found, at), one_sum<first + 8>(found, at));
-            const VI b = halved(one_sum<first + 4>(found, at), one_sum<first + 12>(found, at));
-            sum = hn::Add(hn::OddEvenBlocks(hn::SwapAdjacentBlocks(b), a),
-                          hn::OddEvenBlocks(b, hn::SwapAdjacentBlocks(a)));
-        }
-        return nearest_whole(
-            hn::MulAdd(hn::ConvertTo(d, sum), hn::Set(d, factor_), hn::Set(d, offset_)));
+    /// Of every fourth pixel of the vector that begins at `at`, from its `first` on, a block each:
+    /// what its nodes come to, so weighed.
+    template <int first>
+    HWY_INLINE VI sums(const FoundCells& found, std::size_t at) const {
+        return hn::Add(pair_sums<first>(found, 0, at), pair_sums<first>(found, 1, at));
     }
 
   private:
     struct Axis {
-        VU16 i, f; ///< the node below, and 128 times how many 255ths beyond it
+        VU32 i, f; ///< the node below, and how many 255ths beyond it, of each half
     };
+    static constexpr std::size_t half_pair = 8; ///< bytes
+    static constexpr std::uint32_t halves_of_a_cell = GradeTables::cell_bytes / half_pair;
 
     // Dividing by 255 as a multiplication, exact for 16 bits.
-    HWY_INLINE Axis locate(VU16 codes) const {
-        const DU16 d;
-        const VU16 place = hn::Mul(codes, hn::Set(d, static_cast<std::uint16_t>(size_ - 1)));
-        const VU16 i = hn::ShiftRight<7>(hn::MulHigh(place, hn::Set(d, 0x8081)));
-        return {i, hn::ShiftLeft<7>(hn::Sub(place, hn::Mul(i, hn::Set(d, 255))))};
+    HWY_INLINE Axis locate(VU32 codes) const {
+        const DU32 d;
+        const DU16 d16;
+        const VU16 place =
+            hn::Mul(hn::BitCast(d16, codes), hn::Set(d16, static_cast<std::uint16_t>(size_ - 1)));
+        const VU16 i = hn::ShiftRight<7>(hn::MulHigh(place, hn::Set(d16, 0x8081)));
+        const VU16 f = hn::And(hn::Add(place, i), hn::Set(d16, 255)); // place is 256 i - i + f
+        return {hn::BitCast(d, i), hn::BitCast(d, f)};
     }
 
-    // `rb`: red and blue of a pixel side by side; `g`: green and 0.
-    static HWY_INLINE void put_weights(VU16 rb, VU16 g, std::size_t i, FoundCells& found) {
-        const DU16 d;
-        const DU32 pairs;
-        const auto green = hn::BitCast(pairs, g);
-        const VU16 gg = hn::BitCast(d, hn::Or(green, hn::ShiftLeft<16>(green)));
-        const VU16 br = hn::Reverse2(d, rb);
-        const VU16 high = hn::Max(rb, gg), low = hn::Min(rb, gg);
-        const VU16 rb_high = hn::Max(rb, br), rb_low = hn::Min(rb, br);
-        const VU16 least = hn::Min(rb_low, gg), most = hn::Max(rb_high, gg);
-        const VU16 whole = hn::Set(d, static_cast<std::uint16_t>(GradeTables::whole));
-        // In the order of GradeTables::cell_bytes.
-        const auto as_floats = [](VU16 v) HWY_ATTR { return hn::BitCast(D(), v); };
-        V a = as_floats(hn::OddEven(least, hn::Sub(whole, most)));
-        V b = as_floats(hn::SaturatedSub(rb, hn::Reverse2(d, high)));
-        V c = as_floats(hn::SaturatedSub(low, br));
-        V e = as_floats(hn::SaturatedSub(hn::OddEven(rb_low, gg), hn::OddEven(gg, rb_high)));
-        transpose(a, b, c, e);
-        // Pixel 4 j + k lies in block j of the k-th.
-        const V of[4] = {a, b, c, e};
-        for (std::size_t k = 0; k < 4; ++k) {
-            hn::Store(of[k], D(), reinterpret_cast<float*>(&found.weight[8 * (i + k * blocks)]));
-        }
+    // Fractions, in the upper halves, are sorted with their axes behind them: the step to the next
+    // node along it, and which pair of a node goes along it. `rb`: red, and blue above it; `g`:
+    // green above 0.
+    HWY_INLINE void put(VI cell, VU32 rb, VU32 g, std::size_t i, FoundCells& found) const {
+        const DU32 d;
+        const VU32 upper = hn::Set(d, 0xFFFF0000);
+        const VU32 red = hn::Or(hn::ShiftLeft<16>(rb), hn::Set(d, step_[0]));
+        const VU32 green = hn::Or(g, hn::Set(d, step_[1]));
+        const VU32 blue = hn::IfVecThenElse(upper, rb, hn::Set(d, step_[2]));
+        const VU32 high = hn::Max(red, green), low = hn::Min(red, green);
+        const VU32 middle = hn::Min(high, blue);
+        const VU32 first = hn::Max(high, blue), second = hn::Max(low, middle),
+                   third = hn::Min(low, middle);
+
+        constexpr std::uint32_t in_cell = halves_of_a_cell - 1;
+        const VU32 next_node = hn::And(first, hn::Set(d, 0xFFFF - in_cell));
+        const VU32 pair = hn::OrAnd(next_node, second, hn::Set(d, in_cell));
+        hn::Store(cell, DI(), &found.offset[0][i]);
+        hn::Store(hn::Add(cell, hn::BitCast(DI(), pair)), DI(), &found.offset[1][i]);
+
+        const VU32 falling = hn::IfVecThenElse(upper, second, hn::ShiftRight<16>(first));
+        const VU32 next = hn::IfVecThenElse(upper, third, hn::ShiftRight<16>(second));
+        const auto less = [](VU32 a, VU32 b) HWY_ATTR {
+            return hn::BitCast(DU32(), hn::Sub(hn::BitCast(DU16(), a), hn::BitCast(DU16(), b)));
+        };
+        const VU32 whole = hn::Set(d, GradeTables::whole);
+        hn::Store(hn::IfVecThenElse(upper, next, less(whole, falling)), d, &found.weights[0][i]);
+        hn::Store(less(falling, next), d, &found.weights[1][i]);
     }
 
-    // Sums of pairs of corners: in each block of the vector those that it holds.
-    template <std::size_t pixel>
-    HWY_INLINE VI one_sum(const FoundCells& found, std::size_t at) const {
+    template <int first>
+    HWY_INLINE VI pair_sums(const FoundCells& found, std::size_t k, std::size_t at) const {
+        const DU32 d;
+        const VU32 weights = hn::Broadcast<first>(hn::Load(d, &found.weights[k][at]));
+        return dot_pairs(hn::BitCast(DI16(), weights), every_fourth(&found.offset[k][at + first]));
+    }
+
+    HWY_INLINE VI16 every_fourth(const std::int32_t* offset) const {
         const DI16 d;
-        const std::int16_t* const weight = &found.weight[8 * (at + pixel % 4 * blocks + pixel / 4)];
-        const auto* const cell =
-            reinterpret_cast<const std::int16_t*>(cells_ + found.offset[at + pixel]);
+        const auto pair = [&](std::size_t block) HWY_ATTR {
+            return reinterpret_cast<const std::int16_t*>(
+                cells_ + half_pair * static_cast<std::size_t>(offset[4 * block]));
+        };
         if constexpr (blocks == 1) {
-            const auto weights = hn::Load(DI(), reinterpret_cast<const std::int32_t*>(weight));
-            const auto term = [&](std::size_t k, auto spread) HWY_ATTR {
-                return dot_pairs(hn::BitCast(d, spread), hn::Load(d, cell + 8 * k));
-            };
-            return hn::Add(
-                hn::Add(term(0, hn::Broadcast<0>(weights)), term(1, hn::Broadcast<1>(weights))),
-                hn::Add(term(2, hn::Broadcast<2>(weights)), term(3, hn::Broadcast<3>(weights))));
+            return hn::Load(d, pair(0));
+        } else if constexpr (blocks == 2) {
+            const hn::Half<DI16> half;
+            return hn::Combine(d, hn::Load(half, pair(1)), hn::Load(half, pair(0)));
         } else {
-            const auto weights = hn::LoadDup128(d, weight);
-            const auto spread = [&](auto from) HWY_ATTR {
-                return hn::BitCast(d, hn::TableLookupBytes(hn::BitCast(DU8(), weights), from));
-            };
-            const VI sum = dot_pairs(spread(spread_), hn::Load(d, cell));
-            if constexpr (blocks == 2) {
-                const auto second = hn::Add(spread_, hn::Set(DU8(), 8));
-                return hn::Add(sum, dot_pairs(spread(second), hn::Load(d, cell + 16)));
-            } else {
-                return sum;
+            VI16 out = hn::LoadDup128(d, pair(3));
+            for (std::size_t block = 3; block-- > 0;) {
+                out = hn::IfThenElse(hn::FirstN(d, 8 * (block + 1)), hn::LoadDup128(d, pair(block)),
+                                     out);
             }
+            return out;
         }
-    }
-
-    // Blocks 0 and 2, 1 and 3 of each added: those of `a`, then those of `b`.
-    static HWY_INLINE VI halved(VI a, VI b) {
-        return hn::Add(hn::ConcatLowerLower(DI(), b, a), hn::ConcatUpperUpper(DI(), b, a));
     }
 
     const std::byte* cells_;
-    int size_;
-    float factor_, offset_;
-    hn::Vec<DU8> spread_;
+    std::uint32_t size_;
+    std::array<std::uint32_t, 3> step_{};
 };
 
-/// Held to 0..255: four bytes of each block of `a`, then of `b`, `c` and `e`, in the block.
-HWY_INLINE hn::Vec<DU8> as_bytes(VI a, VI b, VI c, VI e) {
+/// Codes of sums of nodes within 0..1, four of each block of `a`, `b`, `c` and `e` in the block.
+HWY_INLINE VU8 codes_within(VI a, VI b, VI c, VI e) {
+    // The code and a half, times 2^16, less 2^23: its third byte, but for the uppermost bit.
+    static_assert(GradeTables::cell_bits_within == 16 && GradeTables::whole == 255);
+    const DU32 d;
+    const DU8 d8;
+    const auto of = [&](VI sum) HWY_ATTR { return hn::BitCast(d, sum); };
+    const VU32 ab =
+        hn::IfVecThenElse(hn::Set(d, 0x00FF), hn::ShiftRight<16>(of(a)), hn::ShiftRight<8>(of(b)));
+    const VU32 ce = hn::IfVecThenElse(hn::Set(d, 0x00FF0000), of(c), hn::ShiftLeft<8>(of(e)));
+    const VU32 all = hn::IfVecThenElse(hn::Set(d, 0xFFFF), ab, ce);
+    HWY_ALIGN std::array<std::uint8_t, 64> from;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        const std::size_t to = i % 16;
+        from[i] = static_cast<std::uint8_t>(to % 4 * 4 + to / 4);
+    }
+    const VU8 bytes = hn::TableLookupBytes(hn::BitCast(d8, all), hn::Load(d8, from.data()));
+    return hn::Xor(bytes, hn::Set(d8, 0x80));
+}
+
+/// The same of any nodes, held to 0..255.
+HWY_INLINE VU8 codes_held(VI a, VI b, VI c, VI e, std::int32_t bias) {
     const DI16 d;
     HWY_ALIGN std::array<std::uint8_t, 64> from;
     for (std::size_t i = 0; i < from.size(); ++i) {
         const std::size_t to = i % 16;
         from[i] = static_cast<std::uint8_t>(to / 4 % 2 * 8 + to % 4 * 2 + to / 8);
     }
+    const auto code = [&](VI sum) HWY_ATTR {
+        return hn::ShiftRight<GradeTables::cell_bits_beyond>(hn::Add(sum, hn::Set(DI(), bias)));
+    };
     const auto held = [&](VI first, VI second) HWY_ATTR {
-        const auto both = hn::ReorderDemote2To(d, first, second);
+        const VI16 both = hn::ReorderDemote2To(d, code(first), code(second));
         return hn::BitCast(DU16(), hn::Min(hn::Max(both, hn::Zero(d)), hn::Set(d, 255)));
     };
     const VU16 bytes = hn::Or(held(a, b), hn::ShiftLeft<8>(held(c, e)));
     return hn::TableLookupBytes(hn::BitCast(DU8(), bytes), hn::Load(DU8(), from.data()));
 }
 
-/// `pixels`: whole vectors of as many pixels as a vector has floats.
+/// `pixels`: whole vectors of as many pixels as a vector has floats. `is_within`: no node lies
+/// outside 0..1.
+template <bool is_within>
 HWY_INLINE void grade_by_cells(const GradeTables& tables, const std::uint8_t* in, std::uint8_t* out,
                                std::size_t pixels, bool streams) {
     constexpr std::size_t ahead = 4096;
     const DU8 d;
     const Cells cells(tables);
-    const auto alphas = hn::BitCast(d, hn::Set(DU32(), 0xFF000000));
+    const std::int32_t bias = tables.cell_bias();
+    const VU8 alphas = hn::BitCast(d, hn::Set(DU32(), 0xFF000000));
     FoundCells found;
     for (std::size_t begin = 0; begin < pixels; begin += strip) {
         const std::size_t count = std::min(strip, pixels - begin);
@@ -198,10 +210,15 @@ HWY_INLINE void grade_by_cells(const GradeTables& tables, const std::uint8_t* in
         }
         for (std::size_t i = 0; i < count; i += lanes) {
             hwy::Prefetch(from + ahead + 4 * i);
-            const auto codes = as_bytes(cells.codes<0>(found, i), cells.codes<1>(found, i),
-                                        cells.codes<2>(found, i), cells.codes<3>(found, i));
-            const auto both =
-                hn::Or(hn::And(alphas, hn::LoadU(d, from + 4 * i)), hn::AndNot(alphas, codes));
+            const VI a = cells.sums<0>(found, i), b = cells.sums<1>(found, i),
+                     c = cells.sums<2>(found, i), e = cells.sums<3>(found, i);
+            VU8 codes;
+            if constexpr (is_within) {
+                codes = codes_within(a, b, c, e);
+            } else {
+                codes = codes_held(a, b, c, e, bias);
+            }
+            const VU8 both = hn::IfVecThenElse(alphas, hn::LoadU(d, from + 4 * i), codes);
             if (streams) {
                 hn::Stream(both, d, to + 4 * i);
             } else {

@@ -42,7 +42,7 @@ bool HasKernel(Element element) {
 // Through the 1D table alone.
 void grade_by_curves(const GradeTables& tables, const float* in, float* out, std::size_t pixels,
                      bool streams) {
-    const Store<float> store(1, streams);
+    const Store<float> store(1, streams, 0, 1);
     const Lut1D& curve = *tables.shaper;
     for (std::size_t i = 0; i < 4 * pixels; i += 4 * lanes) {
         const float* const p = in + i;
@@ -70,7 +70,8 @@ void grade_vectors(const GradeTables& tables, const T* in, T* out, std::size_t p
     }
     if constexpr (std::is_same_v<T, std::uint8_t>) {
         if (tables.cells()) {
-            return grade_by_cells(tables, in, out, pixels, streams);
+            return tables.is_within() ? grade_by_cells<true>(tables, in, out, pixels, streams)
+                                      : grade_by_cells<false>(tables, in, out, pixels, streams);
         }
     }
     return tables.pairs()

@@ -11,12 +11,6 @@ namespace {
 
 // Steps along red, green and blue.
 using Steps = std::array<int, 3>;
-constexpr std::array<std::array<Steps, 2>, 4> cell_pairs{{
-    {{{0, 0, 0}, {1, 1, 1}}},
-    {{{1, 0, 0}, {0, 0, 1}}},
-    {{{1, 1, 0}, {0, 1, 1}}},
-    {{{0, 1, 0}, {1, 0, 1}}},
-}};
 constexpr std::array<Steps, 4> pair_steps{{{1, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 std::vector<CacheLine> lines_of(std::size_t bytes) {
@@ -72,7 +66,7 @@ GradeTables::GradeTables(const Lut& lut, Interpolation kind) : shaper(lut.shaper
     is_plain = !shaper && domain.is_unit();
     const std::vector<Rgb>& from = lut.cube->nodes;
     nodes_ = lines_of(with_faces(size) * node_bytes);
-    float least = from.front().r, largest = least;
+    least = largest = from.front().r;
     for (std::size_t i = 0; i < from.size(); ++i) {
         put_node(bytes_of(nodes_) + i * node_bytes, from[i]);
         least = std::min({least, from[i].r, from[i].g, from[i].b});
@@ -81,16 +75,22 @@ GradeTables::GradeTables(const Lut& lut, Interpolation kind) : shaper(lut.shaper
     if (how == Interpolation::tetrahedral && size <= largest_of_cells) {
         make_pairs(*lut.cube);
     }
-    // 16 bits over a range of 2 err by a hundredth of an 8-bit code's step at most.
-    constexpr double most = 2;
-    const double range = std::max(static_cast<double>(largest) - static_cast<double>(least), 1e-6);
-    if (is_plain && how == Interpolation::tetrahedral && size <= largest_of_cells &&
-        range <= most) {
-        constexpr double codes = 255, steps = 65535, middle = 32768;
-        cell_factor_ = static_cast<float>(codes * range / steps / whole);
-        cell_offset_ =
-            static_cast<float>(codes * (static_cast<double>(least) + middle * range / steps));
+    if (is_plain && how == Interpolation::tetrahedral && size <= largest_of_cells) {
+        choose_cells();
     }
+}
+
+// 16 bits over a range of 2 err by a hundredth of an 8-bit code's step at most.
+void GradeTables::choose_cells() {
+    if (!(least >= -1 && largest <= 2 && largest - least <= 2)) {
+        return;
+    }
+    const bool within = least >= 0 && largest <= 1;
+    cell_bits_ = within ? cell_bits_within : cell_bits_beyond;
+    cell_base_ = within ? 0 : static_cast<double>(least);
+    constexpr double middle = 32768;
+    cell_bias_ = static_cast<std::int32_t>(
+        std::lround(middle * whole + std::ldexp(255 * cell_base_ + 0.5, cell_bits_)));
 }
 
 void GradeTables::make_pairs(const Lut3D& cube) {
@@ -107,23 +107,26 @@ void GradeTables::make_pairs(const Lut3D& cube) {
 
 void GradeTables::make_cells() const {
     std::vector<CacheLine> out = lines_of(with_faces(size) * cell_bytes);
-    constexpr double codes = 255, middle = 32768;
-    const double factor = 1 / (static_cast<double>(cell_factor_) * whole);
-    const auto code = [&](double v) {
-        const double held = std::round((codes * v - static_cast<double>(cell_offset_)) * factor);
-        return static_cast<std::int16_t>(std::clamp(held, -middle, middle - 1));
+    constexpr double middle = 32768;
+    const double scale = std::ldexp(255.0 / whole, cell_bits_);
+    const auto narrow = [&](std::size_t index) {
+        Rgb node;
+        std::memcpy(&node, nodes() + index * node_bytes, sizeof node);
+        std::array<std::int16_t, 4> held{};
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double steps = std::round((static_cast<double>(node[c]) - cell_base_) * scale);
+            held[c] = static_cast<std::int16_t>(std::min(steps - middle, middle - 1));
+        }
+        return held;
     };
     for_each_node(size, [&](Steps at, std::size_t index) {
-        std::array<std::int16_t, cell_bytes / 2> cell{};
-        for (std::size_t pair = 0; pair < cell_pairs.size(); ++pair) {
-            for (std::size_t k = 0; k < 2; ++k) {
-                Rgb node;
-                std::memcpy(&node,
-                            nodes() + held_index(size, moved(at, cell_pairs[pair][k])) * node_bytes,
-                            sizeof node);
-                for (std::size_t c = 0; c < 3; ++c) {
-                    cell[8 * pair + 2 * c + k] = code(static_cast<double>(node[c]));
-                }
+        std::array<std::int16_t, cell_bytes / 2> cell;
+        auto* to = cell.data();
+        for (const Steps& by : pair_steps) {
+            const auto first = narrow(index), second = narrow(held_index(size, moved(at, by)));
+            for (std::size_t c = 0; c < 4; ++c) {
+                *to++ = first[c];
+                *to++ = second[c];
             }
         }
         std::memcpy(bytes_of(out) + index * cell_bytes, cell.data(), cell_bytes);
@@ -132,7 +135,7 @@ void GradeTables::make_cells() const {
 }
 
 const std::byte* GradeTables::cells() const {
-    if (cell_factor_ == 0) {
+    if (cell_bits_ == 0) {
         return nullptr;
     }
     std::call_once(cells_once_, [this] { make_cells(); });

@@ -25,14 +25,16 @@ struct GradeTables {
     /// For tetrahedra, in floats, 128 bytes: node p and the one across its cell; then p and its
     /// neighbour along red, p and that along green, p and that along blue.
     static constexpr std::size_t pairs_bytes = 128;
-    /// For tetrahedra, in 16 bits with a sign, 64 bytes: four pairs of a cell's corners, red of the
-    /// first and of the second, then green, blue and 0. By their steps from the dark corner along
-    /// red, green, blue: 000 and 111, 100 and 001, 110 and 011, 010 and 101.
+    /// The same four pairs in 16 bits with a sign, 64 bytes: red of the first node and of the
+    /// second, then green, blue and 0.
     static constexpr std::size_t cell_bytes = 64;
     /// Larger lattices would not stay in the caches as pairs or cells.
     static constexpr int largest_of_cells = 65;
-    /// What the weights of a cell's corners, integers, come to.
-    static constexpr int whole = 255 * 128;
+    /// What the weights of a cell's nodes, integers, come to.
+    static constexpr int whole = 255;
+    /// A sum of 16-bit nodes so weighed, and cell_bias(), is an 8-bit code times 2^16 where all
+    /// nodes lie within 0..1, else times 2^15; and a half of that, to round.
+    static constexpr int cell_bits_within = 16, cell_bits_beyond = 15;
 
     GradeTables(const Lut& lut, Interpolation kind);
 
@@ -40,7 +42,8 @@ struct GradeTables {
     int size = 0; ///< nodes a side; 0: no lattice
     Domain domain;
     Interpolation how;
-    bool is_plain = false; ///< the lattice spans 0..1 and nothing comes before it
+    float least = 0, largest = 0; ///< of the nodes' values
+    bool is_plain = false;        ///< the lattice spans 0..1 and nothing comes before it
 
     const std::byte* nodes() const { return nodes_.data()->bytes.data(); }
     /// Null where there are none.
@@ -49,18 +52,20 @@ struct GradeTables {
     /// Made when first asked for; null where 16 bits are too few for 8-bit results, or the look is
     /// not plain.
     const std::byte* cells() const;
-    /// A weighed sum of 16-bit nodes times `factor` plus `offset` is an 8-bit code.
-    float cell_factor() const { return cell_factor_; }
-    float cell_offset() const { return cell_offset_; }
+    std::int32_t cell_bias() const { return cell_bias_; }
+    bool is_within() const { return cell_bits_ == cell_bits_within; }
 
   private:
     void make_pairs(const Lut3D& cube);
+    void choose_cells();
     void make_cells() const;
 
     std::vector<CacheLine> nodes_, pairs_;
     mutable std::once_flag cells_once_;
     mutable std::vector<CacheLine> cells_;
-    float cell_factor_ = 0, cell_offset_ = 0;
+    int cell_bits_ = 0; ///< 0: there are no cells
+    double cell_base_ = 0;
+    std::int32_t cell_bias_ = 0;
 };
 
 /// What the lattice makes of a colour behind the 1D table, in double.

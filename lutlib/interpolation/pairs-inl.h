@@ -58,10 +58,16 @@ class Places {
     }
 
   private:
-    // The comparison's form sends NaN to 0.
+    // NaN becomes 0.
     HWY_INLINE V held(V x) const {
-        const V low = hn::Min(x, hn::Set(D(), top_));
-        return are_codes ? low : hn::IfThenElseZero(hn::Gt(x, hn::Zero(D())), low);
+        const V top = hn::Set(D(), top_), zero = hn::Zero(D());
+        if constexpr (are_codes) {
+            return hn::Min(x, top);
+        } else if constexpr (HWY_ARCH_X86) {
+            return hn::Min(hn::Max(x, zero), top); // of NaN and another the second
+        } else {
+            return hn::IfThenElseZero(hn::Gt(x, zero), hn::Min(x, top));
+        }
     }
     HWY_INLINE V along(V v, std::size_t c) const {
         if constexpr (are_codes) {
@@ -265,7 +271,7 @@ void grade_by_pairs(const GradeTables& tables, const T* in, T* out, std::size_t 
     const Places<std::is_integral_v<T>> places(tables, maximum);
     const Pairs pairs(tables);
     const Sums<Pairs> sums;
-    const Store<T> store(maximum, streams);
+    const Store<T> store(maximum, streams, tables.least, tables.largest);
     Found found;
     for (std::size_t begin = 0; begin < pixels; begin += strip) {
         const std::size_t count = std::min(strip, pixels - begin);

@@ -62,11 +62,12 @@ HWY_INLINE V load_samples(const T* p) {
     }
 }
 
-/// Stores vectors of `blocks` pixels.
+/// Stores vectors of `blocks` pixels, of sums from `least` to `largest`.
 template <class T>
 class Store {
   public:
-    HWY_INLINE Store(float maximum, bool streams) : maximum_(maximum), streams_(streams) {
+    HWY_INLINE Store(float maximum, bool streams, float least, float largest)
+        : maximum_(maximum), streams_(streams), holds_all_(holds(least, largest)) {
         HWY_ALIGN std::array<Bits, most_lanes> fourths{};
         for (std::size_t i = 3; i < most_lanes; i += 4) {
             fourths[i] = 1;
@@ -93,23 +94,37 @@ class Store {
   private:
     using Bits = hwy::UnsignedFromSize<sizeof(T)>;
 
+    static bool holds(float least, float largest) {
+        if constexpr (std::is_integral_v<T>) {
+            return least >= 0 && largest <= 1;
+        } else {
+            return least >= -largest_half && largest <= largest_half;
+        }
+    }
+
     HWY_INLINE auto narrowed(V sum) const {
         const D d;
         const hn::Rebind<T, D> narrow;
         if constexpr (std::is_same_v<T, float>) {
             return sum;
         } else if constexpr (std::is_same_v<T, hwy::float16_t>) {
-            const V most = hn::Set(d, static_cast<float>(largest_half));
-            return hn::DemoteTo(narrow, hn::Min(hn::Max(sum, hn::Neg(most)), most));
+            if (!holds_all_) {
+                const V most = hn::Set(d, static_cast<float>(largest_half));
+                sum = hn::Min(hn::Max(sum, hn::Neg(most)), most);
+            }
+            return hn::DemoteTo(narrow, sum);
         } else {
             const V most = hn::Set(d, maximum_);
-            const V codes = hn::Min(hn::Max(hn::Mul(sum, most), hn::Zero(d)), most);
+            V codes = hn::Mul(sum, most);
+            if (!holds_all_) {
+                codes = hn::Min(hn::Max(codes, hn::Zero(d)), most);
+            }
             return hn::DemoteTo(narrow, nearest_whole(codes));
         }
     }
 
     float maximum_;
-    bool streams_;
+    bool streams_, holds_all_;
     decltype(hn::Ne(hn::Zero(hn::Rebind<Bits, D>()), hn::Zero(hn::Rebind<Bits, D>()))) is_alpha_;
 };
 

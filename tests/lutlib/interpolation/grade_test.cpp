@@ -22,11 +22,12 @@ struct Shape {
     int size;        // of the cube; 0: none
     int shaper_size; // 0: none
     Domain domain;
-    float range = 1; // how far the nodes reach
+    float range = 1;      // how far the nodes reach
+    bool is_held = false; // to 0..1, as no node is else
 
     friend void PrintTo(const Shape& s, std::ostream* out) {
-        *out << s.size << " nodes up to " << s.range << ", a 1D table of " << s.shaper_size
-             << (s.domain.is_unit() ? "" : ", odd domain");
+        *out << s.size << (s.is_held ? " held" : "") << " nodes up to " << s.range
+             << ", a 1D table of " << s.shaper_size << (s.domain.is_unit() ? "" : ", odd domain");
     }
 };
 
@@ -39,6 +40,7 @@ Lut look_of(const Shape& shape) {
             const float y = 0.2F * c.r + 0.7F * c.g + 0.1F * c.b;
             for (std::size_t k = 0; k < 3; ++k) {
                 c[k] = shape.range * (y + 1.2F * (c[k] - y) + 0.05F * std::sin(5 * c[(k + 1) % 3]));
+                c[k] = shape.is_held ? std::clamp(c[k], 0.0F, 1.0F) : c[k];
             }
         }
         lut.cube->domain = shape.shaper_size > 0 ? Domain{} : shape.domain;
@@ -251,8 +253,10 @@ INSTANTIATE_TEST_SUITE_P(Elements, GradeEveryElement,
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST_P(GradeEveryElement, is_as_the_plain_twin_on_every_processor) {
-    const Shape shapes[] = {{2, 0, {}},  {17, 0, odd_domain},   {33, 0, {}}, {33, 0, {}, 3},
-                            {66, 0, {}}, {17, 256, odd_domain}, {0, 64, {}}, {0, 4096, odd_domain}};
+    const Shape shapes[] = {{2, 0, {}},           {17, 0, odd_domain},   {33, 0, {}},
+                            {33, 0, {}, 3},       {33, 0, {}, 1, true},  {65, 0, {}, 1, true},
+                            {66, 0, {}},          {17, 256, odd_domain}, {0, 64, {}},
+                            {0, 4096, odd_domain}};
     for (const Shape& shape : shapes) {
         SCOPED_TRACE(testing::PrintToString(shape));
         const Lut lut = look_of(shape);

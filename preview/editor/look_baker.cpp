@@ -12,7 +12,7 @@ namespace preview::editor {
 
 namespace {
 
-auto values_of(const lutlib::Recipe& r) {
+auto operators_of(const lutlib::Recipe& r) {
     return std::tie(r.input, r.output, r.adaptation, r.base_lut, r.bake, r.operations);
 }
 
@@ -47,7 +47,7 @@ LoadedLook table_look(const std::shared_ptr<const lutlib::Lut>& lut, const Pictu
 } // namespace
 
 bool same(const LookRequest& a, const LookRequest& b) {
-    return values_of(a.recipe) == values_of(b.recipe) && a.sides == b.sides &&
+    return operators_of(a.recipe) == operators_of(b.recipe) && a.sides == b.sides &&
            a.picture == b.picture;
 }
 

@@ -55,8 +55,17 @@ ImportedScene import_scene(const std::string& path) {
     const std::string bytes = model_bytes(path);
     std::vector<std::string> files{path};
     const ReadFile read = [&](const std::string& reference, std::size_t most) {
-        files.push_back(lutlib::io::referenced_path(path, reference));
-        return lutlib::io::read_reference(path, reference, most);
+        const std::string named = lutlib::io::referenced_path(path, reference);
+        // Nobody shall look where a model may not lead.
+        const bool is_within = !lutlib::io::leads_outside(path, reference);
+        if (is_within) {
+            files.push_back(named);
+        }
+        std::string bytes = lutlib::io::read_reference(path, reference, most);
+        if (!is_within) {
+            files.push_back(named);
+        }
+        return bytes;
     };
     ImportedScene out;
     if (lutlib::io::extension_of(path) != "obj") {

@@ -24,7 +24,9 @@ namespace preview {
 
 struct ImportedScene {
     Scene scene;
-    std::vector<std::string> files{}; ///< that were read: the model's own, then what they name
+    /// That it is made of: the model's own, then those that it names and may lead to, also what is
+    /// not there.
+    std::vector<std::string> files{};
     /// A line for each kind of thing left out or simplified, with its count. Printable whatever the
     /// file holds.
     std::vector<std::string> left_out;

@@ -5,6 +5,7 @@
 #include "preview/editor/reload.h"
 #include "preview/frame/shown.h"
 #include "preview/window/opening.h"
+#include "preview/window/screen.h"
 
 #include <GLFW/glfw3.h>
 
@@ -71,6 +72,10 @@ void Following::put(panels::Ui& ui, const editor::Reread& reread,
             ui.offered = std::move(offered);
         }
     } catch (const std::exception& error) {
+        const auto* const of_vulkan = dynamic_cast<const vk::SystemError*>(&error);
+        if (of_vulkan != nullptr && is_lost(*of_vulkan)) {
+            return; // all is shown anew on the next device
+        }
         ui.history = before;
         reasons_[reread.key] = sentence_of(reread.path, lutlib::io::reason_of(error));
     }

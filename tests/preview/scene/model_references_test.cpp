@@ -74,6 +74,26 @@ TEST_F(ModelReferences, what_a_model_names_lies_in_its_own_folder) {
     EXPECT_TRUE(tells(import_scene(inner / "m.obj"), "neither a PNG nor")) << "it was not read";
 }
 
+TEST_F(ModelReferences, are_told_that_a_model_may_lead_to_there_or_not) {
+    GltfWriter gltf = one_square();
+    gltf.add("images", {{"uri", "to%20come.png"}});
+    gltf.add("images", {{"uri", "../outside.png"}});
+    gltf.add("textures", {{"source", 0}});
+    gltf.add("textures", {{"source", 1}});
+    gltf.add("materials", {{"pbrMetallicRoughness",
+                            {{"baseColorTexture", {{"index", 0}}},
+                             {"metallicRoughnessTexture", {{"index", 1}}}}}});
+    gltf.root["meshes"][0]["primitives"][0]["material"] = 0;
+    const std::vector<std::string> within{file("model.gltf"), file("to come.png"),
+                                          file("model.bin")};
+    EXPECT_EQ(import(gltf).files, within);
+    lutlib::io::write_file(file("m.mtl"), "newmtl red\nmap_Kd t.png\n");
+    lutlib::io::write_file(file("m.obj"),
+                           "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
+    EXPECT_EQ(import_scene(file("m.obj")).files,
+              (std::vector<std::string>{file("m.obj"), file("m.mtl"), file("t.png")}));
+}
+
 TEST_F(ModelReferences, an_obj_names_no_pipes) {
     ASSERT_EQ(mkfifo(file("m.mtl").c_str(), 0600), 0);
     const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";

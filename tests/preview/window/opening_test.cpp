@@ -1,7 +1,11 @@
 // What stays of a state when what it shows is read again.
 #include "preview/window/opening.h"
 
+#include "lutlib/error.h"
+#include "lutlib/io/file.h"
+#include "lutlib/io/png.h"
 #include "preview/frame/shown.h"
+#include "tests/lutlib/io/scratch.h"
 
 #include <gtest/gtest.h>
 
@@ -63,6 +67,35 @@ TEST(ShownAgain, has_light_as_the_picture_has_now) {
     EXPECT_FALSE(state.picture.has_light);
     take_shown_again(state, picture(false));
     EXPECT_TRUE(state.picture.has_light);
+}
+
+TEST(ShownAgain, is_what_its_files_hold_now_with_the_surroundings_that_it_had) {
+    const lutlib::ScratchFolder folder;
+    const std::string path = folder.file("picture.png");
+    const auto write_grey = [&](std::uint16_t code, int width) {
+        lutlib::io::PngImage image;
+        image.width = width;
+        image.height = 1;
+        image.samples.assign(3 * static_cast<std::size_t>(width), code);
+        lutlib::io::write_file(path, lutlib::io::write_png(image));
+    };
+    write_grey(0, 2);
+    const Shown picture = load_shown(path, 0);
+    Shown scene = load_shown("plain", 3);
+    load_surroundings(scene, path);
+    EXPECT_EQ(picture.files, std::vector{path});
+    EXPECT_EQ(scene.files, std::vector{path});
+    EXPECT_TRUE(load_shown("plain", 0).files.empty());
+    write_grey(255, 4);
+    EXPECT_EQ(load_again(picture).picture->size.width, 4U);
+    EXPECT_EQ(load_again(picture).picture->rgba[0], 1);
+    const Shown again = load_again(scene);
+    EXPECT_TRUE(again.scene);
+    EXPECT_EQ(again.seconds, 3);
+    EXPECT_EQ(again.surroundings->rgba[0], 1);
+    lutlib::io::write_file(path, "no picture");
+    EXPECT_THROW(load_again(picture), lutlib::Error);
+    EXPECT_THROW(load_again(scene), lutlib::Error);
 }
 
 } // namespace

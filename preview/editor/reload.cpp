@@ -6,7 +6,9 @@
 #include "lutlib/io/recipe_file.h"
 #include "preview/editor/commands.h"
 
+#include <filesystem>
 #include <optional>
+#include <system_error>
 #include <tuple>
 #include <utility>
 
@@ -75,17 +77,21 @@ void take_base_of(History& history, const io::Look& recipe) {
     }
 }
 
-/// What the window itself has written need not be readable: a base may lie outside the folder.
+/// Whether the window itself has written the bytes: a base may lie outside the folder, so that they
+/// need not be readable.
+bool is_own(const State& state, const std::string& bytes) {
+    return bytes == io::recipe_text(state.saved, state.recipe_path, state.base_path);
+}
+
 std::shared_ptr<const io::Look> put_recipe(History& history, const RecipeFile& file,
                                            const std::string& path) {
     const State& state = history.draft();
-    const bool is_own = state.recipe_path == path &&
-                        file.bytes == io::recipe_text(state.saved, path, state.base_path);
-    if (file.look && is_own) {
+    const bool is_ours = state.recipe_path == path && is_own(state, file.bytes);
+    if (file.look && is_ours) {
         take_base_of(history, *file.look);
     } else if (file.look) {
         return take_recipe(history, *file.look) ? nullptr : file.look;
-    } else if (!is_own) {
+    } else if (!is_ours) {
         throw lutlib::Error(*file.failure);
     }
     return nullptr;
@@ -209,6 +215,27 @@ void take_side(History& history, const Side& fresh) {
             }
         }
     });
+}
+
+bool is_file_as_saved(const State& state) {
+    std::error_code unknown;
+    if (!std::filesystem::exists(state.recipe_path, unknown)) {
+        return true;
+    }
+    try {
+        const RecipeFile file = read_recipe_file(state.recipe_path);
+        if (is_own(state, file.bytes)) {
+            return true;
+        }
+        if (!file.look) {
+            return false;
+        }
+        State opened;
+        open_look(opened, *file.look);
+        return hold_the_same(opened.saved, state.saved);
+    } catch (const lutlib::Error&) {
+        return false;
+    }
 }
 
 bool is_offered(const State& state, const io::Look& offered) {

@@ -22,6 +22,10 @@ bool take_recipe(History& history, const lutlib::io::Look& look);
 /// A side's look is `fresh` now, in every state that has that file on a side.
 void take_side(History& history, const Side& fresh);
 
+/// Whether the recipe's file holds what was opened or saved last, or is not there: writing over it
+/// loses nobody's changes.
+bool is_file_as_saved(const State& state);
+
 /// Whether `offered` has still to be chosen or not: its file is the recipe's, which is unsaved.
 bool is_offered(const State& state, const lutlib::io::Look& offered);
 /// A step to the recipe that was offered.

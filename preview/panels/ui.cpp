@@ -2,6 +2,7 @@
 
 #include "lutlib/io/reason.h"
 #include "preview/editor/commands.h"
+#include "preview/editor/reload.h"
 
 #include <imgui.h>
 
@@ -55,7 +56,7 @@ constexpr Shortcut shortcuts[] = {
          const auto save = [&ui, path] { save_recipe(ui.history, path); };
          if (path.empty()) {
              ui.errors.emplace_back("the recipe has no file yet: save it under Files");
-         } else if (ui.offered) {
+         } else if (ui.offered || !is_file_as_saved(ui.history.draft())) {
              attempt_writing(ui, path, save);
          } else {
              attempt(ui, save);

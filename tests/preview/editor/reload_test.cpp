@@ -258,6 +258,27 @@ TEST_F(Reload, of_a_file_of_another_kind_is_refused_with_the_remedy) {
     EXPECT_NE(refusal(), "");
 }
 
+TEST_F(Reload, is_not_needed_to_know_that_saving_would_lose_what_others_wrote) {
+    write("base.cube", cube_of(0.5));
+    const std::string path = write("look.json", recipe_of(1, "base.cube"));
+    open(path);
+    draft().recipe.operations[0].values[0] = 3.0;
+    EXPECT_TRUE(is_file_as_saved(draft())) << "as it was opened";
+    write("look.json", " " + recipe_of(1, "base.cube"));
+    EXPECT_TRUE(is_file_as_saved(draft())) << "it says the same";
+    for (const std::string& theirs :
+         {recipe_of(2, "base.cube"), recipe_of(1), std::string("{"), std::string(), cube_of(1)}) {
+        write("look.json", theirs);
+        EXPECT_FALSE(is_file_as_saved(draft())) << theirs;
+    }
+    save_recipe(history_, path);
+    EXPECT_TRUE(is_file_as_saved(draft()));
+    fs::remove(path);
+    EXPECT_TRUE(is_file_as_saved(draft()));
+    fs::create_directory(path);
+    EXPECT_FALSE(is_file_as_saved(draft()));
+}
+
 TEST_F(Reload, leaves_what_is_no_file_alone) {
     draft().recipe_path = "-";
     draft().base_path = "/dev/null";

@@ -142,6 +142,11 @@ TEST_F(WindowFiles, keeps_unsaved_changes_of_a_recipe_and_offers_the_files) {
     rest();
     EXPECT_FALSE(has("offer")) << "of what it has written itself";
     EXPECT_FALSE(has("notice.0"));
+    write("look.json", "{");
+    wait_until([&] { return has("notice.0"); }, "the reason");
+    key("ctrl+s");
+    click("replace.no");
+    EXPECT_EQ(contents("look.json"), "{") << "what somebody types was written over";
     EXPECT_NE(dark.changed(plain, picture()), 0);
 }
 

@@ -4,6 +4,7 @@
 #include "lutlib/io/reason.h"
 
 #include <algorithm>
+#include <iterator>
 #include <sys/stat.h>
 #include <utility>
 

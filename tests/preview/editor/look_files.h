@@ -2,12 +2,15 @@
 #pragma once
 
 #include "lutlib/recipe/recipe.h"
+#include "lutlib/transform.h"
 #include "tests/lutlib/io/scratch.h"
 
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <memory>
 #include <string>
+#include <variant>
 
 namespace preview::editor {
 

@@ -47,7 +47,8 @@ constexpr Examples table[] = {
                "lutconv report --suite stiff -o stiff.html\n"},
     {"engines", "lutconv engines\n"
                 "lutconv engines --page unreal\n"},
-    {"shader", "lutconv shader --engine unreal --language hlsl -o lut.hlsl\n"},
+    {"shader", "lutconv shader --engine unreal --language hlsl -o lut.hlsl\n"
+               "lutconv shader --inline look.cube --max-delta-e 2 --language glsl -o look.glsl\n"},
     {"info", "lutconv info look.cube\n"},
     {"encodings", "lutconv encodings\n"
                   "lutconv encodings --json\n"},

@@ -1,7 +1,9 @@
-// lutconv shader: an engine's lookup as code for a shader of one's own.
+// lutconv shader: an engine's lookup, or a look itself, as code for a shader of one's own.
 #include "converter/command.h"
+#include "converter/inline_shader.h"
 #include "converter/options.h"
 #include "converter/report.h"
+#include "converter/unused.h"
 #include "converter/usage.h"
 #include "lutlib/bake/bake.h"
 #include "lutlib/engine/shader_code.h"
@@ -17,11 +19,21 @@ namespace {
 
 struct Options {
     EngineOption engine;
-    std::string language, interpolation, output;
+    std::string language, interpolation, output, inlined;
     int size = 0;
+    double max_delta_e = 1;
 };
 
-int run(const Options& o) {
+int run(const Options& o, const Verb& verb) {
+    const bool reads_picture = o.inlined.empty();
+    const std::string why_not = "the look itself is in the code, which reads no engine's picture";
+    tell_unused(verb, {{"--engine", reads_picture, why_not},
+                       {"--interpolation", reads_picture, why_not},
+                       {"--size", reads_picture, why_not},
+                       {"--max-delta-e", !reads_picture, "only --inline has an error to keep to"}});
+    if (!reads_picture) {
+        return write_inline_shader({o.inlined, o.language, o.output, o.max_delta_e});
+    }
     const lutlib::Engine& engine = o.engine.get();
     const lutlib::ShaderLanguage& language =
         lutlib::require_named(lutlib::shader_languages(), "language", o.language);
@@ -65,10 +77,18 @@ Run declare_shader(Verb& verb) {
                         "fetches least)");
     verb.add_option("--size", o->size, "nodes per axis (default: the engine's)")
         .takes(Takes::cube_size);
+    verb.add_option(
+        "--inline", o->inlined,
+        "put this look itself into the code, a LUT or recipe file that is small enough, "
+        "or - for standard input: as curves, a matrix and curves, or packed nodes");
+    verb.add_option("--max-delta-e", o->max_delta_e,
+                    "largest dE2000 that --inline may have from the look, anywhere in its domain")
+        .takes(Takes::above_zero)
+        .capture_default_str();
     verb.add_option("-o,--output", o->output, "the file to write, or - for standard output")
         .required();
     verb.footer(language_list());
-    return [o] { return run(*o); };
+    return [o, &verb] { return run(*o, verb); };
 }
 
 } // namespace converter

@@ -18,7 +18,6 @@ set(lut_apart
     lutlib/survey/precision
     python/recipe
     python/work
-    converter/commands/sh
     preview/cli/options_unused
     preview/reference/occlusion
     preview/scene/studio

@@ -17,14 +17,14 @@
 namespace converter {
 namespace {
 
-struct Options {
+struct ShaderOptions {
     EngineOption engine;
     std::string language, interpolation, output, inlined;
     int size = 0;
     double max_delta_e = 1;
 };
 
-int run(const Options& o, const Verb& verb) {
+int run_shader(const ShaderOptions& o, const Verb& verb) {
     const bool reads_picture = o.inlined.empty();
     const std::string why_not = "the look itself is in the code, which reads no engine's picture";
     tell_unused(verb, {{"--engine", reads_picture, why_not},
@@ -66,7 +66,7 @@ std::string language_list() {
 } // namespace
 
 Run declare_shader(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<ShaderOptions>();
     o->engine.declare(verb, "piccolo");
     verb.add_option("--language", o->language,
                     "one of: " + lutlib::names_of(lutlib::shader_languages()))
@@ -88,7 +88,7 @@ Run declare_shader(Verb& verb) {
     verb.add_option("-o,--output", o->output, "the file to write, or - for standard output")
         .required();
     verb.footer(language_list());
-    return [o, &verb] { return run(*o, verb); };
+    return [o, &verb] { return run_shader(*o, verb); };
 }
 
 } // namespace converter

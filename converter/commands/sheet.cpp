@@ -40,7 +40,7 @@ constexpr int least_width = 16, most_width = 8192;
 /// numbers.
 constexpr std::size_t bytes_of_look = std::size_t{100} << 20;
 
-struct Options {
+struct SheetOptions {
     std::string picture, output, picture_encoding, layer;
     std::vector<std::string> looks;
     EngineOption engine;
@@ -60,7 +60,7 @@ struct Sheet {
     plot::Raster whole{0, 0, {}};
 };
 
-void require_output(const Options& o) {
+void require_output(const SheetOptions& o) {
     require_raster_name(o.output, "a sheet");
     if (o.width < least_width || o.width > most_width) {
         throw lutlib::UsageError(
@@ -71,7 +71,7 @@ void require_output(const Options& o) {
     }
 }
 
-io::FloatImage read_upright(const Options& o) {
+io::FloatImage read_upright(const SheetOptions& o) {
     io::FloatImage out = io::read_image(o.picture, {.layer = o.layer});
     make_straight(out);
     const int orientation = out.source ? out.source->orientation : 1;
@@ -93,7 +93,7 @@ std::string reader_text(const lutlib::Engine& engine) {
 }
 
 // The looks are told apart by their tiles; the original's is there anyway.
-plot::Raster drawn(const Options& o, const Sheet& sheet, int columns) {
+plot::Raster drawn(const SheetOptions& o, const Sheet& sheet, int columns) {
     std::vector<LabelledTile> labelled{
         {sheet.tiles.front().picture, "original", encoding_text(sheet)}};
     for (std::size_t i = 0; i < sheet.looks.size(); ++i) {
@@ -122,7 +122,7 @@ void tell_left_out(const std::vector<std::string>& files) {
         files.size() == 1 ? "" : "s", names, files.size() > most ? " and others" : "")});
 }
 
-Sheet make_sheet(const Options& o, const std::vector<SheetSource>& sources) {
+Sheet make_sheet(const SheetOptions& o, const std::vector<SheetSource>& sources) {
     Sheet out;
     out.engine = o.engine.given() ? &o.engine.get() : nullptr;
     out.picture = read_upright(o);
@@ -163,7 +163,7 @@ Sheet make_sheet(const Options& o, const std::vector<SheetSource>& sources) {
 }
 
 // What stands around the looks, a line each.
-std::vector<std::string> remarks_of(const Sheet& sheet) {
+std::vector<std::string> sheet_remarks(const Sheet& sheet) {
     std::vector<std::string> out;
     if (sheet.is_guessed) {
         out.emplace_back("the picture's encoding is not known and taken for srgb: if it is "
@@ -187,14 +187,14 @@ std::vector<std::string> remarks_of(const Sheet& sheet) {
     return out;
 }
 
-void print_text(const Options& o, const Sheet& sheet) {
+void print_sheet_text(const SheetOptions& o, const Sheet& sheet) {
     const plot::Raster& tile = sheet.tiles.front().picture;
     std::string text = fmt::format("{} <- {} under {} {}\n  {}x{} pixels, tiles of {}x{}{}\n",
                                    output_text(o.output), input_text(o.picture), sheet.looks.size(),
                                    sheet.looks.size() == 1 ? "look" : "looks", sheet.whole.width(),
                                    sheet.whole.height(), tile.width(), tile.height(),
                                    sheet.engine ? "; " + reader_text(*sheet.engine) : "");
-    for (const std::string& remark : remarks_of(sheet)) {
+    for (const std::string& remark : sheet_remarks(sheet)) {
         text += "  " + remark + "\n";
     }
     terminal::Table table;
@@ -209,7 +209,7 @@ void print_text(const Options& o, const Sheet& sheet) {
     print(text + table.text(), o.output);
 }
 
-void print_json(const Options& o, const Sheet& sheet) {
+void print_sheet_json(const SheetOptions& o, const Sheet& sheet) {
     nlohmann::ordered_json looks = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < sheet.looks.size(); ++i) {
         looks.push_back({{"look", io::input_name(sheet.looks[i].path)},
@@ -225,12 +225,12 @@ void print_json(const Options& o, const Sheet& sheet) {
                                  {"height", sheet.whole.height()},
                                  {"tile_width", tile.width()},
                                  {"tile_height", tile.height()},
-                                 {"remarks", remarks_of(sheet)},
+                                 {"remarks", sheet_remarks(sheet)},
                                  {"looks", looks}},
           o.output);
 }
 
-int run(const Options& o, const Verb& verb) {
+int run_sheet(const SheetOptions& o, const Verb& verb) {
     std::vector<std::string> inputs = o.looks;
     inputs.push_back(o.picture);
     require_one_standard_input(inputs);
@@ -248,14 +248,14 @@ int run(const Options& o, const Verb& verb) {
     }
     tell_unused(verb, {adaptation});
     write_raster(o.output, sheet.whole, io::input_name(o.picture));
-    o.json ? print_json(o, sheet) : print_text(o, sheet);
+    o.json ? print_sheet_json(o, sheet) : print_sheet_text(o, sheet);
     return ok;
 }
 
 } // namespace
 
 Run declare_sheet(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<SheetOptions>();
     verb.add_option("PICTURE", o->picture, "PNG, EXR or another picture, or - for standard input")
         .required();
     verb.add_option("LOOKS", o->looks,
@@ -281,7 +281,7 @@ Run declare_sheet(Verb& verb) {
     verb.footer("The picture without a look comes first; under each look stand its dE2000 from "
                 "that, the mean and what 99 % of the pixels do not exceed. With --engine each look "
                 "is shown as the lookup of that engine reads it, baked at its default size.");
-    return [o, &verb] { return run(*o, verb); };
+    return [o, &verb] { return run_sheet(*o, verb); };
 }
 
 } // namespace converter

@@ -30,9 +30,9 @@ namespace {
 
 namespace io = lutlib::io;
 
-constexpr int least_width = 320, most_width = 16384;
+constexpr int narrowest = 320, widest = 16384;
 
-struct Options {
+struct ShowOptions {
     std::vector<std::string> looks;
     std::string output, panels;
     LookEncodingOptions encodings;
@@ -50,19 +50,19 @@ struct OpenedLooks {
 // A kind of file that figures go into.
 struct ShowKind {
     std::string_view extension, what;
-    void (*write)(const Options& o, const Shown& shown);
+    void (*write)(const ShowOptions& o, const Shown& shown);
 };
 
-void write_page(const Options& o, const Shown& shown) {
+void write_as_page(const ShowOptions& o, const Shown& shown) {
     io::write_file(o.output, show_html(shown));
 }
 
-void write_svg(const Options& o, const Shown& shown) {
+void write_as_svg(const ShowOptions& o, const Shown& shown) {
     constexpr int usual = 1920; // a drawing is as sharp at any size
     io::write_file(o.output, svg(show_drawing(shown, usual), o.size));
 }
 
-void write_picture(const Options& o, const Shown& shown) {
+void write_as_picture(const ShowOptions& o, const Shown& shown) {
     const plot::Drawing drawing = show_drawing(shown, o.size);
     const auto pixels =
         static_cast<std::size_t>(o.size) * static_cast<std::size_t>(raster_height(drawing, o.size));
@@ -75,10 +75,10 @@ void write_picture(const Options& o, const Shown& shown) {
 }
 
 constexpr std::array<ShowKind, 4> show_kinds{{
-    {"html", "a page", write_page},
-    {"htm", "a page", write_page},
-    {"svg", "a drawing", write_svg},
-    {"", "a picture", write_picture}, // any other
+    {"html", "a page", write_as_page},
+    {"htm", "a page", write_as_page},
+    {"svg", "a drawing", write_as_svg},
+    {"", "a picture", write_as_picture}, // any other
 }};
 
 const ShowKind& kind_of(const std::string& path) {
@@ -103,7 +103,7 @@ std::vector<const Panel*> chosen_panels(const std::string& list) {
     return out;
 }
 
-OpenedLooks open_looks(const Options& o) {
+OpenedLooks open_looks(const ShowOptions& o) {
     OpenedLooks out;
     std::vector<std::string> files;
     for (const std::string& path : o.looks) {
@@ -128,7 +128,7 @@ OpenedLooks open_looks(const Options& o) {
 }
 
 // What each look takes and gives, and what of that is a guess.
-std::vector<std::string> remarks_of(const OpenedLooks& opened) {
+std::vector<std::string> show_remarks(const OpenedLooks& opened) {
     std::vector<std::string> out;
     std::string unknown;
     for (std::size_t i = 0; i < opened.looks.size(); ++i) {
@@ -152,14 +152,14 @@ Shown shown_of(const std::vector<const Panel*>& chosen, const OpenedLooks& opene
     for (const ShownLook& look : opened.looks) {
         out.title += (out.title.empty() ? "" : " and ") + look.name;
     }
-    out.remarks = remarks_of(opened);
+    out.remarks = show_remarks(opened);
     for (const Panel* panel : chosen) {
         out.panels.push_back({panel, panel->figures(opened.looks)});
     }
     return out;
 }
 
-void print_text(const Options& o, const Shown& shown, const ShowKind& kind) {
+void print_show_text(const ShowOptions& o, const Shown& shown, const ShowKind& kind) {
     std::string names, text;
     for (const ShownPanel& panel : shown.panels) {
         names += (names.empty() ? "" : ", ") + std::string(panel.panel->name);
@@ -174,7 +174,7 @@ void print_text(const Options& o, const Shown& shown, const ShowKind& kind) {
     print(text, o.output);
 }
 
-void print_json(const Options& o, const OpenedLooks& opened, const Shown& shown) {
+void print_show_json(const ShowOptions& o, const OpenedLooks& opened, const Shown& shown) {
     nlohmann::ordered_json looks = nlohmann::ordered_json::array(), list = looks;
     for (std::size_t i = 0; i < opened.looks.size(); ++i) {
         const ShownLook& look = opened.looks[i];
@@ -201,30 +201,29 @@ void print_json(const Options& o, const OpenedLooks& opened, const Shown& shown)
           o.output);
 }
 
-int run(const Options& o, const Verb& verb) {
+int run_show(const ShowOptions& o, const Verb& verb) {
     require_one_standard_input(o.looks);
     if (o.output.empty() && !o.json) {
         throw lutlib::UsageError("show needs -o FILE to draw into, --json to print the numbers, "
                                  "or both");
     }
-    if (o.size < least_width || o.size > most_width) {
-        throw lutlib::UsageError(
-            fmt::format("--size must be {} to {} pixels", least_width, most_width));
+    if (o.size < narrowest || o.size > widest) {
+        throw lutlib::UsageError(fmt::format("--size must be {} to {} pixels", narrowest, widest));
     }
     const std::vector<const Panel*> chosen = chosen_panels(o.panels);
     const ShowKind& kind = kind_of(o.output);
-    if (!o.output.empty() && kind.write == write_picture) {
+    if (!o.output.empty() && kind.write == write_as_picture) {
         require_raster_name(o.output, "what is neither .svg nor .html");
     }
     const OpenedLooks opened = open_looks(o);
     tell_unused(verb, {interpolation_part(opened.has_lattice),
-                       {"--size", !o.output.empty() && kind.write != write_page,
+                       {"--size", !o.output.empty() && kind.write != write_as_page,
                         "no picture is drawn; a page is as wide as its window"}});
     const Shown shown = shown_of(chosen, opened);
     if (!o.output.empty()) {
         kind.write(o, shown);
     }
-    o.json ? print_json(o, opened, shown) : print_text(o, shown, kind);
+    o.json ? print_show_json(o, opened, shown) : print_show_text(o, shown, kind);
     return ok;
 }
 
@@ -239,7 +238,7 @@ std::string panel_list() {
 } // namespace
 
 Run declare_show(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<ShowOptions>();
     verb.add_option("LOOKS", o->looks,
                     "a LUT or recipe file, or - for standard input; or two, on the same axes")
         .required()
@@ -255,7 +254,7 @@ Run declare_show(Verb& verb) {
     o->interpolation.declare(verb, "how LUTs are read between their nodes");
     verb.add_flag("--json", o->json, "print the numbers behind the panels as JSON");
     verb.footer(panel_list());
-    return [o, &verb] { return run(*o, verb); };
+    return [o, &verb] { return run_show(*o, verb); };
 }
 
 } // namespace converter

@@ -92,13 +92,7 @@ Read read_upright(const std::string& path) {
     return out;
 }
 
-// Codes of light are far apart where the eye sees most: a lattice wants them spaced as for a
-// display.
-lutlib::Encoding for_a_lattice(const lutlib::Encoding& pictures) {
-    return pictures.curve->name == "linear" ? lutlib::srgb() : pictures;
-}
-
-lutlib::Picture colors_of(const io::FloatImage& image, const lutlib::Conversion& to_look) {
+lutlib::Picture colors_of(const io::FloatImage& image) {
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
     lutlib::Picture out{image.width, image.height, {}};
     out.pixels.reserve(image.pixels());
@@ -108,18 +102,72 @@ lutlib::Picture colors_of(const io::FloatImage& image, const lutlib::Conversion&
                                  ? lutlib::Rgb{image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]}
                                  : lutlib::Rgb{none, none, none});
     }
-    if (to_look.from == to_look.to) {
-        return out;
+    return out;
+}
+
+// What is not finite stays so; conversions would read NaN as 0.
+void convert(lutlib::Picture& picture, const lutlib::Conversion& to) {
+    if (to.from == to.to) {
+        return;
     }
-    // NaN reads as 0 in every conversion.
-    const lutlib::Transform convert = lutlib::conversion(to_look);
-    const std::vector<lutlib::RgbD> converted = images_of(convert, out.pixels);
+    const std::vector<lutlib::RgbD> converted = images_of(lutlib::conversion(to), picture.pixels);
     for (std::size_t i = 0; i < converted.size(); ++i) {
-        lutlib::Rgb& pixel = out.pixels[i];
-        const bool is_there = std::isfinite(largest_magnitude(to_double(pixel)));
-        pixel = is_there ? to_float(converted[i]) : lutlib::Rgb{none, none, none};
+        if (std::isfinite(largest_magnitude(to_double(picture.pixels[i])))) {
+            picture.pixels[i] = to_float(converted[i]);
+        }
+    }
+}
+
+struct Taken {
+    LonePicture picture;
+    int bits = 0; ///< of a sample; 0: floats
+};
+
+Taken take(const std::string& path, const std::optional<lutlib::Encoding>& named,
+           const char* option) {
+    const Read read = read_upright(path);
+    const std::optional<lutlib::Encoding> known = named ? named : encoding_of(read.image);
+    const io::DepthInfo& depth = io::info_of(read.image.depth);
+    Taken out{{colors_of(read.image), known.value_or(lutlib::srgb()), {}},
+              depth.integer ? 8 * static_cast<int>(io::bytes_of(depth.depth)) : 0};
+    if (!known) {
+        out.picture.remarks.push_back(
+            fmt::format("{}: its encoding is not known and taken for srgb: if it is another, name "
+                        "it with {}",
+                        input_text(path), option));
+    }
+    if (!read.harm.empty()) {
+        out.picture.remarks.push_back(input_text(path) + ": " + read.harm);
     }
     return out;
+}
+
+void lay_on_each_other(PicturePair& pair, const PairPaths& paths) {
+    const lutlib::Where where{io::input_name(paths.after), 0, {}};
+    pair.shift = find_shift(pair.before, pair.after);
+    const lutlib::Pixel by = pair.shift.by;
+    if (const std::optional<lutlib::Pixel> apart = distortion_in(pair.before, pair.after, by)) {
+        throw lutlib::Error(
+            fmt::format("it was scaled, turned or bent: parts of it have moved by {} pixels "
+                        "sideways and {} up or down against each other since {}; give pictures in "
+                        "which each pixel is the other's",
+                        apart->x, apart->y, input_text(paths.before)),
+            where);
+    }
+    if (by != lutlib::Pixel{}) {
+        pair.after = moved_back(pair.after, by);
+        pair.remarks.push_back(
+            fmt::format("{}: it lies {}, {} pixels beside {}, and was moved back",
+                        input_text(paths.after), by.x, by.y, input_text(paths.before)));
+    }
+    constexpr double seen = 0.25;
+    if (std::max(std::abs(pair.shift.x_beyond), std::abs(pair.shift.y_beyond)) > seen) {
+        pair.remarks.push_back(
+            fmt::format("{}: it lies {:.1f}, {:.1f} pixels beside {} even so, which nothing here "
+                        "mends; its edges are learnt from less",
+                        input_text(paths.after), pair.shift.x_beyond, pair.shift.y_beyond,
+                        input_text(paths.before)));
+    }
 }
 
 } // namespace
@@ -145,47 +193,40 @@ std::vector<PairPaths> pairs_of(std::span<const std::string> words, const std::s
     return out;
 }
 
+lutlib::Encoding for_a_lattice(const lutlib::Encoding& pictures) {
+    return pictures.curve->name == "linear" ? lutlib::srgb() : pictures;
+}
+
+LonePicture read_lone(const std::string& path, const std::optional<lutlib::Encoding>& encoding,
+                      const char* option) {
+    return take(path, encoding, option).picture;
+}
+
 PicturePair read_pair(const PairPaths& paths, const PairEncodings& encodings) {
-    const Read before = read_upright(paths.before), after = read_upright(paths.after);
-    if (before.image.width != after.image.width || before.image.height != after.image.height) {
+    Taken before = take(paths.before, encodings.pictures.input, "--before-encoding"),
+          after = take(paths.after, encodings.pictures.output, "--after-encoding");
+    const lutlib::PictureSize was = before.picture.colors.size(), is = after.picture.colors.size();
+    if (was != is) {
         throw lutlib::Error(
             fmt::format("it has {}x{} pixels and {} {}x{}: give pictures of one size, in which "
                         "each pixel is the other's",
-                        after.image.width, after.image.height, input_text(paths.before),
-                        before.image.width, before.image.height),
+                        is.width, is.height, input_text(paths.before), was.width, was.height),
             {io::input_name(paths.after), 0, {}});
     }
     PicturePair out;
-    const auto said = [&](const std::optional<lutlib::Encoding>& named, const io::FloatImage& image,
-                          const std::string& path, const char* option) {
-        const std::optional<lutlib::Encoding> known = named ? named : encoding_of(image);
-        if (!known) {
-            out.remarks.push_back(
-                fmt::format("{}: its encoding is not known and taken for srgb: if "
-                            "it is another, name it with {}",
-                            input_text(path), option));
-        }
-        return known.value_or(lutlib::srgb());
-    };
-    const lutlib::Encoding from =
-        said(encodings.pictures.input, before.image, paths.before, "--before-encoding");
-    const lutlib::Encoding to =
-        said(encodings.pictures.output, after.image, paths.after, "--after-encoding");
+    const lutlib::Encoding from = before.picture.encoding, to = after.picture.encoding;
     out.look = {encodings.look.input.value_or(for_a_lattice(from)),
                 encodings.look.output.value_or(for_a_lattice(to))};
-    out.before = colors_of(before.image, {from, *out.look.input});
-    out.after = colors_of(after.image, {to, *out.look.output});
-    const io::DepthInfo& depth = io::info_of(after.image.depth);
+    convert(before.picture.colors, {from, *out.look.input});
+    convert(after.picture.colors, {to, *out.look.output});
+    out.before = std::move(before.picture.colors);
+    out.after = std::move(after.picture.colors);
     // Codes that were converted are no longer those of the file.
-    out.bits = depth.integer && to == out.look.output
-                   ? 8 * static_cast<int>(io::bytes_of(depth.depth))
-                   : 0;
-    for (const auto& [path, harm] :
-         {std::pair(&paths.before, &before.harm), std::pair(&paths.after, &after.harm)}) {
-        if (!harm->empty()) {
-            out.remarks.push_back(input_text(*path) + ": " + *harm);
-        }
-    }
+    out.bits = to == out.look.output ? after.bits : 0;
+    out.remarks = std::move(before.picture.remarks);
+    out.remarks.insert(out.remarks.end(), after.picture.remarks.begin(),
+                       after.picture.remarks.end());
+    lay_on_each_other(out, paths);
     return out;
 }
 

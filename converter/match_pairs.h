@@ -3,6 +3,7 @@
 
 #include "lutlib/color/encoding.h"
 #include "lutlib/engine/layout.h"
+#include "lutlib/match/shift.h"
 
 #include <span>
 #include <string>
@@ -30,12 +31,28 @@ struct PicturePair {
     /// Codes of the look's encodings. Pixels that nobody sees, as their alpha is 0, are NaN.
     lutlib::Picture before, after;
     lutlib::LookEncodings look; ///< both set
+    lutlib::Shift shift;        ///< of the picture after, which has been moved back by it
     int bits = 0;               ///< of a sample of the picture after; 0: floats
     /// What was guessed, and what a lossy file does to codes, a sentence each.
     std::vector<std::string> remarks;
 };
 
-/// Upright, alpha divided out. Throws Error, also for pictures of two sizes.
+/// One picture alone, as one of a pair is read.
+struct LonePicture {
+    lutlib::Picture colors; ///< codes of `encoding`; NaN where nobody sees them
+    lutlib::Encoding encoding;
+    std::vector<std::string> remarks;
+};
+/// `option` names the encoding. Throws Error.
+LonePicture read_lone(const std::string& path, const std::optional<lutlib::Encoding>& encoding,
+                      const char* option);
+
+/// The encoding of a look for pictures of this one: sRGB for light, whose codes lie too far apart
+/// where the eye sees most.
+lutlib::Encoding for_a_lattice(const lutlib::Encoding& pictures);
+
+/// Upright, alpha divided out, moved onto each other by whole pixels. Throws Error, also for
+/// pictures of two sizes and such as no shift lays on each other.
 PicturePair read_pair(const PairPaths& paths, const PairEncodings& encodings);
 
 } // namespace converter

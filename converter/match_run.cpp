@@ -1,8 +1,11 @@
 #include "converter/match_run.h"
 
+#include "converter/report.h"
 #include "lutlib/codes.h"
 #include "lutlib/error.h"
 #include "lutlib/match/held_out.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +17,9 @@ namespace {
 
 // Learnt from, of all pairs together: more tell nothing new, and take memory.
 constexpr std::size_t most_pixels = std::size_t{1} << 23;
+
+// The standard deviation of a channel that says nothing against two pictures, in code values.
+constexpr double little_off = 4 / 255.0;
 
 // One pair after the other, so that a sequence needs no more memory than a frame. A single pair is
 // read once.
@@ -126,10 +132,25 @@ class MatchRun {
             learn();
             measure();
         }
+        require_the_same();
         return std::move(out_);
     }
 
   private:
+    void require_the_same() const {
+        constexpr double same_from = 0.8;
+        if (out_.explained >= same_from || off_ <= little_off) {
+            return;
+        }
+        const PairPaths& paths = reader_.paths(0);
+        throw lutlib::Error(fmt::format(
+            "{} do not show the same before and after a grade: of what AFTER shows, {:.0f} % "
+            "follows from BEFORE's colours, wherever they are laid on each other",
+            reader_.count() > 1 ? "the pairs"
+                                : input_text(paths.before) + " and " + input_text(paths.after),
+            100 * std::max(0.0, out_.explained)));
+    }
+
     // A look is measured where it was not learnt from; the one that is kept has learnt from all.
     void learn() {
         Gathered pixels;
@@ -146,31 +167,55 @@ class MatchRun {
         if (pixels.held_out.empty() || pixels.learnt.empty()) {
             pixels.learnt.insert(pixels.learnt.end(), pixels.held_out.begin(),
                                  pixels.held_out.end());
-            out_.match = match_look(std::move(pixels.learnt), settings);
+            out_.match = match_look(pixels.learnt, settings);
+            explain(images(out_.match, pixels.learnt));
             return;
         }
         const lutlib::Match first = match_look(pixels.learnt, settings);
-        measure_held_out(first, pixels.held_out);
+        measure_held_out(images(first, pixels.held_out));
         pixels.learnt.insert(pixels.learnt.end(), pixels.held_out.begin(), pixels.held_out.end());
         out_.match = match_look(std::move(pixels.learnt), settings, &first);
     }
 
-    void measure_held_out(const lutlib::Match& match,
-                          const std::vector<lutlib::PixelPair>& pixels) {
-        std::vector<lutlib::RgbD> exact, after;
+    // What a look makes of pixels, beside what they became.
+    struct Images {
+        std::vector<lutlib::RgbD> look, after;
+    };
+    static Images images(const lutlib::Match& match, const std::vector<lutlib::PixelPair>& pixels) {
+        Images out;
         for (const lutlib::PixelPair& pixel : pixels) {
             const lutlib::RgbD was = to_double(pixel.before), is = to_double(pixel.after);
             if (std::isfinite(largest_magnitude(was)) && std::isfinite(largest_magnitude(is))) {
-                exact.push_back(was);
-                after.push_back(is);
+                out.look.push_back(was);
+                out.after.push_back(is);
             }
         }
         lutlib::Lut lut;
         lut.cube = match.cube;
-        apply_in_parallel(lutlib::Transform::of(lut), exact);
-        std::vector<lutlib::RgbD> kept = exact;
+        apply_in_parallel(lutlib::Transform::of(lut), out.look);
+        return out;
+    }
+
+    void explain(const Images& images) {
+        double off = 0, squares = 0;
+        lutlib::RgbD sum;
+        for (std::size_t i = 0; i < images.look.size(); ++i) {
+            const lutlib::RgbD is = images.after[i], left = is - images.look[i];
+            off += left.r * left.r + left.g * left.g + left.b * left.b;
+            squares += is.r * is.r + is.g * is.g + is.b * is.b;
+            sum = sum + is;
+        }
+        const auto n = static_cast<double>(images.look.size());
+        const double variance = squares - (sum.r * sum.r + sum.g * sum.g + sum.b * sum.b) / n;
+        out_.explained = variance > 0 ? 1 - off / variance : 1;
+        off_ = std::sqrt(off / n / 3);
+    }
+
+    void measure_held_out(const Images& images) {
+        explain(images);
+        std::vector<lutlib::RgbD> exact = images.look, kept = images.look;
         apply_in_parallel(rounded({}, out_.bits), kept);
-        out_.held_out = errors_of(kept, after, viewing());
+        out_.held_out = errors_of(kept, images.after, viewing());
         for (lutlib::RgbD& color : exact) {
             color = out_.bits ? saturate(color) : color;
         }
@@ -193,11 +238,19 @@ class MatchRun {
                 }
             }
             parts_[i] = on.parts;
-            out_.pairs.push_back(
-                {reader_.paths(i), pair.remarks, on.delta_e_2000, on.edits, on.parts, {}, {}, {}});
+            out_.pairs.push_back({reader_.paths(i),
+                                  pair.remarks,
+                                  pair.shift,
+                                  on.delta_e_2000,
+                                  on.edits,
+                                  on.parts,
+                                  {},
+                                  {},
+                                  {}});
             reduce(on, out_.pairs.back());
         }
         out_.own = lutlib::error_stats(std::move(errors));
+        out_.coverage = lutlib::coverage_of(out_.match.support, size_);
     }
 
     lutlib::Viewing viewing() const { return {*out_.look.output}; }
@@ -205,6 +258,7 @@ class MatchRun {
     PairReader reader_;
     int size_;
     std::vector<std::vector<lutlib::Area>> parts_; ///< of each pair
+    double off_ = 0; ///< the standard deviation of a channel from what was graded
     Matched out_;
 };
 

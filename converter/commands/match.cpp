@@ -1,6 +1,8 @@
 // lutconv match: the look that made one picture of another.
 #include "converter/command.h"
 #include "converter/look_files.h"
+#include "converter/match_chart.h"
+#include "converter/match_page.h"
 #include "converter/match_pairs.h"
 #include "converter/match_run.h"
 #include "converter/match_text.h"
@@ -8,6 +10,7 @@
 #include "converter/recipe_options.h"
 #include "converter/report.h"
 #include "converter/usage.h"
+#include "lutlib/error.h"
 
 #include <nlohmann/json.hpp>
 
@@ -19,7 +22,8 @@ namespace {
 
 struct Options {
     std::vector<std::string> pictures;
-    std::string output, frames, before_encoding, after_encoding, look_input, look_output;
+    std::string output, html, chart_before, chart_after, frames, before_encoding, after_encoding,
+        look_input, look_output;
     int size = lutlib::MatchSettings{}.size;
     bool force = false, json = false;
 };
@@ -41,18 +45,57 @@ lutlib::Lut look_of(const Matched& matched) {
     return out;
 }
 
-int run(const Options& o) {
-    require_one_standard_input(o.pictures);
-    const std::string shown = standard_output_of(std::array{o.output});
-    const PairEncodings encodings = encodings_of(o);
+bool has_chart(const Options& o) {
+    return !o.chart_before.empty() || !o.chart_after.empty();
+}
+
+// A picture for each chart that was named, the one before the grade first.
+Matched from_charts(const Options& o, const PairEncodings& encodings) {
+    const std::size_t wanted = (o.chart_before.empty() ? 0 : 1) + (o.chart_after.empty() ? 0 : 1);
+    if (o.pictures.size() != wanted) {
+        throw lutlib::UsageError("--chart-before and --chart-after take a picture each, and no "
+                                 "picture stands for the published chart");
+    }
+    if (!o.frames.empty()) {
+        throw lutlib::UsageError("--frames is for pairs of pictures, not for charts");
+    }
+    std::optional<ChartPicture> before, after;
+    if (!o.chart_before.empty()) {
+        before = {o.pictures.front(), chart_area_of(o.chart_before, "--chart-before")};
+    }
+    if (!o.chart_after.empty()) {
+        after = {o.pictures.back(), chart_area_of(o.chart_after, "--chart-after")};
+    }
+    return match_charts(before, after, encodings, o.size);
+}
+
+void require_targets(const Options& o, const std::vector<std::string>& inputs) {
+    require_replaceable(o.output, inputs, o.force);
+    require_replaceable(o.html, inputs, o.force);
+}
+
+Matched from_pairs(const Options& o, const PairEncodings& encodings) {
     const std::vector<PairPaths> pairs = pairs_of(o.pictures, o.frames);
     std::vector<std::string> inputs;
     for (const PairPaths& pair : pairs) {
         inputs.insert(inputs.end(), {pair.before, pair.after});
     }
-    require_replaceable(o.output, inputs, o.force);
-    const Matched matched = match_pairs(pairs, encodings, o.size);
-    tell_losses(write_look(look_of(matched), o.output), o.output);
+    require_targets(o, inputs);
+    return match_pairs(pairs, encodings, o.size);
+}
+
+int run(const Options& o) {
+    require_one_standard_input(o.pictures);
+    const std::string shown = standard_output_of(std::array{o.output, o.html});
+    const PairEncodings encodings = encodings_of(o);
+    require_targets(o, o.pictures);
+    const Matched matched = has_chart(o) ? from_charts(o, encodings) : from_pairs(o, encodings);
+    const std::string page = o.html.empty() ? "" : match_html(matched, o.output);
+    std::vector<lutlib::io::FileToWrite> others;
+    if (!o.html.empty()) {
+        others.push_back({o.html, page});
+    }
+    tell_losses(write_look(look_of(matched), o.output, others), o.output);
     o.json ? print(match_json(matched, o.output), shown)
            : print(match_text(matched, o.output), shown);
     return ok;
@@ -69,9 +112,19 @@ Run declare_match(Verb& verb) {
     verb.add_option("-o,--output", o->output,
                     "a LUT file of any extension, or - for standard output")
         .required();
+    verb.add_option("--html", o->html,
+                    "a page of it too: which part of the colour cube the pictures show, and where "
+                    "in them the look misses");
     verb.add_option("--size", o->size, "nodes per axis")
         .takes(Takes::cube_size)
         .capture_default_str();
+    verb.add_option("--chart-before", o->chart_before,
+                    "X,Y,WIDTH,HEIGHT of a ColorChecker in the picture before the grade, from the "
+                    "outer edges of its outer patches, whichever way it lies: the look is learnt "
+                    "from its 24 patches alone");
+    verb.add_option("--chart-after", o->chart_after,
+                    "the same in the picture after it; with one of the two, the published codes "
+                    "stand for the other picture");
     verb.add_option("--frames", o->frames, "of a pattern: 1001-1100 or 1001-1100x2 (default: all)");
     verb.add_option("--before-encoding", o->before_encoding,
                     encoding_help("what the codes of BEFORE are") +

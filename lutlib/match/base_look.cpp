@@ -19,6 +19,8 @@ constexpr int rounds = 12;
 constexpr double curve_bending = 1e-4, curve_slope = 1e-6, gain_bending = 1e-4, to_identity = 1e-5;
 // What a step may change a parameter by: it is right for small ones alone.
 constexpr double largest_step = 0.3, largest_gain = 3;
+// Of the line that a curve begins as.
+constexpr double least_slope = 0.1, largest_slope = 4;
 
 // Knots that stand evenly from `low` to `high`.
 template <std::size_t count>
@@ -41,17 +43,20 @@ constexpr std::size_t curve_knots = 49, gain_knots = 6;
 constexpr Knotted<curve_knots> along_curve{-0.25, 1.25};
 constexpr Knotted<gain_knots> along_luma{0, 1};
 
-constexpr std::size_t parameters = 6 + gain_knots; // of a row of the matrix the first two entries
-using Square = Eigen::Matrix<double, static_cast<int>(parameters), static_cast<int>(parameters)>;
-using Column = Eigen::Matrix<double, static_cast<int>(parameters), 1>;
+// The unknowns of a round: the knots of three curves, then the mixing: of each row of the matrix
+// the first two entries, and the knots of the gain.
+constexpr std::size_t mixing = 3 * curve_knots, mixing_count = 6 + gain_knots;
+constexpr std::size_t unknowns = mixing + mixing_count;
+using Square = Eigen::MatrixXd;
+using Column = Eigen::VectorXd;
+using MixingColumn = Eigen::Matrix<double, static_cast<int>(mixing_count), 1>;
 
 Eigen::Index index(std::size_t i) {
     return static_cast<Eigen::Index>(i);
 }
 
 // Adds the square of the second difference about each inner one of `count` unknowns from `first`.
-template <class Matrix>
-void add_bending(Matrix& to, std::size_t first, std::size_t count, double weight) {
+void add_bending(Square& to, std::size_t first, std::size_t count, double weight) {
     constexpr std::array<double, 3> difference{1, -2, 1};
     for (std::size_t at = first; at + 2 < first + count; ++at) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -84,94 +89,57 @@ class BaseFit {
         if (!(whole_ > 0)) {
             throw Error("there are no colours to learn a look from");
         }
-        parameters_ << 1, 0, 0, 1, 0, 0, Eigen::Matrix<double, gain_knots, 1>::Ones();
-        identity_ = parameters_;
-        take_parameters();
+        mixing_ << 1, 0, 0, 1, 0, 0, Eigen::Matrix<double, static_cast<int>(gain_knots), 1>::Ones();
+        identity_ = mixing_;
+        take_mixing();
+        for (std::size_t c = 0; c < 3; ++c) {
+            begin_straight(c);
+        }
     }
 
     BaseLook run() {
         BaseLook best = look_;
         double least = std::numeric_limits<double>::infinity();
         for (int round = 0; round < rounds; ++round) {
-            fit_curves();
+            step();
             const double off = squares();
             if (off < least) {
                 least = off;
                 best = look_;
             }
-            step();
         }
         return best;
     }
 
   private:
-    void take_parameters() {
+    void take_mixing() {
         for (std::size_t row = 0; row < 3; ++row) {
-            const double r = parameters_(index(2 * row)), g = parameters_(index(2 * row + 1));
+            const double r = mixing_(index(2 * row)), g = mixing_(index(2 * row + 1));
             look_.matrix.m[row] = {r, g, 1 - r - g};
         }
         Knots knots;
         for (std::size_t i = 0; i < gain_knots; ++i) {
-            knots.push_back({along_luma.at(i), parameters_(index(6 + i))});
+            knots.push_back({along_luma.at(i), mixing_(index(6 + i))});
         }
         look_.gain = Curve::open(std::move(knots));
     }
 
-    void fit_curves() {
-        std::vector<RgbD> in;
-        in.reserve(pairs_.size());
+    // A line, which has a slope for the first step.
+    void begin_straight(std::size_t c) {
+        double x = 0, y = 0, xx = 0, xy = 0;
         for (const ColorPair& pair : pairs_) {
-            in.push_back(mixed(look_, pair.before).mixed);
+            const double w = pair.weight / whole_, in = pair.before[c], out = pair.after[c];
+            x += w * in;
+            y += w * out;
+            xx += w * in * in;
+            xy += w * in * out;
         }
-        for (std::size_t c = 0; c < 3; ++c) {
-            look_.curves[c] = fitted_curve(in, c);
-        }
-    }
-
-    Curve fitted_curve(const std::vector<RgbD>& in, std::size_t c) const {
-        constexpr int n = static_cast<int>(curve_knots);
-        Eigen::Matrix<double, n, n> square = Eigen::Matrix<double, n, n>::Zero();
-        Eigen::Matrix<double, n, 1> right = Eigen::Matrix<double, n, 1>::Zero();
-        double x = 0, y = 0, xy = 0;
-        for (std::size_t p = 0; p < in.size(); ++p) {
-            const double w = pairs_[p].weight, wanted = pairs_[p].after[c];
-            const auto [i, share] = along_curve.before(in[p][c]);
-            const Eigen::Index k = index(i);
-            square(k, k) += w * (1 - share) * (1 - share);
-            square(k + 1, k + 1) += w * share * share;
-            square(k, k + 1) += w * share * (1 - share);
-            right(k) += w * (1 - share) * wanted;
-            right(k + 1) += w * share * wanted;
-            x += w * in[p][c];
-            y += w * wanted;
-            xy += w * in[p][c] * wanted;
-        }
-        const double sense = xy - x * y / whole_ < 0 ? -1 : 1;
-        for (Eigen::Index k = 0; k + 1 < n; ++k) {
-            square(k + 1, k) = square(k, k + 1);
-        }
-        add_bending(square, 0, curve_knots, curve_bending * whole_);
-        for (Eigen::Index k = 0; k + 1 < n; ++k) {
-            const double w = curve_slope * whole_, rise = sense * along_curve.spacing();
-            square(k, k) += w;
-            square(k + 1, k + 1) += w;
-            square(k, k + 1) -= w;
-            square(k + 1, k) -= w;
-            right(k) -= w * rise;
-            right(k + 1) += w * rise;
-        }
-        const Eigen::Matrix<double, n, 1> solved = square.ldlt().solve(right);
-        std::vector<double> values, weights;
-        for (Eigen::Index k = 0; k < n; ++k) {
-            values.push_back(sense * solved(k));
-            weights.push_back(square(k, k));
-        }
-        values = rising(values, weights);
-        Knots knots;
-        for (std::size_t k = 0; k < curve_knots; ++k) {
-            knots.push_back({along_curve.at(k), sense * values[k]});
-        }
-        return Curve::open(std::move(knots));
+        const double spread = xx - x * x, both = xy - x * y;
+        sense_[c] = both < 0 ? -1 : 1;
+        const double slope = spread > 0 ? std::abs(both) / spread : 1;
+        const double rise = sense_[c] * std::clamp(slope, least_slope, largest_slope);
+        look_.curves[c] = Curve::open({{along_curve.low, y + rise * (along_curve.low - x)},
+                                       {along_curve.high, y + rise * (along_curve.high - x)}});
     }
 
     double squares() const {
@@ -189,43 +157,96 @@ class BaseFit {
         return (look_.curves[c](x + half) - look_.curves[c](x - half)) / (2 * half);
     }
 
-    // One of Gauss and Newton, towards what the curves leave over.
-    void step() {
+    // What a channel's input to its curve changes by with the mixing.
+    MixingColumn mixing_row(const ColorPair& pair, const Mixed& at, std::size_t c) const {
         constexpr RgbD luma_weights{luma({1, 0, 0}), luma({0, 1, 0}), luma({0, 0, 1})};
-        Square square = Square::Zero();
-        Column right = Column::Zero();
+        MixingColumn row = MixingColumn::Zero();
+        for (std::size_t from = 0; from < 3; ++from) {
+            const double part = luma_weights[from] * (1 - at.gain) + (from == c ? at.gain : 0);
+            row(index(2 * from)) = part * (pair.before.r - pair.before.b);
+            row(index(2 * from + 1)) = part * (pair.before.g - pair.before.b);
+        }
+        const auto [knot, share] = along_luma.before(at.luma);
+        row(index(6 + knot)) = (1 - share) * (at.matrixed[c] - at.luma);
+        row(index(7 + knot)) = share * (at.matrixed[c] - at.luma);
+        return row;
+    }
+
+    // The upper triangle and the right side: of the knots as they shall be, and of what is to be
+    // added to the mixing.
+    void add_pairs(Square& square, Column& right) const {
         for (const ColorPair& pair : pairs_) {
             const Mixed at = mixed(look_, pair.before);
-            const auto [knot, share] = along_luma.before(at.luma);
             for (std::size_t c = 0; c < 3; ++c) {
-                const double rise = slope(c, at.mixed[c]);
-                Column row = Column::Zero();
-                for (std::size_t from = 0; from < 3; ++from) {
-                    const double part =
-                        luma_weights[from] * (1 - at.gain) + (from == c ? at.gain : 0);
-                    row(index(2 * from)) = rise * part * (pair.before.r - pair.before.b);
-                    row(index(2 * from + 1)) = rise * part * (pair.before.g - pair.before.b);
-                }
-                const double chroma = rise * (at.matrixed[c] - at.luma);
-                row(index(6 + knot)) = (1 - share) * chroma;
-                row(index(7 + knot)) = share * chroma;
-                square.noalias() += pair.weight * row * row.transpose();
-                right += pair.weight * (pair.after[c] - look_.curves[c](at.mixed[c])) * row;
+                const double w = pair.weight, in = at.mixed[c];
+                const MixingColumn row = slope(c, in) * mixing_row(pair, at, c);
+                const auto [knot, share] = along_curve.before(in);
+                const Eigen::Index k = index(c * curve_knots + knot);
+                square(k, k) += w * (1 - share) * (1 - share);
+                square(k + 1, k + 1) += w * share * share;
+                square(k, k + 1) += w * share * (1 - share);
+                square.row(k).tail<mixing_count>() += w * (1 - share) * row.transpose();
+                square.row(k + 1).tail<mixing_count>() += w * share * row.transpose();
+                square.bottomRightCorner<mixing_count, mixing_count>() += w * row * row.transpose();
+                right(k) += w * (1 - share) * pair.after[c];
+                right(k + 1) += w * share * pair.after[c];
+                right.tail<mixing_count>() += w * pair.after[c] * row;
             }
         }
-        Square held = Square::Identity() * (to_identity * whole_);
+    }
+
+    void add_smoothness(Square& square, Column& right) const {
+        for (std::size_t c = 0; c < 3; ++c) {
+            add_bending(square, c * curve_knots, curve_knots, curve_bending * whole_);
+            const double w = curve_slope * whole_, rise = sense_[c] * along_curve.spacing();
+            for (std::size_t i = 0; i + 1 < curve_knots; ++i) {
+                const Eigen::Index k = index(c * curve_knots + i);
+                square(k, k) += w;
+                square(k + 1, k + 1) += w;
+                square(k, k + 1) -= w;
+                square(k + 1, k) -= w;
+                right(k) -= w * rise;
+                right(k + 1) += w * rise;
+            }
+        }
+        Square held = Square::Identity(mixing_count, mixing_count) * (to_identity * whole_);
         add_bending(held, 6, gain_knots, gain_bending * whole_);
-        right -= held * (parameters_ - identity_);
-        const Column change = (square + held).ldlt().solve(right);
-        parameters_ += change.cwiseMax(-largest_step).cwiseMin(largest_step);
-        parameters_.tail<gain_knots>() =
-            parameters_.tail<gain_knots>().cwiseMax(0).cwiseMin(largest_gain);
-        take_parameters();
+        square.bottomRightCorner<mixing_count, mixing_count>() += held;
+        right.tail<mixing_count>() -= held * (mixing_ - identity_);
+    }
+
+    // One of Gauss and Newton, of everything at once.
+    void step() {
+        Square square = Square::Zero(index(unknowns), index(unknowns));
+        Column right = Column::Zero(index(unknowns));
+        add_pairs(square, right);
+        square = Square(square.selfadjointView<Eigen::Upper>());
+        add_smoothness(square, right);
+        const Column solved = square.ldlt().solve(right);
+        for (std::size_t c = 0; c < 3; ++c) {
+            std::vector<double> values, weights;
+            for (std::size_t i = 0; i < curve_knots; ++i) {
+                const Eigen::Index k = index(c * curve_knots + i);
+                values.push_back(sense_[c] * solved(k));
+                weights.push_back(square(k, k));
+            }
+            values = rising(values, weights);
+            Knots knots;
+            for (std::size_t i = 0; i < curve_knots; ++i) {
+                knots.push_back({along_curve.at(i), sense_[c] * values[i]});
+            }
+            look_.curves[c] = Curve::open(std::move(knots));
+        }
+        const MixingColumn change = solved.tail<mixing_count>();
+        mixing_ += change.cwiseMax(-largest_step).cwiseMin(largest_step);
+        mixing_.tail<gain_knots>() = mixing_.tail<gain_knots>().cwiseMax(0).cwiseMin(largest_gain);
+        take_mixing();
     }
 
     std::span<const ColorPair> pairs_;
     double whole_ = 0;
-    Column parameters_, identity_;
+    MixingColumn mixing_, identity_;
+    std::array<double, 3> sense_{};
     BaseLook look_;
 };
 

@@ -88,6 +88,12 @@ class Learning {
         }
         fit(means, supple);
         out_.noise = noise_;
+        // One pixel's weight, so that support counts pixels whatever their noise.
+        const double of_one =
+            squared(usual_noise) / (squared(noise_) + squared(usual_noise) / pixels_that_count);
+        for (double& support : out_.support) {
+            support /= of_one;
+        }
         out_.greys_fall = make_greys_rise(out_.cube, out_.support, greys_limit);
         return std::move(out_);
     }

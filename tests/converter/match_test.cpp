@@ -1,6 +1,7 @@
 // lutconv match: a look out of a picture before and after a grade.
 #include "lutlib/io/image.h"
 #include "lutlib/io/png.h"
+#include "lutlib/match/chart.h"
 #include "tests/converter/run_program.h"
 #include "tests/support/thorough.h"
 
@@ -55,11 +56,13 @@ class MatchVerb : public testing::Test {
         return out;
     }
     std::vector<std::string> words(const std::string& output = "look.cube") const {
-        std::vector<std::string> out{"match", in("before.png"), in("after.png"), "-o", in(output)};
-        if (support::is_sanitized) {
-            out.insert(out.end(), {"--size", "9"});
-        }
-        return out;
+        return {"match",
+                in("before.png"),
+                in("after.png"),
+                "-o",
+                in(output),
+                "--size",
+                support::is_sanitized ? "9" : "17"};
     }
     json matched(std::vector<std::string> words) const {
         words.emplace_back("--json");
@@ -169,6 +172,99 @@ TEST_F(MatchVerb, takes_many_pairs_folders_and_frames_by_name_and_number) {
     EXPECT_EQ(matched(two)["pairs"].size(), 2U);
     std::filesystem::remove(in("graded.0011.png"));
     refused(sequence, "it has no partner of the same frame");
+}
+
+TEST_F(MatchVerb, moves_a_shifted_picture_back_and_says_by_how_much) {
+    matched();
+    const std::string still = contents(in("look.cube"));
+    io::PngImage after = read("after.png");
+    const io::PngImage from = after;
+    for (int y = 0; y < after.height; ++y) {
+        for (int x = 0; x < after.width; ++x) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                after.at({x, y}, c) =
+                    from.at({std::clamp(x - 5, 0, 255), std::clamp(y + 3, 0, 159)}, c);
+            }
+        }
+    }
+    write("after.png", after);
+    const json said = matched();
+    EXPECT_EQ(said["pairs"][0]["shift"]["x"], 5);
+    EXPECT_EQ(said["pairs"][0]["shift"]["y"], -3);
+    EXPECT_EQ(said["all_pixels"]["delta_e_2000"]["count"], 251 * 157);
+    EXPECT_LT(said["all_pixels"]["delta_e_2000"]["mean"], 0.3);
+    EXPECT_NE(said["pairs"][0]["remarks"].dump().find("it lies 5, -3 pixels beside"),
+              std::string::npos);
+}
+
+TEST_F(MatchVerb, draws_what_the_pictures_show_and_where_the_look_misses) {
+    std::vector<std::string> with_page = words();
+    with_page.insert(with_page.end(), {"--html", in("look.html")});
+    const json said = matched(with_page);
+    EXPECT_GT(said["coverage"]["supported"], 0.005);
+    EXPECT_LT(said["coverage"]["supported"], said["coverage"]["near"]);
+    EXPECT_EQ(said["coverage"]["corners"].size(), 8U);
+    EXPECT_GT(said["coverage"]["greys"][1], said["coverage"]["greys"][0]);
+    const std::string page = contents(in("look.html"));
+    for (const char* const part : {"id=\"plane-0\"", "blue 1.00", "id=\"pair-0\"", "magenta"}) {
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+    }
+}
+
+TEST_F(MatchVerb, learns_from_charts_that_lie_where_they_want_and_from_the_published_one) {
+    // The chart on its head, in a larger picture.
+    const auto patches = lutlib::published_chart();
+    io::PngImage photo = shot(0, 300, 200);
+    for (int y = 0; y < 80; ++y) {
+        for (int x = 0; x < 120; ++x) {
+            const lutlib::RgbD color =
+                patches[static_cast<std::size_t>(23 - (y / 20 * 6 + x / 20))];
+            for (std::size_t c = 0; c < 3; ++c) {
+                photo.at({100 + x, 70 + y}, c) = photo.depth.code(color[c]);
+            }
+        }
+    }
+    write("photo.png", photo);
+    grade("photo.png", "photo_graded.png");
+    const std::string area = "100,70,120,80";
+    const json both = matched({"match", in("photo.png"), in("photo_graded.png"), "--chart-before",
+                               area, "--chart-after", area, "-o", in("chart.cube")});
+    ASSERT_EQ(both["patches"].size(), 24U);
+    EXPECT_EQ(both["patches"][0]["name"], "dark skin");
+    EXPECT_NEAR(both["patches"][0]["before"][0], 115 / 255.0, 1e-6);
+    EXPECT_LT(both["all_pixels"]["delta_e_2000"]["mean"], 0.5);
+    EXPECT_LT(both["held_out"]["delta_e_2000"]["mean"], 2);
+    const json to_graded = matched(
+        {"match", in("photo_graded.png"), "--chart-after", area, "-o", in("published.cube")});
+    for (std::size_t i = 0; i < 24; ++i) {
+        EXPECT_EQ(to_graded["patches"][i]["after"], both["patches"][i]["after"]);
+        EXPECT_NEAR(to_graded["patches"][i]["delta_e_2000"], both["patches"][i]["delta_e_2000"],
+                    0.05);
+    }
+    const json back = matched({"match", in("photo_graded.png"), "--chart-before", area, "-o",
+                               in("back.cube"), "--html", in("back.html")});
+    EXPECT_EQ(back["patches"][3]["before"], both["patches"][3]["after"]);
+    EXPECT_NE(contents(in("back.html")).find("bluish green"), std::string::npos);
+    refused({"match", in("photo.png"), "--chart-before", "0,0,90,60", "-o", in("x.cube")},
+            "no ColorChecker lies in that rectangle");
+    refused({"match", in("photo.png"), "--chart-before", "200,150,120,80", "-o", in("x.cube")},
+            "reaches beyond its 300x200 pixels");
+    refused({"match", in("photo.png"), "--chart-before", "0,0,90", "-o", in("x.cube")},
+            "takes a rectangle", 3);
+    refused({"match", in("photo.png"), in("photo_graded.png"), "--chart-before", area, "-o",
+             in("x.cube")},
+            "take a picture each", 3);
+}
+
+TEST_F(MatchVerb, refuses_pictures_that_do_not_lie_on_each_other) {
+    io::PngImage other = shot(0);
+    for (std::size_t i = 0; i < other.samples.size(); ++i) {
+        other.samples[i] = static_cast<std::uint16_t>(i * 7919 % 251);
+    }
+    write("other.png", other);
+    refused({"match", in("before.png"), in("other.png"), "-o", in("x.cube")},
+            "do not show the same before and after a grade");
+    EXPECT_EQ(std::filesystem::exists(in("x.cube")), false);
 }
 
 TEST_F(MatchVerb, refuses_with_one_sentence) {

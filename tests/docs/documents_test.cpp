@@ -57,7 +57,8 @@ constexpr Promise promises[] = {
     {"-o graded/{name}.{ext}", 0, "3 pictures -> graded/"},
     {"--shard 1/2", 0, "2 pictures -> graded/"},
     {"lutconv sheet", 0, "dE2000 of the picture's pixels from the original"},
-    {"lutconv match", 0, "held out"},
+    {"lutconv match before.png", 0, "held out"},
+    {"--chart-before", 0, "dE2000 of the look at them"},
     {"lutconv info", 0, "nodes per axis"},
     {"lutconv eval look.cube 0.18 0.18 0.18", 0, "0.2081"},
 };

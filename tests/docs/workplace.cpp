@@ -1,6 +1,7 @@
 #include "tests/docs/workplace.h"
 
 #include "lutlib/io/png.h"
+#include "lutlib/match/chart.h"
 #include "tests/preview/scene/gltf_writer.h"
 
 #include <gtest/gtest.h>
@@ -69,6 +70,25 @@ std::string stacked(const std::string& png, int count) {
     return lutlib::io::write_png(image);
 }
 
+/// A ColorChecker of 240x160 pixels from (40, 30) on, before grey.
+std::string chart_photo() {
+    constexpr int patch = 40, left = 40, top = 30;
+    lutlib::io::PngImage image;
+    image.width = 320;
+    image.height = 220;
+    image.samples.assign(std::size_t{3} * 320 * 220, 90);
+    const auto patches = lutlib::published_chart();
+    for (int y = 0; y < 4 * patch; ++y) {
+        for (int x = 0; x < 6 * patch; ++x) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                image.at({left + x, top + y}, c) = image.depth.code(
+                    patches[static_cast<std::size_t>(y / patch * 6 + x / patch)][c]);
+            }
+        }
+    }
+    return lutlib::io::write_png(image);
+}
+
 void make(const fs::path& folder, const std::string& line) {
     const Ran ran = run_in(folder, line);
     ASSERT_EQ(ran.exit_code, 0) << line << '\n' << ran.output;
@@ -116,6 +136,8 @@ void fill_workplace(const fs::path& folder) {
     make(folder, "lutconv apply look.cube for_grading.png -o graded.png");
     make(folder, "lutconv apply identity.cube luts/before_after.png -o before.png");
     make(folder, "lutconv apply look.cube before.png -o after.png");
+    write(folder / "photo.png", chart_photo());
+    make(folder, "lutconv apply look.cube photo.png -o other_photo.png");
     for (const char* const frame : {"1001", "1002"}) {
         fs::copy(folder / "before.png", folder / (std::string("plate.") + frame + ".png"));
         fs::copy(folder / "after.png", folder / (std::string("graded.") + frame + ".png"));

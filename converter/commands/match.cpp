@@ -20,7 +20,7 @@
 namespace converter {
 namespace {
 
-struct Options {
+struct MatchOptions {
     std::vector<std::string> pictures;
     std::string output, html, chart_before, chart_after, frames, before_encoding, after_encoding,
         look_input, look_output;
@@ -28,29 +28,30 @@ struct Options {
     bool force = false, json = false;
 };
 
-std::optional<lutlib::Encoding> named(const std::string& name, const std::string& option) {
+std::optional<lutlib::Encoding> named_encoding(const std::string& name, const std::string& option) {
     return name.empty() ? std::nullopt : std::optional(encoding_of(name, option));
 }
 
-PairEncodings encodings_of(const Options& o) {
-    return {{named(o.before_encoding, "--before-encoding"),
-             named(o.after_encoding, "--after-encoding")},
-            {named(o.look_input, "--look-input"), named(o.look_output, "--look-output")}};
+PairEncodings pair_encodings(const MatchOptions& o) {
+    return {{named_encoding(o.before_encoding, "--before-encoding"),
+             named_encoding(o.after_encoding, "--after-encoding")},
+            {named_encoding(o.look_input, "--look-input"),
+             named_encoding(o.look_output, "--look-output")}};
 }
 
-lutlib::Lut look_of(const Matched& matched) {
+lutlib::Lut matched_look(const Matched& matched) {
     lutlib::Lut out;
     out.cube = matched.match.cube;
     out.encodings = names_of(matched.look);
     return out;
 }
 
-bool has_chart(const Options& o) {
+bool has_chart(const MatchOptions& o) {
     return !o.chart_before.empty() || !o.chart_after.empty();
 }
 
 // A picture for each chart that was named, the one before the grade first.
-Matched from_charts(const Options& o, const PairEncodings& encodings) {
+Matched from_charts(const MatchOptions& o, const PairEncodings& encodings) {
     const std::size_t wanted = (o.chart_before.empty() ? 0 : 1) + (o.chart_after.empty() ? 0 : 1);
     if (o.pictures.size() != wanted) {
         throw lutlib::UsageError("--chart-before and --chart-after take a picture each, and no "
@@ -69,12 +70,12 @@ Matched from_charts(const Options& o, const PairEncodings& encodings) {
     return match_charts(before, after, encodings, o.size);
 }
 
-void require_targets(const Options& o, const std::vector<std::string>& inputs) {
+void require_targets(const MatchOptions& o, const std::vector<std::string>& inputs) {
     require_replaceable(o.output, inputs, o.force);
     require_replaceable(o.html, inputs, o.force);
 }
 
-Matched from_pairs(const Options& o, const PairEncodings& encodings) {
+Matched from_pairs(const MatchOptions& o, const PairEncodings& encodings) {
     const std::vector<PairPaths> pairs = pairs_of(o.pictures, o.frames);
     std::vector<std::string> inputs;
     for (const PairPaths& pair : pairs) {
@@ -84,10 +85,10 @@ Matched from_pairs(const Options& o, const PairEncodings& encodings) {
     return match_pairs(pairs, encodings, o.size);
 }
 
-int run(const Options& o) {
+int run_match(const MatchOptions& o) {
     require_one_standard_input(o.pictures);
     const std::string shown = standard_output_of(std::array{o.output, o.html});
-    const PairEncodings encodings = encodings_of(o);
+    const PairEncodings encodings = pair_encodings(o);
     require_targets(o, o.pictures);
     const Matched matched = has_chart(o) ? from_charts(o, encodings) : from_pairs(o, encodings);
     const std::string page = o.html.empty() ? "" : match_html(matched, o.output);
@@ -95,7 +96,7 @@ int run(const Options& o) {
     if (!o.html.empty()) {
         others.push_back({o.html, page});
     }
-    tell_losses(write_look(look_of(matched), o.output, others), o.output);
+    tell_losses(write_look(matched_look(matched), o.output, others), o.output);
     o.json ? print(match_json(matched, o.output), shown)
            : print(match_text(matched, o.output), shown);
     return ok;
@@ -104,7 +105,7 @@ int run(const Options& o) {
 } // namespace
 
 Run declare_match(Verb& verb) {
-    const auto o = std::make_shared<Options>();
+    const auto o = std::make_shared<MatchOptions>();
     verb.add_option("PICTURES", o->pictures,
                     "BEFORE AFTER: a picture and the same once it was graded, and more such pairs; "
                     "folders and patterns of frames (shot.####.png) are paired by name and number")
@@ -137,7 +138,7 @@ Run declare_match(Verb& verb) {
     verb.add_flag("--force", o->force,
                   "overwrite a picture that lutconv did not make, or one that this run reads");
     verb.add_flag("--json", o->json, "print the results as JSON");
-    return [o] { return run(*o); };
+    return [o] { return run_match(*o); };
 }
 
 } // namespace converter

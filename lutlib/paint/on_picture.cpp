@@ -15,6 +15,8 @@ constexpr int block = 16;
 // dE2000 of a block that was edited: above what a steep look loses between 16 nodes, and what the
 // picture's usual block has.
 constexpr double seen = 2, above_usual = 4;
+// Of it, what the block's mean colour must be off by at least.
+constexpr double seen_in_the_mean = 0.5;
 // Of the squared differences, what an explanation must take away to be named, and of a step how
 // much is worth a word.
 constexpr double telling = 0.3, worth_a_word = 0.03;
@@ -111,15 +113,44 @@ std::string edges_in(const Pixels& pixels) {
                                   " of how far pixels stand out): that is not in the look";
 }
 
-// Blocks that are further off than is usual in this picture; they go to `parts`.
-std::string parts_in(const Pixels& pixels, std::vector<Area>& parts) {
+// Of the mean colour of each block, row by row: compression, noise and sharpening leave that where
+// it was, edits do not.
+std::vector<double> off_in_the_mean(PictureSize size, const std::vector<std::size_t>& places,
+                                    const std::vector<RgbD>& expected, const std::vector<RgbD>& got,
+                                    const Eye& eye) {
+    const auto width = static_cast<std::size_t>(size.width);
+    const std::size_t side = block, columns = (width + side - 1) / side;
+    std::vector<double> count(columns *
+                              ((static_cast<std::size_t>(size.height) + side - 1) / side));
+    std::vector<RgbD> wanted(count.size()), is = wanted;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const std::size_t at = places[i] / width / side * columns + places[i] % width / side;
+        wanted[at] = wanted[at] + expected[i];
+        is[at] = is[at] + got[i];
+        ++count[at];
+    }
+    for (std::size_t at = 0; at < count.size(); ++at) {
+        const double share = 1 / std::max(1.0, count[at]);
+        wanted[at] = share * wanted[at];
+        is[at] = share * is[at];
+    }
+    std::vector<double> out(count.size());
+    eye(Metric::delta_e_2000, wanted, is, out);
+    return out;
+}
+
+// Blocks that are further off than is usual in this picture, and in the mean too; they go to
+// `parts`.
+std::string parts_in(const Pixels& pixels, const std::vector<double>& mean_off,
+                     std::vector<Area>& parts) {
     struct Block {
         int x, y;
-        double mean;
+        double mean, of_mean;
     };
     std::vector<Block> blocks;
+    std::size_t at = 0;
     for (int top = 0; top < pixels.size.height; top += block) {
-        for (int left = 0; left < pixels.size.width; left += block) {
+        for (int left = 0; left < pixels.size.width; left += block, ++at) {
             double sum = 0, count = 0;
             for (int y = top; y < std::min(top + block, pixels.size.height); ++y) {
                 for (int x = left; x < std::min(left + block, pixels.size.width); ++x) {
@@ -130,7 +161,7 @@ std::string parts_in(const Pixels& pixels, std::vector<Area>& parts) {
                 }
             }
             if (count > 0) {
-                blocks.push_back({left, top, sum / count});
+                blocks.push_back({left, top, sum / count, mean_off[at]});
             }
         }
     }
@@ -144,7 +175,7 @@ std::string parts_in(const Pixels& pixels, std::vector<Area>& parts) {
     int left = pixels.size.width, top = pixels.size.height, right = 0, bottom = 0;
     double most = 0;
     for (const Block& one : blocks) {
-        if (one.mean <= least) {
+        if (one.mean <= least || one.of_mean <= seen_in_the_mean * one.mean) {
             continue;
         }
         parts.push_back({one.x, one.y, std::min(one.x + block, pixels.size.width),
@@ -190,7 +221,9 @@ OnPicture on_picture(const Picture& before, const Picture& after, const Area& ex
     }
     apply_in_parallel(look, expected);
     std::vector<double> errors(places.size());
-    Eye{viewing}(Metric::delta_e_2000, expected, got, errors);
+    const Eye eye{viewing};
+    eye(Metric::delta_e_2000, expected, got, errors);
+    const std::vector<double> mean_off = off_in_the_mean(pixels.size, places, expected, got, eye);
     pixels.expected.resize(before.pixels.size());
     pixels.got = pixels.expected;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -202,7 +235,7 @@ OnPicture on_picture(const Picture& before, const Picture& after, const Area& ex
     out.delta_e_2000 = error_stats(std::move(errors));
     // Single pixels of grain are no edit.
     for (const std::string& edit :
-         {shading_in(pixels), edges_in(pixels), parts_in(pixels, out.parts)}) {
+         {shading_in(pixels), edges_in(pixels), parts_in(pixels, mean_off, out.parts)}) {
         if (!edit.empty()) {
             out.edits.push_back(edit);
         }

@@ -197,6 +197,37 @@ TEST_F(MatchVerb, moves_a_shifted_picture_back_and_says_by_how_much) {
               std::string::npos);
 }
 
+TEST_F(MatchVerb, learns_from_a_jpeg_and_takes_its_noise_for_no_edit) {
+    const Result saved =
+        lutconv_in_process({"apply", in("grade.cube"), in("before.png"), "-o", in("after.jpg")});
+    ASSERT_EQ(saved.exit_code, 0) << saved.err;
+    std::vector<std::string> from_jpeg = words();
+    from_jpeg[2] = in("after.jpg");
+    const json said = matched(from_jpeg);
+    EXPECT_TRUE(said["pairs"][0]["edits"].empty()) << said["pairs"][0]["edits"];
+    EXPECT_NE(said["pairs"][0]["remarks"].dump().find("JPEG compresses with losses"),
+              std::string::npos);
+    ASSERT_EQ(
+        lutconv_in_process({"apply", in("look.cube"), in("before.png"), "-o", in("again.png")})
+            .exit_code,
+        0);
+    const io::PngImage again = read("again.png"), after = read("after.png");
+    double sum = 0;
+    for (std::size_t i = 0; i < again.samples.size(); ++i) {
+        sum += std::abs(int{again.samples[i]} - int{after.samples[i]});
+    }
+    EXPECT_LT(sum / static_cast<double>(again.samples.size()), 1.5);
+}
+
+TEST_F(MatchVerb, learns_a_steep_look_of_which_few_pixels_are_left) {
+    folder_.write("steep.cube", "LUT_1D_SIZE 5\n0 0 0\n0 0 0\n0.1 0.1 0.1\n1 1 1\n1 1 1\n");
+    ASSERT_EQ(
+        lutconv_in_process({"apply", in("steep.cube"), in("before.png"), "-o", in("after.png")})
+            .exit_code,
+        0);
+    EXPECT_GT(matched()["explained"], 0.99);
+}
+
 TEST_F(MatchVerb, draws_what_the_pictures_show_and_where_the_look_misses) {
     std::vector<std::string> with_page = words();
     with_page.insert(with_page.end(), {"--html", in("look.html")});

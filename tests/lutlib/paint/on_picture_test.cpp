@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace lutlib {
 namespace {
 
@@ -55,6 +57,36 @@ TEST(OnPicture, names_a_part_that_was_edited_by_itself_and_where) {
     }
     const std::string edits = edits_of(on_picture(before, after, nothing, warm_look()));
     EXPECT_NE(edits.find("between x 160 and 224, y 64 and 96"), std::string::npos) << edits;
+    const std::vector<Area> parts = on_picture(before, after, nothing, warm_look()).parts;
+    ASSERT_EQ(parts.size(), 8U);
+    EXPECT_EQ(parts.front().left, 160);
+    EXPECT_EQ(parts.back().bottom, 96);
+}
+
+TEST(OnPicture, takes_noise_that_spares_the_mean_of_a_place_for_no_edit) {
+    const Picture before = screenshot(320, 200);
+    Picture after = graded(before, warm_look());
+    for (int y = 64; y < 96; ++y) {
+        for (int x = 160; x < 224; ++x) {
+            const float wave = (x / 2 + y / 2) % 2 == 0 ? 0.06F : -0.06F;
+            after.at(x, y) = after.at(x, y) + Rgb{wave, -wave, wave};
+        }
+    }
+    const OnPicture on = on_picture(before, after, nothing, warm_look());
+    EXPECT_TRUE(on.parts.empty()) << edits_of(on);
+    EXPECT_GT(on.map[80 * 320 + 200], 2);
+}
+
+TEST(OnPicture, leaves_out_pixels_that_are_no_numbers) {
+    const Picture before = screenshot(90, 60);
+    Picture after = graded(before, warm_look());
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    after.at(7, 9) = {nan, nan, nan};
+    after.at(8, 9).g = std::numeric_limits<float>::infinity();
+    const OnPicture on = on_picture(before, after, nothing, warm_look());
+    EXPECT_EQ(on.delta_e_2000.count, 90U * 60 - 2);
+    EXPECT_LT(on.delta_e_2000.max, 1);
+    EXPECT_LT(on.map[9 * 90 + 7], 0);
 }
 
 TEST(OnPicture, names_a_vignette) {

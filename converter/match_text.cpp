@@ -100,7 +100,7 @@ std::string patches_text(const Matched& matched) {
 std::string match_text(const Matched& matched, const std::string& output) {
     std::string out = fmt::format("{} <- {}\n", output_text(output), source_text(matched));
     out += matched.patches.empty() ? pixels_text(matched) : patches_text(matched);
-    out += coverage_text(matched.coverage);
+    out += matched.patches.empty() ? coverage_text(matched.coverage) : "";
     for (std::size_t c = 0; c < 3; ++c) {
         if (matched.match.greys_fall[c]) {
             out += fmt::format("  {} falls along the greys, as it does in the pictures\n",

@@ -5,6 +5,8 @@
 #include "lutlib/io/image.h"
 
 #include <algorithm>
+#include <cstring>
+#include <utility>
 
 namespace converter {
 
@@ -20,17 +22,19 @@ void require_raster_name(const std::string& path, const std::string& what) {
 }
 
 void write_raster(const std::string& path, const plot::Raster& raster, const std::string& source) {
-    io::FloatImage image;
+    io::SampleImage image;
     image.width = raster.width();
     image.height = raster.height();
-    image.rgba.reserve(4 * image.pixels());
-    for (const plot::Rgb8& pixel : raster.pixels()) {
-        for (const std::uint8_t code : pixel) {
-            image.rgba.push_back(static_cast<float>(code) / 255);
-        }
-        image.rgba.push_back(1);
+    image.channels = 3;
+    image.depth = io::Depth::uint8;
+    image.samples = io::samples_for(path, image);
+    if (image.samples.size() < image.bytes()) {
+        image.samples = io::SampleBuffer(image.bytes());
     }
-    io::write_image(path, image, {.depth = io::Depth::uint8, .text = {{"Source", source}}});
+    static_assert(sizeof(plot::Rgb8) == 3);
+    std::memcpy(image.samples.data(), raster.pixels().data(), image.bytes());
+    io::write_samples(path, std::move(image),
+                      {.depth = io::Depth::uint8, .text = {{"Source", source}}});
 }
 
 } // namespace converter

@@ -30,7 +30,7 @@ namespace {
 
 namespace io = lutlib::io;
 
-constexpr int narrowest = 320, widest = 16384;
+constexpr int narrowest = 320, widest = 8192;
 
 struct ShowOptions {
     std::vector<std::string> looks;

@@ -29,7 +29,7 @@ void Extent::add(std::span<const double> values) {
 }
 
 Extent Extent::with_width() const {
-    constexpr double most = std::numeric_limits<double>::max() / 2;
+    constexpr double most = std::numeric_limits<double>::max() / 8;
     if (is_empty()) {
         return {0, 1};
     }

@@ -27,7 +27,7 @@ struct Extent {
     void add(double value);
     void add(std::span<const double> values);
     /// Wide enough for an axis: what is empty becomes 0..1, what is one value gets room on both
-    /// sides, and no end lies beyond half of the range of a double.
+    /// sides, and ends lie so far within the range of a double that margins have room.
     Extent with_width() const;
 };
 

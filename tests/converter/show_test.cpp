@@ -136,7 +136,7 @@ TEST(Show, refuses_what_it_cannot_draw_before_anything_is_written) {
         EXPECT_NE(result.err.find(said), std::string::npos) << result.err;
     };
     refused({look}, "show needs -o FILE");
-    refused({look, "-o", png, "--size", "1"}, "--size must be 320 to 16384");
+    refused({look, "-o", png, "--size", "1"}, "--size must be 320 to 8192");
     refused({look, "-o", png, "--panels", "slice"}, "did you mean slices?");
     refused({look, "-o", folder.path("x.exr")}, "picture of 8 bits");
     refused({look, look, look, "-o", png}, "");

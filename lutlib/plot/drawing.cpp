@@ -13,7 +13,10 @@ struct Moved {
         }
     }
     void operator()(Disc& d) const { d.center = (*this)(d.center); }
-    void operator()(Box& b) const { b.corner = (*this)(b.corner); }
+    void operator()(Box& b) const {
+        b.corner = (*this)(b.corner);
+        b.opposite = (*this)(b.opposite);
+    }
     void operator()(Words& w) const { w.at = (*this)(w.at); }
 };
 

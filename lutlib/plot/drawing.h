@@ -31,8 +31,7 @@ struct Disc {
 
 /// A filled rectangle; its edges lie on whole pixels, so that neighbours meet without a seam.
 struct Box {
-    Point corner; ///< the upper left one
-    double width = 0, height = 0;
+    Point corner, opposite; ///< the upper left one, the lower right one
     Rgb8 color{};
     std::string label = {}; ///< shown on hover, where something can be
 };

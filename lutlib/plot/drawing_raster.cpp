@@ -30,7 +30,7 @@ struct RasterShape {
     }
     void operator()(const Box& b) const {
         const int x = pixel(b.corner.x), y = pixel(b.corner.y);
-        out.fill(x, y, pixel(b.corner.x + b.width) - x, pixel(b.corner.y + b.height) - y, b.color);
+        out.fill(x, y, pixel(b.opposite.x) - x, pixel(b.opposite.y) - y, b.color);
     }
     void operator()(const Words& w) const {
         const int dot = std::max(1, static_cast<int>(scale));

@@ -49,8 +49,8 @@ struct SvgShape {
     std::string operator()(const Box& b) const {
         return fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
                            "fill=\"{}\" shape-rendering=\"crispEdges\"{}\n",
-                           b.corner.x, b.corner.y, b.width, b.height, css_color(b.color),
-                           end_of("rect", b.label));
+                           b.corner.x, b.corner.y, b.opposite.x - b.corner.x,
+                           b.opposite.y - b.corner.y, css_color(b.color), end_of("rect", b.label));
     }
     std::string operator()(const Words& w) const {
         constexpr std::array<const char*, 3> anchors{"start", "middle", "end"};

@@ -237,8 +237,7 @@ class Layout {
                     }
                     const auto c = static_cast<std::size_t>(column);
                     out_.shapes.emplace_back(Box{{x(column), y(row + 1)},
-                                                 x(column + 1) - x(column),
-                                                 y(row) - y(row + 1),
+                                                 {x(column + 1), y(row)},
                                                  codes_of(cells.colors[at]),
                                                  c < cells.labels.size() ? cells.labels[c] : ""});
                 }

@@ -168,6 +168,31 @@ TEST(Figure, is_the_same_in_pixels_as_in_svg) {
     EXPECT_GT(inked, 3000U); // axes and text too
 }
 
+TEST(Figure, has_no_seam_between_colours_at_any_size) {
+    Figure figure;
+    figure.has_axes = false;
+    // Where a border lies between two pixels, sums in another order round to the other side.
+    const double width = (960.0 - 8) / 3 - 8;
+    for (const int columns : {12, 24, 128}) {
+        figure.cells = {{"c", 0, 1, 0, 1, columns, 1,
+                         std::vector<lutlib::RgbD>(static_cast<std::size_t>(columns))}};
+        Drawing sheet;
+        sheet.width = 960;
+        sheet.height = 240;
+        sheet.add(drawing_of(figure, width), {8 + 2 * (width + 8), 0});
+        for (const int pixels : {960, 1920}) {
+            const Raster out = raster(sheet, pixels);
+            // Of a row through the middle, what is dark is in one piece.
+            const int y = out.height() / 2;
+            int changes = 0;
+            for (int x = 1; x < out.width(); ++x) {
+                changes += out.at(x, y) != out.at(x - 1, y);
+            }
+            EXPECT_EQ(changes, 2) << columns << ' ' << pixels;
+        }
+    }
+}
+
 // How much of a pixel a line covers, by looking at 32 x 32 places in it.
 double covered(Point a, Point b, double width, int x, int y) {
     constexpr int places = 32;

@@ -38,8 +38,9 @@ void write_command_papers(const CLI::App& app, const std::string& folder) {
                                        {"--interpolation", words(lutlib::interpolations())},
                                        {"--layout", words(lutlib::layouts())},
                                        {"--format", words(lutlib::io::file_formats())}}};
-    for (const char* const option : {"--look-input", "--look-output", "--picture-encoding",
-                                     "--input-encoding", "--output-encoding", "--encoding"}) {
+    for (const char* const option :
+         {"--look-input", "--look-output", "--picture-encoding", "--input-encoding",
+          "--output-encoding", "--encoding", "--before-encoding", "--after-encoding"}) {
         papers.values.push_back({option, encoding_words()});
     }
     terminal::write_papers(papers, folder);

@@ -35,7 +35,8 @@ constexpr Examples table[] = {
                 "lutconv extract graded.png --original shot.png --denoise -o look.cube\n"
                 "lutconv extract graded.png --engine unity -o strip.png\n"},
     {"match", "lutconv match before.png after.png -o look.cube\n"
-              "lutconv match plate.####.exr graded.####.png -o look.cube\n"},
+              "lutconv match plate.####.exr graded.####.png -o look.cube\n"
+              "lutconv match photo.png --chart-before 40,30,240,160 -o look.cube\n"},
     {"apply", "lutconv apply look.cube picture.exr -o graded.exr --picture-encoding linear\n"
               "lutconv apply look.cube shot.####.exr -o graded/{name}.{ext}\n"},
     {"sheet", "lutconv sheet picture.exr looks -o sheet.png\n"

@@ -133,6 +133,7 @@ class MatchRun {
             measure();
         }
         require_the_same();
+        doubt();
         return std::move(out_);
     }
 
@@ -149,6 +150,18 @@ class MatchRun {
             reader_.count() > 1 ? "the pairs"
                                 : input_text(paths.before) + " and " + input_text(paths.after),
             100 * std::max(0.0, out_.explained)));
+    }
+
+    // More than compression and noise make.
+    void doubt() {
+        constexpr double doubtful = 4;
+        const double mean = out_.held_out ? out_.held_out->mean : out_.own.mean;
+        if (mean > doubtful) {
+            out_.remarks.push_back(fmt::format(
+                "check that each pixel is the other's, for the look misses by dE2000 {:.1f} in the "
+                "mean: pictures that were scaled or turned against each other make no look",
+                mean));
+        }
     }
 
     // A look is measured where it was not learnt from; the one that is kept has learnt from all.

@@ -50,7 +50,7 @@ struct Matched {
     lutlib::ErrorStats rounding; ///< what such a file alone costs, on the held out part
     std::vector<MatchedPair> pairs;
     std::vector<MatchedPatch> patches; ///< in place of pairs
-    std::vector<std::string> remarks;  ///< of the pictures of patches
+    std::vector<std::string> remarks;  ///< of all of it, a sentence each
 };
 
 /// Throws Error, also where the look does not make the one picture of the other.

@@ -300,6 +300,27 @@ TEST_F(MatchVerb, refuses_pictures_that_do_not_lie_on_each_other) {
     EXPECT_EQ(std::filesystem::exists(in("x.cube")), false);
 }
 
+TEST_F(MatchVerb, a_picture_that_was_scaled_by_much_is_refused_or_doubted) {
+    const io::PngImage from = read("after.png");
+    for (const double by : {1.1, 1.3}) {
+        io::PngImage scaled = from;
+        for (int y = 0; y < scaled.height; ++y) {
+            for (int x = 0; x < scaled.width; ++x) {
+                const int at_x = static_cast<int>(std::lround(128 + (x - 128) / by)),
+                          at_y = static_cast<int>(std::lround(80 + (y - 80) / by));
+                for (std::size_t c = 0; c < 3; ++c) {
+                    scaled.at({x, y}, c) = from.at({at_x, at_y}, c);
+                }
+            }
+        }
+        write("after.png", scaled);
+        const Result result = lutconv_in_process(words());
+        EXPECT_TRUE(result.exit_code == 2 ||
+                    result.out.find("check that each pixel is the other's") != std::string::npos)
+            << by << result.out;
+    }
+}
+
 TEST_F(MatchVerb, refuses_with_one_sentence) {
     refused({"match", in("before.png"), "-o", in("x.cube")}, "pictures come in pairs", 3);
     write("small.png", shot(0, 100, 80));

@@ -60,15 +60,6 @@ io::Depth choose_depth(const std::string& name, const std::string& output,
                              name + "; they store " + lutlib::names_of(rows));
 }
 
-std::size_t pixels_with_nan(const float* rgba, std::size_t pixels) {
-    std::size_t out = 0;
-    for (std::size_t i = 0; i < pixels; ++i) {
-        const float* const c = rgba + 4 * i;
-        out += std::isnan(c[0]) || std::isnan(c[1]) || std::isnan(c[2]);
-    }
-    return out;
-}
-
 // What no table holds, colour by colour.
 void apply_exactly(const lutlib::Transform& look, float* rgba, std::size_t pixels) {
     constexpr std::size_t at_once = 1 << 16;
@@ -99,17 +90,32 @@ Graded report_of(const lutlib::LookPlace& place, const io::ImageInfo& image, io:
             .place = place};
 }
 
+// NaN lies outside of any domain, and is counted by itself.
+void count_outside(const lutlib::Domain& domain, const lutlib::ConstPictureView& picture,
+                   PixelCounts& counts) {
+    counts.outside_domain = lutlib::pixels_outside(domain, picture);
+    if (counts.outside_domain > 0) {
+        const std::size_t with_nan = lutlib::pixels_with_nan(picture);
+        counts.outside_domain -= with_nan;
+        counts.not_a_number += with_nan;
+    }
+}
+
 void apply(const Grading& grading, io::FloatImage& image, Graded& report) {
     const std::size_t pixels = report.counts.pixels;
     float* const rgba = image.rgba.data();
     const io::Look& look = grading.look;
+    const auto colors = [&] {
+        return lutlib::interleaved(std::as_const(image.rgba).data(), lutlib::Element::float32, 4,
+                                   image.width, image.height);
+    };
     const lutlib::Placement placement = report.place.applied();
     if (placement.before) {
-        report.counts.not_a_number = pixels_with_nan(rgba, pixels);
+        report.counts.not_a_number = lutlib::pixels_with_nan(colors());
         apply_exactly(conversion(*placement.before, *placement.adaptation), rgba, pixels);
     }
     if (const std::optional<lutlib::Domain> domain = look.clamps_to()) {
-        report.counts.outside_domain = lutlib::pixels_outside(*domain, rgba, pixels, 4);
+        count_outside(*domain, colors(), report.counts);
     }
     if (look.is_table()) {
         const bool inside = report.counts.outside_domain == 0;
@@ -129,21 +135,28 @@ bool keeps_encoding(const lutlib::LookPlace& place) {
     return !place.given || !holds || *holds == *place.given;
 }
 
+// The picture's codes are what it says, else what the look takes.
 void require_one_encoding(const lutlib::LookPlace& place) {
-    if (!keeps_encoding(place)) {
+    const lutlib::LookEncodings shown = place.shown();
+    const std::optional<lutlib::Encoding> own = place.given ? place.given : shown.input;
+    if (own && shown.output && *own != *shown.output) {
         throw lutlib::UsageError(
             "--strength mixes the picture's codes with the graded ones, and these "
             "are " +
-            place.shown().output->name() + ", the picture's " + place.given->name() +
-            ": add --output-encoding " + place.given->name());
+            shown.output->name() + ", the picture's " + own->name() +
+            (place.given ? "" : " (as the look takes them)") + ": add --output-encoding " +
+            own->name());
     }
 }
 
-// Of two colours, as much of the second as `strength` says. What is not finite has no mixture.
+// Of two colours, as much of the second as `strength` says. What is not finite has no mixture: it
+// stays at 0 alone.
 void mix(std::span<const float> before, double strength, std::vector<float>& rgba) {
     const auto graded = static_cast<float>(strength), own = static_cast<float>(1 - strength);
     for (std::size_t i = 0; i < rgba.size(); ++i) {
-        if (i % 4 != 3 && std::isfinite(before[i])) {
+        if (strength == 0) {
+            rgba[i] = before[i];
+        } else if (i % 4 != 3 && std::isfinite(before[i])) {
             rgba[i] = before[i] * own + rgba[i] * graded;
         }
     }
@@ -203,7 +216,7 @@ void grade_as_samples(const Grading& grading, io::SampleImage& image, const std:
                       Graded& report) {
     if (const std::optional<lutlib::Domain> domain = grading.look.clamps_to();
         domain && !report.depth->integer) {
-        report.counts.outside_domain = pixels_outside(*domain, view_of(std::as_const(image)));
+        count_outside(*domain, view_of(std::as_const(image)), report.counts);
     }
     const bool inside = report.counts.outside_domain == 0;
     if (inside) {

@@ -169,7 +169,14 @@ GradedStream grade_stream(const Grading& grading, const io::OutputTemplate& outp
     Rest rest(std::move(head), file);
     io::PngStream source(rest, name);
     std::vector<std::string> begun{is_png ? *source.next() : rest.all()};
-    if (std::optional<std::string> second = is_png ? source.next() : std::nullopt) {
+    std::exception_ptr broken;
+    std::optional<std::string> second;
+    try {
+        second = is_png ? source.next() : std::nullopt;
+    } catch (...) {
+        broken = std::current_exception();
+    }
+    if (second) {
         begun.push_back(std::move(*second));
     } else {
         const std::string to = output.path_for({"-", "1"});
@@ -180,6 +187,9 @@ GradedStream grade_stream(const Grading& grading, const io::OutputTemplate& outp
             grade_apart(grading, std::move(begun.front()), to, held, png));
         if (!png.empty()) {
             io::write_file(std::string(io::standard_stream), png);
+        }
+        if (broken) {
+            std::rethrow_exception(broken);
         }
         return out;
     }

@@ -89,6 +89,9 @@ std::vector<std::string> files_of(const io::Look& look) {
 void tell_unused(const Verb& verb, const io::Look& look,
                  const std::vector<std::optional<Graded>>& pictures) {
     bool has_alpha = pictures.empty();
+    const lutlib::LookEncodings encodings = look.encodings();
+    const std::string unknown = "what the look takes and gives is not known: say it with "
+                                "--look-input and --look-output";
     Part adaptation{"--adaptation", pictures.empty(), ""};
     for (const auto& graded : pictures) {
         has_alpha = has_alpha || !graded || graded->has_alpha;
@@ -98,7 +101,9 @@ void tell_unused(const Verb& verb, const io::Look& look,
     }
     tell_unused(verb, {interpolation_part(has_lattice(look)),
                        adaptation,
-                       {"--alpha", has_alpha, "no picture has alpha"}});
+                       {"--alpha", has_alpha, "no picture has alpha"},
+                       {"--picture-encoding", encodings.input.has_value(), unknown},
+                       {"--output-encoding", encodings.output.has_value(), unknown}});
 }
 
 int run_apply(const ApplyOptions& o, const Verb& verb) {

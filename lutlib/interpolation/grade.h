@@ -42,6 +42,8 @@ void grade(const Grading& look, const ConstPictureView& in, const PictureView& o
 
 /// How many pixels have a colour outside the domain, NaN counted. On every core.
 std::size_t pixels_outside(const Domain& domain, const ConstPictureView& in);
+/// How many pixels have a NaN among their colours.
+std::size_t pixels_with_nan(const ConstPictureView& in);
 
 /// grade() from the definitions, a pixel at a time: evaluate_exact() in double, rounded once.
 void grade_plainly(const Lut& lut, Interpolation how, const ConstPictureView& in,

@@ -104,4 +104,24 @@ std::size_t pixels_outside(const Domain& domain, const ConstPictureView& in) {
         std::plus<>());
 }
 
+std::size_t pixels_with_nan(const ConstPictureView& in) {
+    if (info_of(in.element).maximum > 0) {
+        return 0;
+    }
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, in.height), std::size_t{0},
+        [&](const auto& rows, std::size_t sum) {
+            for (std::size_t y = rows.begin(); y < rows.end(); ++y) {
+                for (std::size_t x = 0; x < in.width; ++x) {
+                    const auto is_nan = [&](std::size_t c) {
+                        return std::isnan(sample_value(in.element, in.at(c, x, y)));
+                    };
+                    sum += is_nan(0) || is_nan(1) || is_nan(2) ? 1 : 0;
+                }
+            }
+            return sum;
+        },
+        std::plus<>());
+}
+
 } // namespace lutlib

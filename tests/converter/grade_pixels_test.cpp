@@ -163,6 +163,17 @@ TEST(ApplyPixels, mixes_only_codes_of_one_encoding) {
     std::vector<std::string> remedied = command;
     remedied.insert(remedied.end(), {"--output-encoding", "linear"});
     EXPECT_EQ(lutconv(remedied).exit_code, 0);
+    // A picture that does not say what it holds is taken for what the look takes.
+    const std::string png = folder.path("in.png");
+    lutlib::io::write_image(png, lutlib::io::read_image(in),
+                            {lutlib::io::Depth::uint16, false, {}});
+    std::vector<std::string> assumed = command;
+    assumed[2] = png;
+    const Result mixed = lutconv(assumed);
+    EXPECT_EQ(mixed.exit_code, 3);
+    EXPECT_NE(mixed.err.find("srgb (as the look takes them): add --output-encoding srgb"),
+              std::string::npos)
+        << mixed.err;
     EXPECT_EQ(
         lutconv({"apply", look, in, "-o", folder.path("out.exr"), "--strength", "2"}).exit_code, 3);
 }

@@ -77,6 +77,15 @@ TEST_F(PicturePipe, that_breaks_off_is_written_as_far_as_it_was_whole) {
     EXPECT_EQ(result.out, lutconv_process({"apply", look_, "-", "-o", "-"}, joined(first)).out);
 }
 
+TEST_F(PicturePipe, whose_second_picture_is_cut_short_loses_not_the_first) {
+    const std::string two = pictures_[0] + pictures_[1];
+    const Result result =
+        lutconv_process({"apply", look_, "-", "-o", "-"}, two.substr(0, two.size() - 20));
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("picture 2 is cut short"), std::string::npos) << result.err;
+    EXPECT_EQ(result.out, lutconv_process({"apply", look_, "-", "-o", "-"}, pictures_[0]).out);
+}
+
 TEST_F(PicturePipe, of_several_pictures_wants_a_place_for_each) {
     const Result result =
         lutconv_process({"apply", look_, "-", "-o", folder_.path("x.png")}, joined(pictures_));

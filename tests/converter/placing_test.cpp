@@ -222,6 +222,35 @@ TEST_F(ApplyOfALook, counts_pixels_that_hold_what_is_no_number) {
     EXPECT_EQ(report["pixels_not_a_number"], 2);
 }
 
+TEST_F(ApplyOfALook, counts_it_also_where_nothing_is_converted) {
+    const std::string look = folder.write("look.cube", "LUT_1D_SIZE 2\n0 0 0\n1 1 1\n");
+    const std::string picture = grey_picture(std::numeric_limits<float>::quiet_NaN());
+    for (const char* const strength : {"1", "0.5"}) { // as they are stored, and as floats
+        const json report =
+            run({"apply", look, picture, "-o", folder.path("out.exr"), "--strength", strength});
+        EXPECT_EQ(report["pixels_not_a_number"], 2) << strength;
+        EXPECT_EQ(report["pixels_outside_domain"], 0) << strength;
+    }
+}
+
+TEST_F(ApplyOfALook, says_that_encodings_have_no_part_where_the_looks_are_unknown) {
+    const std::string look = folder.write("look.cube", "LUT_1D_SIZE 2\n0 0 0\n1 1 1\n");
+    const Result result =
+        lutconv_in_process({"apply", look, grey_picture(0.5F), "-o", folder.path("out.exr"),
+                            "--picture-encoding", "slog3", "--output-encoding", "linear"});
+    for (const char* const option : {"--picture-encoding", "--output-encoding"}) {
+        EXPECT_NE(result.err.find(option), std::string::npos) << result.err;
+    }
+}
+
+TEST_F(ApplyOfALook, of_strength_0_leaves_what_is_not_finite_too) {
+    const std::string look = folder.write("look.cube", "LUT_1D_SIZE 2\n1 1 1\n0 0 0\n");
+    run({"apply", look, grey_picture(std::numeric_limits<float>::infinity()), "-o",
+         folder.path("out.exr"), "--strength", "0"});
+    EXPECT_EQ(lutlib::io::read_image(folder.path("out.exr")).rgba[0],
+              std::numeric_limits<float>::infinity());
+}
+
 TEST(VerifyOfALogLook, says_which_encodings_are_the_pictures_word_alone) {
     const Folder folder;
     const std::string look = folder.write("look.cube", saturated_cube(5)),

@@ -33,13 +33,22 @@ bool PartReader::is_clean() const {
     return !input_.has_error() || std::string_view(input_.format_name()) == "webp";
 }
 
+// Of strips that zlib has packed, read many at a time, TIFF's overlooks those that do not unpack.
+bool PartReader::reads_all_at_once(int part) const {
+    const OIIO::ImageSpec spec = input_.spec(part);
+    return std::string_view(input_.format_name()) != "tiff" || spec.tile_width > 0 ||
+           spec.get_string_attribute("compression") != "zip";
+}
+
 std::size_t PartReader::read(const Wanted& wanted, std::byte* to, const std::string& file) const {
-    if (input_.read_image(wanted.part, 0, wanted.first, wanted.last, wanted.type, to) &&
-        is_clean()) {
+    const OIIO::ImageSpec spec = input_.spec_dimensions(wanted.part);
+    const bool at_once = reads_all_at_once(wanted.part);
+    if (at_once ? input_.read_image(wanted.part, 0, wanted.first, wanted.last, wanted.type, to) &&
+                      is_clean()
+                : read_rows(wanted, spec, false, to) == 0) {
         return 0;
     }
-    const std::string why = input_.geterror();
-    const OIIO::ImageSpec spec = input_.spec_dimensions(wanted.part);
+    const std::string why = at_once ? input_.geterror() : "it is damaged";
     const std::size_t pixels = spec.image_pixels();
     const auto* const row =
         std::find_if(row_readers.begin(), row_readers.end(),

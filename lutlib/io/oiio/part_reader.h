@@ -25,6 +25,7 @@ class PartReader {
 
   private:
     bool is_clean() const;
+    bool reads_all_at_once(int part) const;
     std::size_t read_rows(const Wanted& wanted, const OIIO::ImageSpec& spec, bool finds_later,
                           std::byte* to) const;
 

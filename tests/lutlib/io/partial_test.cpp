@@ -67,6 +67,22 @@ INSTANTIATE_TEST_SUITE_P(Types, PartialPicture,
                                            "x.ppm"),
                          [](const auto& tested) { return std::string(tested.param + 2); });
 
+TEST(Picture, whose_strips_do_not_unpack_is_refused) {
+    const ScratchFolder folder;
+    const std::string path = folder.file("x.tif");
+    FloatImage grey = noise();
+    std::fill(grey.rgba.begin(), grey.rgba.begin() + 4 * side * side / 2, 0.5F); // so that zip pays
+    write_image(path, grey, {Depth::uint8, false, {}});
+    std::string bytes = read_file(path);
+    EXPECT_EQ(read_image(path).missing_pixels, 0U);
+    bytes.replace(bytes.size() / 2, 200, 200, '\0');
+    write_file(path, bytes);
+    EXPECT_THROW(read_image(path), Error);
+    const std::size_t missing = read_image(path, {.partial = true}).missing_pixels;
+    EXPECT_GT(missing, 0U);
+    EXPECT_LT(missing, grey.pixels());
+}
+
 TEST(Picture, of_which_nothing_is_there_is_refused_in_part_too) {
     const ScratchFolder folder;
     for (const std::string name : {"x.png", "x.exr", "x.tga"}) {

@@ -2,6 +2,7 @@
 
 #include "lutlib/color/encoding.h"
 #include "lutlib/error.h"
+#include "lutlib/io/alpha.h"
 #include "lutlib/io/file.h"
 #include "lutlib/named.h"
 
@@ -138,6 +139,9 @@ void write_picture(const std::string& path, const Rendered& rendered, const File
         io::write_file(path,
                        io::write_png(png_of(image, format.depth == io::Depth::uint8 ? 8 : 16)));
         return;
+    }
+    if (image.alpha && io::stores_premultiplied(path, nullptr)) {
+        io::premultiply(image);
     }
     io::write_image(path, image, {format.depth, image.alpha, {}});
 }

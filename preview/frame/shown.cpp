@@ -2,6 +2,7 @@
 
 #include "lutlib/color/matrix.h"
 #include "lutlib/error.h"
+#include "lutlib/io/alpha.h"
 #include "lutlib/io/image.h"
 #include "lutlib/io/orientation.h"
 #include "preview/scene/floor.h"
@@ -27,11 +28,24 @@ void to_rec709(std::vector<float>& rgba, const lutlib::Encoding& from) {
 
 /// Reads a picture file; says of its colours what was made of them, by the name of the file.
 /// `profile_is` tells what becomes of a colour profile.
+bool has_transparency(const lutlib::io::FloatImage& image) {
+    for (std::size_t i = 3; image.alpha && i < image.rgba.size(); i += 4) {
+        if (image.rgba[i] != 1) {
+            return true;
+        }
+    }
+    return false;
+}
+
 ShownPicture read_picture(Shown& shown, const std::string& path, const std::string& profile_is) {
     const auto tell = [&](const std::string& line) { shown.told.push_back(path + ": " + line); };
     lutlib::io::FloatImage image = lutlib::io::read_image(path);
     if (image.source && image.source->orientation > 1) {
         image = upright(image, image.source->orientation);
+    }
+    if (image.premultiplied && has_transparency(image)) {
+        make_straight(image);
+        tell("its colours are multiplied by its alpha, and shown as they are without it");
     }
     const std::optional<lutlib::Encoding> encoding = encoding_of(image);
     ShownPicture picture;

@@ -243,6 +243,20 @@ TEST_F(ApplyOfALook, says_that_encodings_have_no_part_where_the_looks_are_unknow
     }
 }
 
+TEST_F(ApplyOfALook, does_not_write_over_the_look) {
+    const std::string strip = folder.path("strip.png");
+    ASSERT_EQ(lutconv_in_process({"bake", folder.write("a.cube", saturated_cube(3)), "-o", strip,
+                                  "--engine", "unity", "--size", "16", "--quiet"})
+                  .exit_code,
+              0);
+    const std::string before = contents(strip);
+    const Result result =
+        lutconv_in_process({"apply", strip, grey_picture(0.5F), "-o", folder.path("./strip.png")});
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_NE(result.err.find("names the look itself"), std::string::npos) << result.err;
+    EXPECT_EQ(contents(strip), before);
+}
+
 TEST_F(ApplyOfALook, of_strength_0_leaves_what_is_not_finite_too) {
     const std::string look = folder.write("look.cube", "LUT_1D_SIZE 2\n1 1 1\n0 0 0\n");
     run({"apply", look, grey_picture(std::numeric_limits<float>::infinity()), "-o",

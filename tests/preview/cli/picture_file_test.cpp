@@ -86,5 +86,22 @@ TEST(PictureFile, keeps_the_alpha_of_the_picture) {
     EXPECT_TRUE(alpha_for(picture, {4, 2}).empty());
 }
 
+TEST(PictureFile, of_premultiplied_colours_is_shown_straight_and_written_as_its_type_stores_them) {
+    const lutlib::ScratchFolder folder;
+    const std::string path = folder.file("x.exr");
+    write_picture(path, two_texels(), file_format(path, "float"), Content::numbers, {0.5F, 1});
+    EXPECT_EQ(lutlib::io::read_image(path).rgba[0], 0.25F);
+
+    const Shown shown = load_shown(path, 0);
+    ASSERT_TRUE(shown.picture);
+    EXPECT_EQ(shown.picture->rgba[0], 0.5F);
+    EXPECT_EQ(shown.picture->rgba[3], 0.5F);
+    ASSERT_EQ(shown.told.size(), 1U);
+    EXPECT_NE(shown.told[0].find("multiplied by its alpha"), std::string::npos);
+
+    write_picture(path, two_texels(), file_format(path, "float"), Content::numbers, {1, 1});
+    EXPECT_TRUE(load_shown(path, 0).told.empty());
+}
+
 } // namespace
 } // namespace preview

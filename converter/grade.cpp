@@ -107,7 +107,8 @@ void apply(const Grading& grading, io::FloatImage& image, Graded& report) {
     const io::Look& look = grading.look;
     const auto colors = [&] {
         return lutlib::interleaved(std::as_const(image.rgba).data(), lutlib::Element::float32, 4,
-                                   image.width, image.height);
+                                   static_cast<std::size_t>(image.width),
+                                   static_cast<std::size_t>(image.height));
     };
     const lutlib::Placement placement = report.place.applied();
     if (placement.before) {

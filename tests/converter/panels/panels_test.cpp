@@ -131,7 +131,8 @@ TEST(Hue, of_what_is_grey_there_is_none_and_a_swap_of_channels_turns_it) {
     for (const auto& [x, hue] : none.lines[6].points) {
         EXPECT_TRUE(std::isnan(hue));
     }
-    for (const auto& [x, s] : figures("saturation", {look_of(grey)}).front().lines[6].points) {
+    const plot::Figure drab = figures("saturation", {look_of(grey)}).front();
+    for (const auto& [x, s] : drab.lines[6].points) {
         EXPECT_TRUE(std::isnan(s) || s < 1e-3) << s;
     }
     const plot::Figure turned = figures("hue", {look_of([](RgbD c) {

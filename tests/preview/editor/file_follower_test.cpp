@@ -105,6 +105,7 @@ TEST_F(FollowedFiles, that_cannot_be_read_are_told_until_they_can) {
 TEST_F(FollowedFiles, that_are_written_in_two_steps_are_read_when_the_second_is_done) {
     const std::string path = old_file("a", "first");
     follower_.follow({titled_by(path)}, Clock::now());
+    EXPECT_TRUE(is_still()); // then it is watched, and not only looked at
     {
         std::ofstream out(path, std::ios::binary);
         out << "half" << std::flush;

@@ -101,7 +101,8 @@ TEST_F(MatchVerb, learns_a_look_that_makes_the_one_picture_of_the_other) {
         most = std::max(most, off);
         differ += off > 0 ? 1 : 0;
     }
-    EXPECT_LE(most, 4);
+    // Under sanitizers nodes lie twice as far apart, whose errors are four times as large.
+    EXPECT_LE(most, support::is_sanitized ? 16 : 4);
     EXPECT_LT(differ, static_cast<int>(again.samples.size()) / 5);
 }
 

@@ -61,11 +61,11 @@ ImportedScene import_scene(const std::string& path) {
         if (is_within) {
             files.push_back(named);
         }
-        std::string bytes = lutlib::io::read_reference(path, reference, most);
+        std::string text = lutlib::io::read_reference(path, reference, most);
         if (!is_within) {
             files.push_back(named);
         }
-        return bytes;
+        return text;
     };
     ImportedScene out;
     if (lutlib::io::extension_of(path) != "obj") {

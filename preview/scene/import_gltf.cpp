@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 namespace preview {
 
@@ -10,16 +12,25 @@ namespace {
 
 using nlohmann::json;
 
-FileCamera camera_of(const json& given, const glm::mat4& place) {
+/// Nothing for one that sees nothing: it is left out.
+std::optional<FileCamera> camera_of(const json& given, const glm::mat4& place, LeftOut& left_out) {
     FileCamera out;
     out.name = printable(gltf_text(given, "name"));
     out.place = place;
     if (gltf_text(given, "type") == "orthographic") {
         out.half_height = gltf_number(gltf_object(given, "orthographic"), "ymag", 1);
+        if (out.half_height == 0) {
+            left_out.add("orthographic cameras whose ymag is 0");
+            return std::nullopt;
+        }
     } else {
         constexpr float usual = 0.7F, least = 0.01F, most = 3;
-        out.vertical_field =
-            std::clamp(gltf_number(gltf_object(given, "perspective"), "yfov", usual), least, most);
+        const float field = gltf_number(gltf_object(given, "perspective"), "yfov", usual);
+        if (!(field > 0 && field < std::numbers::pi_v<float>)) {
+            left_out.add("perspective cameras whose yfov is not between 0 and 3.1416");
+            return std::nullopt;
+        }
+        out.vertical_field = std::clamp(field, least, most);
     }
     return out;
 }
@@ -54,9 +65,12 @@ void read_view(const GltfFile& file, const std::vector<glm::mat4>& places, FileS
     for (const std::size_t node : gltf_shown_nodes(file)) {
         const json& row = file.list("nodes")[node];
         if (const auto camera = file.index(row, "camera", "cameras")) {
-            out.cameras.push_back(camera_of(file.list("cameras")[*camera], places[node]));
-            if (out.cameras.back().name.empty()) {
-                out.cameras.back().name = printable(gltf_text(row, "name"));
+            auto seen = camera_of(file.list("cameras")[*camera], places[node], left_out);
+            if (seen && seen->name.empty()) {
+                seen->name = printable(gltf_text(row, "name"));
+            }
+            if (seen) {
+                out.cameras.push_back(std::move(*seen));
             }
         }
         const json& light = gltf_object(gltf_object(row, "extensions"), punctual);

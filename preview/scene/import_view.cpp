@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
@@ -27,6 +28,11 @@ Ball ball_about(const Scene& scene) {
     return {(box.min + box.max) / 2.0F, std::max(glm::length(box.max - box.min) / 2, 1e-3F)};
 }
 
+/// In double: what stands far from the file's origin is brought near to ours.
+glm::mat4 carried(const glm::dmat4& fit, const glm::mat4& place) {
+    return glm::mat4(fit * glm::dmat4(place));
+}
+
 /// All of the ball, from the front, a little above and aside.
 Orbit framing(const Ball& ball) {
     Orbit orbit;
@@ -40,9 +46,9 @@ Orbit framing(const Ball& ball) {
 
 /// The camera's view of the file, carried by `fit`, with its target as far away as the ball. An
 /// orthographic one stands so far away that its rays are parallel to a quarter of a degree.
-Orbit orbit_of(const FileCamera& camera, const glm::mat4& fit, const Ball& ball) {
+Orbit orbit_of(const FileCamera& camera, const glm::dmat4& fit, const Ball& ball) {
     constexpr float far_away = 200; // in radii
-    const glm::mat4 place = fit * camera.place;
+    const glm::mat4 place = carried(fit, camera.place);
     const glm::vec3 forward = -glm::normalize(glm::vec3(place[2]));
     const glm::vec3 up = glm::normalize(glm::vec3(place[1]));
     glm::vec3 position(place[3]);
@@ -51,7 +57,7 @@ Orbit orbit_of(const FileCamera& camera, const glm::mat4& fit, const Ball& ball)
     orbit.target = position + orbit.distance * forward;
     orbit.field_of_view = glm::degrees(camera.vertical_field);
     if (camera.vertical_field == 0) {
-        const float scale = glm::length(glm::vec3(fit[0]));
+        const float scale = static_cast<float>(glm::length(glm::dvec3(fit[0])));
         orbit.distance = far_away * ball.radius;
         orbit.near_plane = orbit.distance / 2;
         orbit.field_of_view =
@@ -68,7 +74,7 @@ Orbit orbit_of(const FileCamera& camera, const glm::mat4& fit, const Ball& ball)
     return orbit;
 }
 
-void import_cameras(const std::vector<FileCamera>& cameras, const glm::mat4& fit, const Ball& ball,
+void import_cameras(const std::vector<FileCamera>& cameras, const glm::dmat4& fit, const Ball& ball,
                     Scene& scene, LeftOut& left_out) {
     scene.orbit = framing(ball);
     for (const FileCamera& camera : cameras) {
@@ -99,8 +105,8 @@ void aim_shadow(PointLight& light, const Ball& ball) {
     light.shadow_far = (distance + ball.radius) * 1.01F;
 }
 
-PointLight light_of(const FileLight& given, const glm::mat4& fit, const Ball& ball) {
-    const glm::mat4 place = fit * given.place;
+PointLight light_of(const FileLight& given, const glm::dmat4& fit, const Ball& ball) {
+    const glm::mat4 place = carried(fit, given.place);
     const glm::vec3 along = -glm::normalize(glm::vec3(place[2]));
     PointLight light;
     light.name = given.name;
@@ -109,7 +115,7 @@ PointLight light_of(const FileLight& given, const glm::mat4& fit, const Ball& ba
         light.is_sun = true;
         light.position = ball.centre - 2 * ball.radius * along;
     } else {
-        const float scale = glm::length(glm::vec3(fit[0]));
+        const float scale = static_cast<float>(glm::length(glm::dvec3(fit[0])));
         light.position = glm::vec3(place[3]);
         light.intensity *= scale * scale;
     }
@@ -133,7 +139,7 @@ void dim(Environment& environment, float factor) {
     }
 }
 
-void import_lights(const std::vector<FileLight>& lights, const glm::mat4& fit, const Ball& ball,
+void import_lights(const std::vector<FileLight>& lights, const glm::dmat4& fit, const Ball& ball,
                    Scene& scene, LeftOut& left_out) {
     for (const FileLight& given : lights) {
         PointLight light = light_of(given, fit, ball);
@@ -167,7 +173,7 @@ void import_lights(const std::vector<FileLight>& lights, const glm::mat4& fit, c
 }
 
 /// Carries the file's world to where the built-in scene stands.
-glm::mat4 fit_of(const Scene& scene, const std::string& path, const LeftOut& left_out) {
+glm::dmat4 fit_of(const Scene& scene, const std::string& path, const LeftOut& left_out) {
     constexpr glm::vec3 fit_centre{0.26F, 0.62F, -0.1F}; // where the studio's camera looks
     constexpr float fit_radius = 1.5F;
     constexpr float most_radius = 1e9F;
@@ -181,20 +187,44 @@ glm::mat4 fit_of(const Scene& scene, const std::string& path, const LeftOut& lef
         }
         throw lutlib::Error(message, {path, 0, {}});
     }
-    const float scale = fit_radius / radius;
-    glm::mat4 fit(scale);
-    fit[3] = glm::vec4(fit_centre - scale * (box.min + size / 2.0F), 1);
+    const double scale = static_cast<double>(fit_radius) / static_cast<double>(radius);
+    glm::dmat4 fit(scale);
+    fit[3] = glm::dvec4(glm::dvec3(fit_centre) - scale * glm::dvec3(box.min + size / 2.0F), 1);
     return fit;
+}
+
+/// Moves a mesh that stands far from its origin there, where floats are finer; returns whence.
+glm::dvec3 centred(Mesh& mesh) {
+    constexpr float far_away = 1000; // in radii
+    const Bounds box = bounds_of(mesh);
+    const glm::vec3 centre = box.min + (box.max - box.min) / 2.0F;
+    if (box.empty() || !(glm::length(centre) > far_away * glm::length(box.max - box.min) / 2)) {
+        return glm::dvec3(0);
+    }
+    for (Vertex& vertex : mesh.vertices) {
+        vertex.position -= centre;
+    }
+    return glm::dvec3(centre);
+}
+
+void carry_objects(const glm::dmat4& fit, Scene& scene) {
+    std::vector<glm::dvec3> centres;
+    for (Mesh& mesh : scene.meshes) {
+        centres.push_back(centred(mesh));
+    }
+    for (Object& object : scene.objects) {
+        const glm::dmat4 place(object.transform);
+        object.transform =
+            glm::mat4(fit * place * glm::translate(glm::dmat4(1), centres[object.mesh]));
+    }
 }
 
 } // namespace
 
 Scene settled(FileScene file, const std::string& path, LeftOut& left_out) {
     Scene scene = std::move(file.scene);
-    const glm::mat4 fit = fit_of(scene, path, left_out);
-    for (Object& object : scene.objects) {
-        object.transform = fit * object.transform;
-    }
+    const glm::dmat4 fit = fit_of(scene, path, left_out);
+    carry_objects(fit, scene);
     const Ball ball = ball_about(scene);
     import_cameras(file.cameras, fit, ball, scene, left_out);
     import_lights(file.lights, fit, ball, scene, left_out);

@@ -292,6 +292,36 @@ TEST_F(ImportTest, cameras_have_names_and_roll_and_may_be_orthographic) {
     }
 }
 
+TEST_F(ImportTest, cameras_that_see_nothing_are_left_out_and_said) {
+    GltfWriter gltf = one_square();
+    for (const double field : {0.0, -0.5, 3.2}) {
+        gltf.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", field}}}});
+    }
+    gltf.add("cameras", {{"type", "orthographic"}, {"orthographic", {{"xmag", 2}, {"ymag", 0}}}});
+    gltf.add("cameras",
+             {{"name", "good"}, {"type", "perspective"}, {"perspective", {{"yfov", .5}}}});
+    for (int camera = 0; camera < 5; ++camera) {
+        gltf.add_node({{"camera", camera}, {"translation", {0, 0, 6}}});
+    }
+    const ImportedScene imported = import(gltf);
+    ASSERT_EQ(imported.scene.cameras.size(), 1U);
+    EXPECT_EQ(imported.scene.cameras[0].name, "good");
+    EXPECT_TRUE(tells(imported, "3 perspective cameras whose yfov"));
+    EXPECT_TRUE(tells(imported, "1 orthographic cameras whose ymag is 0"));
+}
+
+TEST_F(ImportTest, a_mesh_far_from_the_origin_keeps_its_shape) {
+    constexpr float away = 1 << 22; // where floats still hold halves
+    std::vector<float> moved = corners;
+    for (std::size_t x = 0; x < moved.size(); x += 3) {
+        moved[x] += away;
+    }
+    GltfWriter far;
+    const std::size_t positions = far.add_accessor(moved, "VEC3", 3, f32);
+    expect_same_places(import(quad(std::move(far), positions, json::object())),
+                       import(plain_quad()), rounding);
+}
+
 TEST_F(ImportTest, names_of_a_file_never_reach_the_terminal_raw) {
     GltfWriter gltf = one_square();
     const std::string bad = "\x1b]0;owned\x07\x1b[31m\xc2\x9b";

@@ -22,7 +22,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -80,15 +79,6 @@ std::vector<io::Route> routes_of(const io::Inputs& inputs, const io::OutputTempl
     return out;
 }
 
-void require_another_than(const std::string& look, std::span<const io::Route> routes) {
-    for (const io::Route& route : routes) {
-        std::error_code none;
-        if (route.to != io::standard_stream && std::filesystem::equivalent(look, route.to, none)) {
-            throw lutlib::UsageError("-o names the look itself, '" + look + "': name another file");
-        }
-    }
-}
-
 std::vector<std::string> files_of(const io::Look& look) {
     std::vector<std::string> out;
     for (const io::LookFile& file : look.files()) {
@@ -126,7 +116,9 @@ int run_apply(const ApplyOptions& o, const Verb& verb) {
         io::find_inputs(o.pictures, o.many.frames(), io::is_picture_extension);
     const io::OutputTemplate output(o.output);
     std::vector<io::Route> routes = o.many.of_shard(routes_of(inputs, output));
-    require_another_than(o.lut, routes);
+    for (const io::Route& route : routes) {
+        io::require_another_than(o.lut, "the look", route.to);
+    }
     tell_remarks(inputs.remarks);
     if (o.many.only_says_missing()) {
         const std::size_t there = take_out_done(routes, files_of(open_look(o.lut)));

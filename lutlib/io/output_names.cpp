@@ -119,6 +119,15 @@ void require_distinct(std::span<const Route> routes) {
     }
 }
 
+void require_another_than(const std::string& input, std::string_view what,
+                          const std::string& output) {
+    std::error_code none;
+    if (output != standard_stream && fs::equivalent(input, output, none)) {
+        throw UsageError("-o names " + std::string(what) + " itself, '" + input +
+                         "': name another file");
+    }
+}
+
 void require_distinct(std::span<const std::string> outputs) {
     std::map<std::string, std::string> by_path;
     for (const std::string& output : outputs) {

@@ -47,6 +47,11 @@ struct Route {
 /// route reads. Throws UsageError.
 void require_distinct(std::span<const Route> routes);
 
+/// Refuses an output that is the file `input`, which messages call `what`, such as "the look".
+/// Throws UsageError.
+void require_another_than(const std::string& input, std::string_view what,
+                          const std::string& output);
+
 /// Refuses two names of one file, whatever each of them is. Devices and pipes take several outputs.
 /// Throws UsageError.
 void require_distinct(std::span<const std::string> outputs);

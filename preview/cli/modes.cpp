@@ -3,6 +3,7 @@
 #include "lutlib/error.h"
 #include "lutlib/io/box/box.h"
 #include "lutlib/io/file.h"
+#include "lutlib/io/output_names.h"
 #include "lutlib/io/references.h"
 #include "lutlib/io/terminal.h"
 #include "preview/cli/look_options.h"
@@ -12,10 +13,13 @@
 #include "preview/frame/shown.h"
 #include "preview/look/gpu_look.h"
 #include "preview/look/look_file.h"
+#include "preview/scene/gpu_scene.h"
+#include "preview/scene/nearest.h"
 #include "terminal/table.h"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <set>
@@ -59,6 +63,12 @@ std::string surroundings_text(const Surroundings& surroundings) {
 void tell_written(const Options& options, const std::string& path) {
     if (options.verbose) {
         tell(lutlib::io::output_name(path));
+    }
+}
+
+void refuse_looks_as_output(const Options& options) {
+    for (const std::string& look : {options.look_a, options.look_b}) {
+        lutlib::io::require_another_than(look, "a look that is shown", options.output);
     }
 }
 
@@ -112,6 +122,10 @@ Rendering::Rendering(const Options& options)
         tell(line);
     }
     if (!options.output.empty()) {
+        refuse_looks_as_output(options);
+        for (const std::string& read : shown->files) {
+            lutlib::io::require_another_than(read, "what is shown", options.output);
+        }
         file = file_format(options.output, options.depth);
         for (const std::string& line : shown->not_written) {
             tell(shown->name + ": not written: " + line + "; 'lutconv apply' keeps it");
@@ -135,6 +149,23 @@ Rendering::Rendering(const Options& options)
         load_side(device, options.look_b, use_b(options, has_light), force, notes, "B", no_look[1]);
 }
 
+/// Says so when the camera sees nothing of the scene.
+void tell_empty_view(const Rendering& rendering) {
+    const FrameInputs inputs = rendering.inputs();
+    if (inputs.scene == nullptr) {
+        return;
+    }
+    const Size size = picture_size(rendering.settings.output, *rendering.settings.compare);
+    const Orbit& orbit = rendering.settings.orbit;
+    const Camera camera =
+        camera_of(orbit, static_cast<float>(size.width) / static_cast<float>(size.height));
+    if (std::isinf(nearest_depth(*inputs.scene, inputs.gpu_scene->geometry,
+                                 camera.projection * camera.view, orbit.near_plane))) {
+        tell("the camera sees nothing of " + rendering.shown->name +
+             ": turn it by --azimuth and --elevation, or name another with --camera");
+    }
+}
+
 FrameInputs Rendering::inputs() const {
     FrameInputs out = on_gpu.inputs();
     out.lights = &lights;
@@ -148,14 +179,16 @@ FrameInputs Rendering::inputs() const {
 
 void write(const std::string& path, const Rendering& rendering, const Rendered& rendered) {
     const FrameSettings& settings = rendering.settings;
+    const std::optional<ShownPicture>& picture = rendering.shown->picture;
     if (settings.keep_hdr) {
-        write_light(path, rendered, rendering.file);
+        write_light(path, rendered, rendering.file,
+                    picture ? alpha_for(*picture, rendered.hdr_size) : std::vector<float>());
         return;
     }
     std::vector<float> alpha;
-    if (rendering.shown->picture && !settings.shows_intermediate() && settings.scope == nullptr &&
+    if (picture && !settings.shows_intermediate() && settings.scope == nullptr &&
         settings.compare != &compare_difference) {
-        alpha = alpha_for(*rendering.shown->picture, rendered.size);
+        alpha = alpha_for(*picture, rendered.size);
     }
     write_picture(path, rendered, rendering.file,
                   settings.shows_numbers ? Content::numbers : Content::codes, alpha);
@@ -270,6 +303,7 @@ void render_cube(const Options& options) {
         throw lutlib::UsageError("--cube-view needs -o FILE");
     }
     refuse_hashes(options.output);
+    refuse_looks_as_output(options);
     const LoadedLook look = options.cube_view == "a"
                                 ? load_look(options.look_a, use_a(options, true))
                                 : load_look(options.look_b, use_b(options, true));
@@ -300,6 +334,7 @@ void render(const Options& options) {
         refuse_hashes(options.output);
     }
     const Rendering rendering(options);
+    tell_empty_view(rendering);
     if (options.json && !prints && rendering.settings.compare != &compare_difference) {
         throw lutlib::UsageError(
             "--json has nothing to print: add --timings, --probe, --explain or "

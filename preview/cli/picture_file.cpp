@@ -77,6 +77,22 @@ float mean_alpha(const ShownPicture& picture, Size size, std::uint32_t x, std::u
     return static_cast<float>(area > 0 ? sum / area : 1);
 }
 
+void set_alpha(io::FloatImage& image, const std::vector<float>& alpha) {
+    for (std::size_t i = 0; i < alpha.size(); ++i) {
+        image.rgba[4 * i + 3] = alpha[i];
+    }
+    image.channels = alpha.empty() ? 3 : 4;
+    image.alpha = !alpha.empty();
+}
+
+/// Colours multiplied by alpha where files of that type hold them so.
+void write_as_stored(const std::string& path, io::FloatImage& image, const FileFormat& format) {
+    if (image.alpha && io::stores_premultiplied(path, nullptr)) {
+        io::premultiply(image);
+    }
+    io::write_image(path, image, {format.depth, image.alpha, {}});
+}
+
 } // namespace
 
 FileFormat file_format(const std::string& path, const std::string& depth) {
@@ -130,30 +146,24 @@ void write_picture(const std::string& path, const Rendered& rendered, const File
     if (format.holds_light && content == Content::codes) {
         decode(image.rgba);
     }
-    for (std::size_t i = 0; i < alpha.size(); ++i) {
-        image.rgba[4 * i + 3] = alpha[i];
-    }
-    image.channels = alpha.empty() ? 3 : 4;
-    image.alpha = !alpha.empty();
+    set_alpha(image, alpha);
     if (is_png(path)) {
         io::write_file(path,
                        io::write_png(png_of(image, format.depth == io::Depth::uint8 ? 8 : 16)));
         return;
     }
-    if (image.alpha && io::stores_premultiplied(path, nullptr)) {
-        io::premultiply(image);
-    }
-    io::write_image(path, image, {format.depth, image.alpha, {}});
+    write_as_stored(path, image, format);
 }
 
-void write_light(const std::string& path, const Rendered& rendered, const FileFormat& format) {
+void write_light(const std::string& path, const Rendered& rendered, const FileFormat& format,
+                 const std::vector<float>& alpha) {
     io::FloatImage image;
     image.width = static_cast<int>(rendered.hdr_size.width);
     image.height = static_cast<int>(rendered.hdr_size.height);
     image.rgba = rendered.hdr;
-    image.channels = 3;
     image.depth = format.depth;
-    io::write_image(path, image, {format.depth, false, {}});
+    set_alpha(image, alpha);
+    write_as_stored(path, image, format);
 }
 
 } // namespace preview

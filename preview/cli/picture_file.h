@@ -43,7 +43,8 @@ lutlib::io::PngImage code_image(const Rendered& rendered);
 void write_picture(const std::string& path, const Rendered& rendered, const FileFormat& format,
                    Content content = Content::codes, const std::vector<float>& alpha = {});
 
-/// The light before tone mapping. Throws lutlib::Error.
-void write_light(const std::string& path, const Rendered& rendered, const FileFormat& format);
+/// The light before tone mapping. `alpha` may be empty. Throws lutlib::Error.
+void write_light(const std::string& path, const Rendered& rendered, const FileFormat& format,
+                 const std::vector<float>& alpha = {});
 
 } // namespace preview

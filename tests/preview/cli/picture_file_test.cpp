@@ -86,6 +86,20 @@ TEST(PictureFile, keeps_the_alpha_of_the_picture) {
     EXPECT_TRUE(alpha_for(picture, {4, 2}).empty());
 }
 
+TEST(PictureFile, of_light_keeps_alpha_as_its_type_stores_it) {
+    const lutlib::ScratchFolder folder;
+    const std::string path = folder.file("x.exr");
+    Rendered rendered = two_texels();
+    rendered.hdr = {3, 2, 1, 1, 0.5F, 0.5F, 0.5F, 1};
+    rendered.hdr_size = rendered.size;
+    write_light(path, rendered, file_format(path, "float"), {0.5F, 1});
+    const lutlib::io::FloatImage back = lutlib::io::read_image(path);
+    EXPECT_TRUE(back.alpha);
+    EXPECT_EQ(back.rgba, (std::vector<float>{1.5F, 1, 0.5F, 0.5F, 0.5F, 0.5F, 0.5F, 1}));
+    write_light(path, rendered, file_format(path, "float"));
+    EXPECT_FALSE(lutlib::io::read_image(path).alpha);
+}
+
 TEST(PictureFile, of_premultiplied_colours_is_shown_straight_and_written_as_its_type_stores_them) {
     const lutlib::ScratchFolder folder;
     const std::string path = folder.file("x.exr");

@@ -117,6 +117,18 @@ TEST_F(Outputs, that_are_full_are_an_error) {
     }
 }
 
+TEST_F(Outputs, that_name_what_is_read_are_refused) {
+    std::filesystem::copy_file(LUT_LOOKS_FOLDER "/warm_teal.cube", path("x.cube"));
+    const std::string before = bytes("x.cube");
+    for (const char* const mode : {"--cube-view a --a ", "plain --headless --a "}) {
+        EXPECT_EQ(status_of(mode + path("x.cube") + " -o " + path("x.cube") + " 2>" + path("said")),
+                  3);
+        EXPECT_NE(bytes("said").find("-o names a look that is shown itself"), std::string::npos)
+            << bytes("said");
+        EXPECT_EQ(bytes("x.cube"), before);
+    }
+}
+
 TEST_F(Outputs, that_go_into_an_engines_folder_need_one_before_a_window_opens) {
     const auto said_of = [&](const std::string& folder) {
         EXPECT_EQ(status_of("plain --watch-engine-folder '" + folder + "' 2>" + path("said")), 2);

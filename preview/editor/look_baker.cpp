@@ -36,12 +36,7 @@ LoadedLook standing(LoadedLook look, const LookStanding& where) {
 
 LoadedLook table_look(const std::shared_ptr<const lutlib::Lut>& lut, const PictureCodes& picture) {
     const LookStanding where = standing_of(lutlib::encodings_of(lut->encodings), nullptr, picture);
-    const lutlib::Placement placement = where.place.applied();
-    return standing(
-        placement.converts()
-            ? look_for(quick_table(placement.around(lutlib::Transform::of(lut))), float_table())
-            : look_for(lut, table_lookup(*lut)),
-        where);
+    return standing(look_for(lut, table_lookup(*lut)), where);
 }
 
 } // namespace
@@ -67,12 +62,7 @@ LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side, const Picture
         break;
     case SideSource::recipe: {
         const LookStanding where = standing_of(encodings_of(recipe), nullptr, picture);
-        const lutlib::Placement placement = where.place.applied();
-        return standing(look_for(placement.converts()
-                                     ? quick_table(placement.around(lutlib::Transform::of(recipe)))
-                                     : quick_table(recipe),
-                                 float_table()),
-                        where);
+        return standing(look_for(quick_table(recipe), float_table()), where);
     }
     case SideSource::baked: {
         const lutlib::Engine& engine = *side.engine->engine;
@@ -137,11 +127,7 @@ void LookBaker::publish(BakedLooks baked, bool is_last) {
 void LookBaker::refine(const LookRequest& request, BakedLooks baked) {
     const auto stop = [this] { return is_outdated(); };
     const LookStanding where = standing_of(encodings_of(request.recipe), nullptr, request.picture);
-    const lutlib::Placement placement = where.place.applied();
-    const std::optional<RecipeTable> table =
-        placement.converts()
-            ? measured_table(placement.around(lutlib::Transform::of(request.recipe)), stop)
-            : measured_table(request.recipe, stop);
+    const std::optional<RecipeTable> table = measured_table(request.recipe, stop);
     if (!table) {
         return;
     }

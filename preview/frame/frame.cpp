@@ -184,7 +184,8 @@ Finishing finishing_of(Graph& graph, const FrameInputs& inputs, const FrameSetti
     out.look_a = inputs.look_a;
     out.look_b = inputs.look_b;
     const auto is_tone_mapped = [](bool is_shown, const GpuLook* look) {
-        return is_shown && (look == nullptr || (look->place & PlaceBits::is_picture) == 0);
+        constexpr std::uint32_t untouched = PlaceBits::before | PlaceBits::is_picture;
+        return is_shown && (look == nullptr || (look->place & untouched) != untouched);
     };
     if (!is_display_encoded(inputs) && !is_tone_mapped(settings.compare->shows_a, inputs.look_a) &&
         !is_tone_mapped(settings.compare->shows_b, inputs.look_b)) {

@@ -13,7 +13,7 @@ namespace {
 
 bool has_scene_look(const FrameInputs& inputs, const FrameSettings& settings) {
     const auto is_before_tonemap = [](bool is_shown, const GpuLook* look) {
-        return is_shown && look != nullptr && look->place != 0;
+        return is_shown && look != nullptr && (look->place & PlaceBits::before) != 0;
     };
     return !settings.without.has(Effect::looks) &&
            (is_before_tonemap(settings.compare->shows_a, inputs.look_a) ||

@@ -26,8 +26,9 @@ GpuLook::GpuLook(const gpu::Device& device, const LookData& data)
 }
 
 void GpuLook::stand(const LookData& data) {
-    place = data.scene ? place_bits(*data.scene) : 0;
-    conversions = data.scene ? conversion_rows(*data.scene) : std::vector<std::array<float, 4>>();
+    place = data.conversion ? place_bits(*data.conversion) : 0;
+    conversions =
+        place != 0 ? conversion_rows(*data.conversion) : std::vector<std::array<float, 4>>();
 }
 
 } // namespace preview

@@ -13,8 +13,8 @@ struct GpuLook {
 
     const GpuLookup* lookup;
     LookBlock block;
-    std::uint32_t place;                           ///< bits of PlaceBits; 0: after the tone map
-    std::vector<std::array<float, 4>> conversions; ///< of one before it
+    std::uint32_t place;                           ///< bits of PlaceBits
+    std::vector<std::array<float, 4>> conversions; ///< around it; may be empty
     std::optional<gpu::Image> picture, volume, shaper;
     std::optional<gpu::Buffer> nodes; ///< of a shared lookup
     /// Whether a tetrahedral shared lookup into 8 bits computes in half floats, and how many

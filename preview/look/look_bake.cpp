@@ -82,8 +82,8 @@ CodeImage general_codes(const lutlib::Transform& exact, int size, const GpuLooku
 } // namespace
 
 void set_standing(LoadedLook& look, const LookStanding& standing) {
-    look.data.scene = standing.scene;
-    if (standing.scene && look.table) {
+    look.data.conversion = standing.conversion;
+    if (standing.conversion && look.table) {
         look.skip_reason.clear();
     }
 }

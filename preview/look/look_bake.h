@@ -24,7 +24,8 @@ struct LoadedLook {
     std::string encodings{}; ///< what of its encodings is known and follows, a sentence
 };
 
-/// Puts the look where it stands; one before the tone map is never left out, as it ends the light.
+/// Puts the look where it stands. One before the tone map is never left out, as it ends the light,
+/// nor is one around which something is converted.
 void set_standing(LoadedLook& look, const LookStanding& standing);
 
 /// The lattice that a baked picture holds, of values as its engine's sampler sees them.

@@ -34,13 +34,9 @@ const GpuLookup& usual_lookup(const lutlib::io::Look& look, const lutlib::Lut& t
     return table_lookup(table);
 }
 
-/// A look with its conversions, which no table of a file is.
-LoadedLook placed_look(const lutlib::Transform& exact, const GpuLookup* wanted) {
-    if (wanted == nullptr || wanted->source == GpuLookup::Source::table) {
-        return measured_look(*measured_table(exact),
-                             wanted ? *wanted : *gpu_lookup_named("tetrahedral"));
-    }
-    return look_for(std::make_shared<const lutlib::Lut>(quick_table(exact)), exact, *wanted);
+/// A look with the conversions that an engine's picture of it holds.
+LoadedLook baked_look(const lutlib::Transform& exact, const GpuLookup& engine) {
+    return look_for(std::make_shared<const lutlib::Lut>(quick_table(exact)), exact, engine);
 }
 
 LoadedLook own_look(const lutlib::io::Look& look, const GpuLookup* wanted) {
@@ -62,14 +58,14 @@ LoadedLook own_look(const lutlib::io::Look& look, const GpuLookup* wanted) {
 LoadedLook look_for(const lutlib::io::Look& look, const LookUse& use) {
     LookStanding standing = standing_of(look.encodings(), use.lookup, use.picture);
     // An engine reads a picture's texels as they are, right or wrong.
-    if (look.kind().layout != nullptr && !standing.scene && use.picture.convert) {
+    if (look.kind().layout != nullptr && !standing.is_before() && use.picture.convert) {
         PictureCodes picture = use.picture;
         picture.convert = false;
         standing = standing_of(look.encodings(), use.lookup, picture);
     }
     standing.place.convert = standing.place.convert && look.kind().layout == nullptr;
     const lutlib::Placement placement = standing.place.applied();
-    LoadedLook out = placement.converts() ? placed_look(placement.around(look.exact()), use.lookup)
+    LoadedLook out = placement.converts() ? baked_look(placement.around(look.exact()), *use.lookup)
                                           : own_look(look, use.lookup);
     out.told = told_of(look);
     out.encodings = standing.sentence;

@@ -46,16 +46,16 @@ bool stands_before(const lutlib::LookEncodings& look, const GpuLookup* lookup,
     return is_scene(engine);
 }
 
-SceneLook scene_look(const lutlib::LookEncodings& look, const GpuLookup* lookup,
-                     const PictureCodes& picture) {
+LookConversion before_tonemap(const lutlib::LookEncodings& look, const GpuLookup* lookup,
+                              const PictureCodes& picture) {
     const Encoding light = *lutlib::encoding_named("linear");
     if (const std::optional<Encoding> engine = engine_encoding(lookup)) {
-        return {*engine, *engine};
+        return {{}, *engine, *engine};
     }
     if (!picture.convert) {
-        return {light, light};
+        return {{}, light, light};
     }
-    SceneLook out{look.input.value_or(light), look.output.value_or(light)};
+    LookConversion out{{}, look.input.value_or(light), look.output.value_or(light)};
     if (look.input && !look.output) {
         out.gives = is_scene(look.input) ? lutlib::srgb() : *look.input;
     }
@@ -63,7 +63,7 @@ SceneLook scene_look(const lutlib::LookEncodings& look, const GpuLookup* lookup,
     return out;
 }
 
-std::string sentence_of(const SceneLook& scene) {
+std::string sentence_of(const LookConversion& scene) {
     const std::string fed = scene.fed.name(), gives = scene.gives.name();
     const std::string out = "it stands before the tone map and gets scene light as " + fed;
     if (scene.is_picture) {
@@ -100,9 +100,9 @@ LookStanding standing_of(const lutlib::LookEncodings& look, const GpuLookup* loo
                          const PictureCodes& picture) {
     LookStanding out;
     if (stands_before(look, lookup, picture)) {
-        out.scene = scene_look(look, lookup, picture);
-        out.place = {look, out.scene->fed, out.scene->gives, picture.convert};
-        out.sentence = sentence_of(*out.scene);
+        out.conversion = before_tonemap(look, lookup, picture);
+        out.place = {look, out.conversion->fed, out.conversion->gives, picture.convert};
+        out.sentence = sentence_of(*out.conversion);
         if (out.place.needed().converts() || out.place.is_unknown()) {
             add(out.sentence,
                 lutlib::sentence_of(out.place, lookup != nullptr && lookup->engine != nullptr
@@ -115,8 +115,13 @@ LookStanding standing_of(const lutlib::LookEncodings& look, const GpuLookup* loo
         out.sentence = lutlib::sentence_of(out.place, "the picture");
         out.is_told =
             out.place.applied().converts() || out.place.is_wrong() || out.place.is_unknown();
+        if (out.place.applied().converts() && (lookup == nullptr || lookup->engine == nullptr)) {
+            out.conversion = LookConversion{picture.encoding, look.input.value_or(picture.encoding),
+                                            look.output.value_or(lutlib::srgb()), true};
+            out.place = {look, out.conversion->fed, out.conversion->gives, true};
+        }
     }
-    const std::string mismatch = mismatch_of(look, out.scene.has_value(), picture);
+    const std::string mismatch = mismatch_of(look, out.is_before(), picture);
     add(out.sentence, mismatch);
     out.is_told = out.is_told || !mismatch.empty();
     return out;

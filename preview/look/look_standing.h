@@ -4,7 +4,7 @@
 #include "lutlib/named.h"
 #include "lutlib/recipe/placement.h"
 #include "preview/look/gpu_lookups.h"
-#include "preview/look/scene_look.h"
+#include "preview/look/look_conversion.h"
 
 #include <array>
 #include <optional>
@@ -38,14 +38,17 @@ struct PictureCodes {
 };
 
 struct LookStanding {
-    /// Before the tone map; else behind it.
-    std::optional<SceneLook> scene;
+    /// What the shader converts around its table, and whether it stands before the tone map. Behind
+    /// it, an engine's look has none: the engine gives its picture the codes of the screen.
+    std::optional<LookConversion> conversion;
     /// Among what codes the look's table stands: what must be converted in the table itself.
     lutlib::LookPlace place;
     /// What follows, a sentence without its full stop.
     std::string sentence;
     /// The look is not fed what it is made for, or that is not known, or something is converted.
     bool is_told = false;
+
+    bool is_before() const { return conversion && conversion->is_before(); }
 };
 
 /// `lookup` may be null. Throws lutlib::UsageError for an engine's lookup where it cannot stand.

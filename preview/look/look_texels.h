@@ -4,7 +4,7 @@
 #include "lutlib/bake/bake.h"
 #include "preview/gpu/types.h"
 #include "preview/look/gpu_lookups.h"
-#include "preview/look/scene_look.h"
+#include "preview/look/look_conversion.h"
 
 #include <array>
 #include <cstddef>
@@ -33,8 +33,8 @@ struct LookData {
     Texels picture, volume, shaper;
     /// Of a shared lookup: three half floats and a gap a node, red fastest.
     std::vector<std::uint16_t> nodes;
-    /// Where the look stands before the tone map; else behind it.
-    std::optional<SceneLook> scene;
+    /// Unset: behind the tone map, with nothing converted.
+    std::optional<LookConversion> conversion;
 };
 
 /// No look.

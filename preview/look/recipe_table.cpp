@@ -78,26 +78,6 @@ bool measure(RecipeTable& table, const Look& look, Stop& stop) {
     return !stop.was_asked();
 }
 
-std::optional<RecipeTable> measured(const std::function<lutlib::Lut(int size)>& made,
-                                    const Look& look, const std::function<bool()>& asks) {
-    RecipeTable table;
-    Stop stop(asks);
-    for (const int size : sizes) {
-        if (stop.asked()) {
-            return std::nullopt;
-        }
-        table = {made(size), 0, 0, 0};
-        table.nodes = table.lut.cube ? table.lut.cube->size : 0;
-        if (!measure(table, look, stop)) {
-            return std::nullopt;
-        }
-        if (table.max_error < visible_difference) {
-            break;
-        }
-    }
-    return table;
-}
-
 } // namespace
 
 lutlib::Lut quick_table(const lutlib::Recipe& recipe) {
@@ -109,19 +89,27 @@ lutlib::Lut quick_table(const lutlib::Transform& look) {
 }
 
 std::optional<RecipeTable> measured_table(const lutlib::Recipe& recipe,
-                                          const std::function<bool()>& stop) {
-    return measured([&](int size) { return lutlib::bake_recipe(with_size(recipe, size)); },
-                    {lutlib::Transform::of(recipe),
-                     recipe.base_lut ? united(lutlib::no_breaks(), breaks_of(*recipe.base_lut))
-                                     : lutlib::no_breaks(),
-                     recipe.output_encoding()},
-                    stop);
-}
-
-std::optional<RecipeTable> measured_table(const lutlib::Transform& look,
-                                          const std::function<bool()>& stop) {
-    return measured([&](int size) { return sampled(look, size); },
-                    {look, lutlib::no_breaks(), lutlib::srgb()}, stop);
+                                          const std::function<bool()>& asks) {
+    const Look look{lutlib::Transform::of(recipe),
+                    recipe.base_lut ? united(lutlib::no_breaks(), breaks_of(*recipe.base_lut))
+                                    : lutlib::no_breaks(),
+                    recipe.output_encoding()};
+    RecipeTable table;
+    Stop stop(asks);
+    for (const int size : sizes) {
+        if (stop.asked()) {
+            return std::nullopt;
+        }
+        table = {lutlib::bake_recipe(with_size(recipe, size)), 0, 0, 0};
+        table.nodes = table.lut.cube ? table.lut.cube->size : 0;
+        if (!measure(table, look, stop)) {
+            return std::nullopt;
+        }
+        if (table.max_error < visible_difference) {
+            break;
+        }
+    }
+    return table;
 }
 
 LoadedLook measured_look(const RecipeTable& table, const GpuLookup& lookup) {

@@ -1,5 +1,4 @@
-// The float table that stands for a recipe, or for any look that no table of a file is, on the
-// screen, and how far it is from that look itself.
+// The float table that stands for a recipe on the screen, and how far it is from that.
 #pragma once
 
 #include "lutlib/recipe/recipe.h"
@@ -24,6 +23,7 @@ inline constexpr double visible_difference = 1;
 
 /// As fast as editing wants it, and not measured.
 lutlib::Lut quick_table(const lutlib::Recipe& recipe);
+/// The same of any look.
 lutlib::Lut quick_table(const lutlib::Transform& look);
 
 /// The smallest of a few tables without a visible difference to the recipe, else the largest. Asks
@@ -31,10 +31,6 @@ lutlib::Lut quick_table(const lutlib::Transform& look);
 /// nothing once that says so.
 std::optional<RecipeTable> measured_table(
     const lutlib::Recipe& recipe, const std::function<bool()>& stop = [] { return false; });
-
-/// The same of any look whose results are sRGB codes.
-std::optional<RecipeTable> measured_table(
-    const lutlib::Transform& look, const std::function<bool()>& stop = [] { return false; });
 
 /// The table for a lookup that reads tables, with a note as "65 nodes per axis, dE2000 0.020 on
 /// average and 0.41 at most, as far as seen, of the look itself".

@@ -64,7 +64,8 @@ BufferHandle curve_of(Graph& graph, const Tonemap* tonemap) {
     return graph.data("tone curve", std::as_bytes(tabulated_curve(*tonemap)));
 }
 
-/// The rows of common/scene_look.glsl for the sides whose looks stand before the tone map.
+/// The rows of common/look_conversion.glsl for the sides with looks around which something is
+/// converted.
 BufferHandle conversions_of(Graph& graph, const GpuLook* a, const GpuLook* b) {
     std::vector<std::array<float, 4>> rows;
     std::string name = "conversions for look";

@@ -7,7 +7,7 @@
 #include "common/sanitise.glsl"
 #include "rows/lookups.glsl"
 #include "rows/tonemaps.glsl"
-#include "common/scene_look.glsl"
+#include "common/look_conversion.glsl"
 
 layout(constant_id = 0) const int tonemap_row = 0; // -1: the picture is display-encoded already
 layout(constant_id = 1) const int bloom_layers = 0;
@@ -18,7 +18,7 @@ layout(constant_id = 5) const int lookup_b = 0;
 layout(constant_id = 6) const int compare = 0;
 layout(constant_id = 7) const bool unit_picture = false; // its format holds 0..1 only
 layout(constant_id = 8) const bool has_line = true;      // else shaders/split_line.comp draws it
-layout(constant_id = 9) const int place_a = 0;           // bits of common/scene_look.glsl
+layout(constant_id = 9) const int place_a = 0;           // bits of common/look_conversion.glsl
 layout(constant_id = 10) const int place_b = 0;
 
 layout(binding = 0) uniform sampler2D picture;

@@ -7,9 +7,9 @@ layout(local_size_x = 8, local_size_y = 128) in;
 #include "rows/shared_lookups.glsl"
 
 /// What a look at this place gets lies within 0..1: a tone map's result, and what an integer format
-/// holds.
+/// holds, as they are.
 bool is_unit(int place) {
-    return (place & stands_before) == 0 && (tonemap_row >= 0 || unit_picture);
+    return (place & (stands_before | opens)) == 0 && (tonemap_row >= 0 || unit_picture);
 }
 
 vec3 looked_up_a(vec3 c) {

@@ -162,7 +162,8 @@ const std::vector<Part>& parts() {
         {"preview", {"lutlib", "lutlib/io", "preview/cli", "preview/cli/option*", "terminal"}},
         // Oracles, which nothing but tests includes.
         {"preview/reference",
-         {"lutlib/*", "preview/finish", "preview/scene", "preview/scene/scene_data.*"},
+         {"lutlib/*", "preview/finish", "preview/look", "preview/scene",
+          "preview/scene/scene_data.*"},
          no_screen},
 
         // As programs of other people, by <lutlib/...> alone.

@@ -1,18 +1,17 @@
-#include "preview/look/scene_look.h"
+#include "preview/look/cubic_curve.h"
+
+#include "lutlib/color/encoding.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace preview {
 
 namespace {
 
 constexpr std::uint32_t piece_bits = 17; // of a float's mantissa below the 64 of an octave
-
-bool is_linear(const lutlib::Encoding& encoding) {
-    return encoding.curve == lutlib::transfer_curve_named("linear");
-}
 
 /// The cubic through f at the ends and the thirds of low..high.
 template <class F>
@@ -35,27 +34,7 @@ float smallest() {
     return std::ldexp(1.0F, CubicCurve::lowest);
 }
 
-std::array<float, 4> row_of(lutlib::RgbD c) {
-    return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b), 0};
-}
-
-void append_matrix(std::vector<std::array<float, 4>>& rows, const lutlib::Encoding& from,
-                   const lutlib::Encoding& to) {
-    const lutlib::Matrix3 matrix = lutlib::light_to_light(from, to);
-    const lutlib::RgbD r = matrix * lutlib::RgbD{1, 0, 0}, g = matrix * lutlib::RgbD{0, 1, 0},
-                       b = matrix * lutlib::RgbD{0, 0, 1};
-    for (std::size_t c = 0; c < 3; ++c) {
-        rows.push_back(row_of({r[c], g[c], b[c]}));
-    }
-}
-
 } // namespace
-
-std::uint32_t place_bits(const SceneLook& look) {
-    const bool decodes = look.is_picture ? look.gives != lutlib::srgb() : !is_linear(look.gives);
-    return PlaceBits::before | (is_linear(look.fed) ? 0 : PlaceBits::encodes) |
-           (decodes ? PlaceBits::decodes : 0) | (look.is_picture ? PlaceBits::is_picture : 0);
-}
 
 CubicCurve::CubicCurve(const lutlib::TransferCurve& curve) {
     const auto encode_light = [&](double light) { return curve.encode(light); };
@@ -96,19 +75,6 @@ float CubicCurve::decode(float code) const {
     const float x = std::clamp((code - low) / (high - low), 0.0F, 1.0F) * code_pieces;
     const int piece = std::min(static_cast<int>(x), code_pieces - 1);
     return value_at(decoding[static_cast<std::size_t>(piece)], x - static_cast<float>(piece));
-}
-
-std::vector<std::array<float, 4>> conversion_rows(const SceneLook& look) {
-    const lutlib::Encoding light = *lutlib::encoding_named("linear");
-    std::vector<std::array<float, 4>> rows;
-    rows.reserve(conversion_row_count);
-    append_matrix(rows, light, look.fed);
-    append_matrix(rows, look.gives, light);
-    const CubicCurve fed(*look.fed.curve), gives(*look.gives.curve);
-    rows.push_back({gives.low, gives.high, 0, 0});
-    rows.insert(rows.end(), fed.encoding.begin(), fed.encoding.end());
-    rows.insert(rows.end(), gives.decoding.begin(), gives.decoding.end());
-    return rows;
 }
 
 } // namespace preview

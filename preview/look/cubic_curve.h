@@ -1,28 +1,12 @@
-// A look that stands before the tone map: the conversion of scene light to the codes that it takes,
-// and of what it gives to light or to the picture; and those conversions as the shader reads them.
+// A transfer curve as shaders read it: in pieces of cubic polynomials.
 #pragma once
 
-#include "lutlib/color/encoding.h"
+#include "lutlib/color/transfer_curve.h"
 
 #include <array>
-#include <cstdint>
 #include <vector>
 
 namespace preview {
-
-struct SceneLook {
-    lutlib::Encoding fed;   ///< scene light is encoded so for it
-    lutlib::Encoding gives; ///< what it gives is read so
-    /// What it gives is the picture for the display, and no tone map follows; else it is light.
-    bool is_picture = false;
-    friend bool operator==(const SceneLook&, const SceneLook&) = default;
-};
-
-/// The bits by which shaders know the place of a look (common/scene_look.glsl).
-struct PlaceBits {
-    static constexpr std::uint32_t before = 1, encodes = 2, decodes = 4, is_picture = 8;
-};
-std::uint32_t place_bits(const SceneLook& look);
 
 /// A curve in pieces of cubic polynomials, each through four of its values: what a shader reads in
 /// place of the curve's formula. For every row of transfer_curves(), over light of 2^-24..65504:
@@ -49,12 +33,5 @@ struct CubicCurve {
     float encode(float light) const;
     float decode(float code) const;
 };
-
-/// What a shader reads of one look, in rows of four floats: linear sRGB light to the look's light
-/// (3 rows), the light that it gives to linear sRGB (3), the range of codes (1), the pieces of
-/// fed's encoding and of gives' decoding.
-std::vector<std::array<float, 4>> conversion_rows(const SceneLook& look);
-inline constexpr std::size_t conversion_row_count =
-    7 + 2 * CubicCurve::light_pieces + CubicCurve::code_pieces;
 
 } // namespace preview

@@ -316,10 +316,10 @@ void Realised::make_data_blocks(const Graph& graph) {
         if (known != data_.end()) {
             data_.erase(known);
         }
-        using Usage = vk::BufferUsageFlagBits;
+        using Bits = vk::BufferUsageFlagBits;
         gpu::Buffer buffer(device_, resource.data.size(),
-                           Usage::eStorageBuffer | Usage::eUniformBuffer | Usage::eIndexBuffer |
-                               Usage::eIndirectBuffer | Usage::eTransferDst,
+                           Bits::eStorageBuffer | Bits::eUniformBuffer | Bits::eIndexBuffer |
+                               Bits::eIndirectBuffer | Bits::eTransferDst,
                            gpu::BufferMemory::device);
         data_.emplace(resource.name, DataBlock{std::move(buffer), {}});
     }

@@ -210,7 +210,9 @@ std::vector<std::string> left_out(const std::vector<AskedPart>& asked,
 
 Timings time_frames(Executor& executor, const FrameInputs& inputs, const FrameSettings& settings,
                     int frames) {
-    const FrameInputs known = measured(executor, inputs, settings);
+    FrameSettings whole = settings;
+    whole.keeps_light = false;
+    const FrameInputs known = measured(executor, inputs, whole);
     Timings out;
     std::vector<std::string> order;
     std::map<std::string, std::vector<double>> by_name;
@@ -219,7 +221,7 @@ Timings time_frames(Executor& executor, const FrameInputs& inputs, const FrameSe
     for (int frame = 0; frame < warm_up_frames + frames; ++frame) {
         const auto start = std::chrono::steady_clock::now();
         Graph graph;
-        declare_frame(graph, known, settings);
+        declare_frame(graph, known, whole);
         executor.render(graph);
         executor.wait();
         const std::chrono::duration<double, std::milli> took =

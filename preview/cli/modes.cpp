@@ -139,6 +139,7 @@ Rendering::Rendering(const Options& options)
         tell(line);
     }
     settings.format = file.frame_format();
+    settings.keeps_light = true; // measuring it draws it already
     settings.dithers = options.dither.value_or(false);
     settings.shows_numbers = file.holds_light && settings.shows_intermediate();
     const bool force = options.frame.force_all, has_light = !shown->display_encoded();

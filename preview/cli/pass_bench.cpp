@@ -288,6 +288,7 @@ void Bench::time_sample() {
     }
     settings.raster = has_compute ? Raster::compute : Raster::hardware;
     time_parts(inputs, settings);
+    time_slider(inputs, settings);
     if (!has_compute) {
         return;
     }
@@ -314,6 +315,20 @@ void Bench::time_parts(FrameInputs inputs, FrameSettings settings) {
         row.milliseconds = time(graph, is_of_part, 1);
         add(std::move(row), copy_);
     }
+}
+
+/// While a slider of the look moves, the light that the look gets rests.
+void Bench::time_slider(const FrameInputs& inputs, FrameSettings settings) {
+    settings.keeps_light = true;
+    Graph graph;
+    build_frame(graph, inputs, settings);
+    PassRow row;
+    row.group = "of the frame";
+    row.name = "all that a slider of the look draws";
+    row.bytes = bytes_moved(graph, [](const std::string& pass) { return pass == "finish"; });
+    row.milliseconds = time(
+        graph, [](const std::string&) { return true; }, 1);
+    add(std::move(row), copy_);
 }
 
 void Bench::time_frame(std::string name, const FrameInputs& inputs, const FrameSettings& settings) {

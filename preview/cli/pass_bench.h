@@ -60,6 +60,7 @@ class Bench {
     void time_effects();
     void time_sample();
     void time_parts(FrameInputs inputs, FrameSettings settings);
+    void time_slider(const FrameInputs& inputs, FrameSettings settings);
     void time_frame(std::string name, const FrameInputs& inputs, const FrameSettings& settings);
 
     const gpu::Device& device_;

@@ -90,6 +90,7 @@ void open_window(const Options& options) {
     const FrameSettings given = settings_of(options, shown->picture_size());
     setup.frame.shadow_size = given.shadow_size;
     setup.frame.force_all = given.force_all;
+    setup.frame.keeps_light = true;
     setup.frame.dithers = options.dither.value_or(true);
     setup.state = opening_state(options, given, shown);
     setup.raster = options.raster;

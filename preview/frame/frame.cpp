@@ -27,6 +27,19 @@ namespace preview {
 
 namespace {
 
+/// Whether what the looks get is kept for the next frame.
+bool keeps_light(const FrameSettings& settings) {
+    return settings.keeps_light && !settings.force_all;
+}
+
+/// Whether effects in use will ask for the depth of a scene that is then not drawn again.
+bool keeps_depth(const FrameSettings& settings) {
+    return keeps_light(settings) &&
+           std::any_of(settings.effects.begin(), settings.effects.end(), [](const EffectUse& use) {
+               return use.effect->needs_depth && strength_of(use) != 0;
+           });
+}
+
 /// Empty where the frame has none; says why.
 ImageHandle occlusion_of(Graph& graph, const Scene& scene, const SceneHandles& declared,
                          const GBuffer& surfaces, const FrameSettings& settings,
@@ -65,11 +78,12 @@ ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSet
     const bool filters_normals = !settings.without.has(Effect::specular_aa);
     const bool is_forward = settings.raster == Raster::forward;
     if (settings.raster == Raster::compute) {
-        handles.surfaces = add_visibility(graph, declared.handles, size, declared.opaque,
-                                          settings.visibility, filters_normals);
-    } else if (!is_forward) {
         handles.surfaces =
-            add_gbuffer(graph, declared.handles, size, std::move(declared.opaque), filters_normals);
+            add_visibility(graph, declared.handles, size, declared.opaque, settings.visibility,
+                           filters_normals, keeps_depth(settings));
+    } else if (!is_forward) {
+        handles.surfaces = add_gbuffer(graph, declared.handles, size, std::move(declared.opaque),
+                                       filters_normals, keeps_depth(settings));
     } else {
         graph.withhold("g-buffer", "surfaces are lit as they are drawn");
     }
@@ -89,8 +103,9 @@ ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSet
     ImageHandle lit;
     if (is_forward) {
         graph.withhold("ambient occlusion", "it needs the g-buffer");
-        const ForwardPicture picture = add_forward(graph, declared.handles, lighting, size,
-                                                   std::move(declared.opaque), filters_normals);
+        const ForwardPicture picture =
+            add_forward(graph, declared.handles, lighting, size, std::move(declared.opaque),
+                        filters_normals, keeps_depth(settings));
         lit = picture.lit;
         lighting.surfaces.depth = handles.surfaces.depth = picture.depth;
     } else {
@@ -117,8 +132,9 @@ void resolve(Graph& graph, const FrameInputs& inputs, const FrameSettings& setti
         handles.hdr = handles.lit;
         return;
     }
-    const Resolved resolved = add_resolve(graph, handles.lit, size, std::exp2(stops),
-                                          has_codes ? Format::rgba32f : Format::rgba16f);
+    const Resolved resolved =
+        add_resolve(graph, handles.lit, size, std::exp2(stops),
+                    has_codes ? Format::rgba32f : Format::rgba16f, keeps_light(settings));
     handles.hdr = resolved.hdr;
     handles.hdr_maximum = resolved.maximum;
 }
@@ -158,7 +174,7 @@ BloomLayers bloom_of(Graph& graph, ImageHandle hdr, const FrameInputs& inputs,
         graph.withhold("bloom", reason);
         return {};
     }
-    return add_bloom(graph, hdr, plan);
+    return add_bloom(graph, hdr, plan, Format::rgba16f, keeps_light(settings));
 }
 
 /// What the finishing pass is asked for; says which looks there are not.
@@ -316,6 +332,9 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
     resolve(graph, inputs, settings, size, handles);
     if (settings.only_maximum && handles.hdr_maximum) {
         graph.present(handles.hdr_maximum);
+        if (keeps_light(settings)) {
+            graph.present(handles.hdr);
+        }
         return handles;
     }
     drawn.given.width = size_of(graph, handles.hdr).width;

@@ -28,7 +28,7 @@ struct GpuScene;
 struct FrameSettings : PictureSettings {
     Size output{1280, 720};
     Orbit orbit;
-    double seconds = 0; ///< the moment that animated effects show
+    double seconds = 0;            ///< the moment that animated effects show
     std::uint32_t shadow_size = 0; ///< texels of a shadow map's side; 0: the scene's
     Raster raster = Raster::hardware;
     VisibilityLimits visibility; ///< of Raster::compute
@@ -57,8 +57,12 @@ struct FrameSettings : PictureSettings {
     bool shows_numbers = false;
     /// Present the HDR result before tone mapping too.
     bool keep_hdr = false;
-    /// Present the HDR maximum and nothing else.
+    /// Present the HDR maximum and nothing else but light that is kept.
     bool only_maximum = false;
+    /// Keep the light that the looks get, and what blooms of it, for the executor's next frame: of
+    /// the same scene, camera and exposure that one only finishes it. The price is memory that is
+    /// then shared with nothing.
+    bool keeps_light = false;
     /// Run every pass, even those that this scene does not need: every skip that measures or looks
     /// at the scene is off, and nothing is kept from an earlier frame.
     bool force_all = false;

@@ -158,7 +158,10 @@ class Planner {
             wanted.kind = resource.kind;
             wanted.image = resource.image;
             wanted.bytes = resource.bytes;
-            wanted.accesses |= mask(access);
+            // Another frame, which shall find it, may read it in these ways.
+            wanted.accesses |= mask(access) | mask(Access::transfer_read) |
+                               mask(resource.kind == ResourceKind::image ? Access::compute_sample
+                                                                         : Access::compute_read);
         }
     }
 

@@ -38,7 +38,8 @@ bool halves_by_texels(const BloomStep& step) {
 
 } // namespace
 
-BloomLayers add_bloom(Graph& graph, ImageHandle hdr, const BloomPlan& plan, Format work) {
+BloomLayers add_bloom(Graph& graph, ImageHandle hdr, const BloomPlan& plan, Format work,
+                      bool are_kept) {
     BloomLayers out{plan, {}};
     std::vector<ImageHandle> images(plan.images.size());
     const auto image = [&](int i) {
@@ -51,7 +52,12 @@ BloomLayers add_bloom(Graph& graph, ImageHandle hdr, const BloomPlan& plan, Form
         const auto count = static_cast<std::uint32_t>(step.taps.size());
         const std::string name = "bloom " + std::to_string(step.target);
         const bool separable = step.axis != BloomStep::Axis::both;
-        const ImageHandle target = graph.image(name, {work, width, height});
+        const bool is_layer =
+            std::any_of(plan.layers.begin(), plan.layers.end(),
+                        [&](const BloomPlan::Layer& layer) { return layer.image == step.target; });
+        const ImageHandle target =
+            image_kept_if(graph, are_kept && is_layer, name, {work, width, height},
+                          "the light that blooms is the same");
 
         const bool by_texels = !separable && halves_by_texels(step);
 

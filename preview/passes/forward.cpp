@@ -53,7 +53,8 @@ ImageHandle add_blended(Graph& graph, const SceneHandles& scene, const LightingI
 }
 
 ForwardPicture add_forward(Graph& graph, const SceneHandles& scene, const LightingInputs& inputs,
-                           Size size, std::vector<Draw> draws, bool filters_normals) {
+                           Size size, std::vector<Draw> draws, bool filters_normals,
+                           bool keeps_depth) {
     Pass behind = graph.compute("background", "background.comp");
     behind.constants(lighting_constants(scene, inputs, {}));
     behind.uniform(scene.view);
@@ -66,7 +67,7 @@ ForwardPicture add_forward(Graph& graph, const SceneHandles& scene, const Lighti
     Pass pass = surfaces_pass(graph, "forward", scene, inputs, {}, size, filters_normals);
     pass.draws(std::move(draws));
     out.lit = pass.color_over(out.lit);
-    out.depth = pass.depth(graph.image("depth", {Format::d32, size.width, size.height}), 1);
+    out.depth = pass.depth(depth_image(graph, Format::d32, size, keeps_depth), 1);
     return out;
 }
 

@@ -19,6 +19,7 @@ struct [[nodiscard]] ForwardPicture {
 /// Draws `draws` before the background. As add_gbuffer() and add_lighting(), the rounding of a
 /// g-buffer apart; without ambient occlusion. inputs.surfaces is not read.
 ForwardPicture add_forward(Graph& graph, const SceneHandles& scene, const LightingInputs& inputs,
-                           Size size, std::vector<Draw> draws, bool filters_normals = false);
+                           Size size, std::vector<Draw> draws, bool filters_normals = false,
+                           bool keeps_depth = false);
 
 } // namespace preview

@@ -10,8 +10,13 @@ void read_detail(Pass& pass, const SceneHandles& scene) {
     pass.storage(scene.detail.texels);
 }
 
+ImageHandle depth_image(Graph& graph, Format format, Size size, bool is_kept) {
+    return image_kept_if(graph, is_kept, "depth", {format, size.width, size.height},
+                         "neither the camera nor a thing has moved");
+}
+
 GBuffer add_gbuffer(Graph& graph, const SceneHandles& scene, Size size, std::vector<Draw> draws,
-                    bool filters_normals) {
+                    bool filters_normals, bool keeps_depth) {
     const auto target = [&](std::string_view name, Format format) {
         return graph.image(name, {format, size.width, size.height});
     };
@@ -34,7 +39,7 @@ GBuffer add_gbuffer(Graph& graph, const SceneHandles& scene, Size size, std::vec
         out.albedo = pass.color(target("albedo", Format::rgba16f), {});
         out.emission = pass.color(target("emission", Format::rgba16f), {});
     }
-    out.depth = pass.depth(target("depth", Format::d32), 1);
+    out.depth = pass.depth(depth_image(graph, Format::d32, size, keeps_depth), 1);
     return out;
 }
 

@@ -21,8 +21,11 @@ struct [[nodiscard]] GBuffer {
 void read_detail(Pass& pass, const SceneHandles& scene);
 
 /// With `filters_normals`, surfaces whose normals vary within a pixel are rougher: specular
-/// antialiasing.
+/// antialiasing. A depth that is kept serves further frames of the same camera.
 GBuffer add_gbuffer(Graph& graph, const SceneHandles& scene, Size size, std::vector<Draw> draws,
-                    bool filters_normals = false);
+                    bool filters_normals = false, bool keeps_depth = false);
+
+/// The depth of such surfaces, to be written.
+ImageHandle depth_image(Graph& graph, Format format, Size size, bool is_kept);
 
 } // namespace preview

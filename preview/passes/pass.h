@@ -16,7 +16,8 @@
 // - Work images are Format::rgba16f, displayed ones Format::rgba8 unless the settings name another.
 //   Pyramids are one transient image a level; the graph shares memory between what does not meet.
 // - No pass keeps state between frames. What changes each frame goes through push constants or
-//   graph.data(); what does not is imported.
+//   graph.data(); what does not is imported. What an earlier frame has made may be kept whole
+//   (image_kept_if()), as the graph knows whether it would be made again alike.
 // - Values are finite after the HDR resolve; before it a pass may meet anything.
 // - The order of texels is rows from the top; texel centres are at half-integers.
 #pragma once
@@ -31,6 +32,18 @@ namespace preview {
 inline Size size_of(const Graph& graph, ImageHandle image) {
     const ImageDesc& desc = graph.image_desc(image);
     return {desc.width, desc.height};
+}
+
+/// An image that the executor keeps for its next frame while `is_kept`. `still_right` as of
+/// Graph::persistent_image().
+inline ImageHandle image_kept_if(Graph& graph, bool is_kept, std::string_view name,
+                                 const ImageDesc& desc, std::string_view still_right) {
+    return is_kept ? graph.persistent_image(name, desc, still_right) : graph.image(name, desc);
+}
+
+inline BufferHandle buffer_kept_if(Graph& graph, bool is_kept, std::string_view name,
+                                   std::uint64_t bytes, std::string_view still_right) {
+    return is_kept ? graph.persistent_buffer(name, bytes, still_right) : graph.buffer(name, bytes);
 }
 
 /// Groups of a pass whose groups count in shared memory and add their sums to a buffer: a group's

@@ -24,14 +24,19 @@ Size fitted(Size picture, Size box) {
     return {side(picture.width, box.width), side(picture.height, box.height)};
 }
 
-Resolved add_resolve(Graph& graph, ImageHandle source, Size size, float exposure, Format format) {
-    const BufferHandle zero = graph.fill("clear maximum", graph.buffer("hdr maximum", 4), 0);
+Resolved add_resolve(Graph& graph, ImageHandle source, Size size, float exposure, Format format,
+                     bool is_kept) {
+    constexpr std::string_view still_right = "scene, lights, camera and exposure are the same";
+    const BufferHandle zero =
+        graph.fill("clear maximum",
+                   buffer_kept_if(graph, is_kept, "hdr maximum", sizeof(float), still_right), 0);
     Pass pass = graph.compute("hdr resolve", "resolve.comp");
     const Size extent = fitted(size_of(graph, source), size);
     pass.constants({size_of(graph, source) == size ? 0U : 1U, format == Format::rgba16f ? 1U : 0U});
     pass.read(source);
     Resolved out;
-    out.hdr = pass.write(graph.image("hdr", {format, size.width, size.height}));
+    out.hdr = pass.write(
+        image_kept_if(graph, is_kept, "hdr", {format, size.width, size.height}, still_right));
     out.maximum = pass.modify(zero);
     const auto signed_pair = [](std::uint32_t x, std::uint32_t y) {
         return std::array{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};

@@ -12,9 +12,9 @@ struct [[nodiscard]] Resolved {
 
 /// `exposure` multiplies. A source of another size than `size` is filtered by area and keeps its
 /// proportions: it stands in the middle, between black bars. `format` is rgba16f, or rgba32f for
-/// codes, which a half float does not hold.
+/// codes, which a half float does not hold. What is kept serves further frames of the same light.
 Resolved add_resolve(Graph& graph, ImageHandle source, Size size, float exposure,
-                     Format format = Format::rgba16f);
+                     Format format = Format::rgba16f, bool is_kept = false);
 
 /// The largest size of the picture's proportions within the box, at least 1x1.
 Size fitted(Size picture, Size box);

@@ -1,5 +1,7 @@
 #include "preview/passes/shadow.h"
 
+#include "preview/passes/pass.h"
+
 #include <span>
 
 namespace preview {
@@ -37,9 +39,8 @@ ImageHandle add_shadows(Graph& graph, const SceneHandles& scene, ShadowMaps shad
     }
     const auto layers = static_cast<std::uint32_t>(shadows.maps.size());
     const ImageDesc desc{Format::d32, shadows.size, shadows.size, 0, layers};
-    ImageHandle array = shadows.are_kept ? graph.persistent_image("shadow maps", desc,
-                                                                  "no light or caster has moved")
-                                         : graph.image("shadow maps", desc);
+    ImageHandle array =
+        image_kept_if(graph, shadows.are_kept, "shadow maps", desc, "no light or caster has moved");
     const BufferHandle casters =
         graph.data("shadow casters", std::as_bytes(std::span(shadows.casters)));
     const bool has_cutouts = scene.detail.has_cutouts;

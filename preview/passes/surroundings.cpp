@@ -54,8 +54,7 @@ SurroundingsHandles add_surroundings(Graph& graph, const Surroundings& surroundi
     const std::string_view still_right =
         is_picture ? "the picture is the same" : "the sun has not moved";
     const auto image = [&](std::string_view name, const ImageDesc& desc) {
-        return inputs.are_kept ? graph.persistent_image(name, desc, still_right)
-                               : graph.image(name, desc);
+        return image_kept_if(graph, inputs.are_kept, name, desc, still_right);
     };
     const SkyBlock sky = is_picture ? SkyBlock{} : sky_block(surroundings.sky);
     SurroundingsHandles out;
@@ -90,15 +89,13 @@ SurroundingsHandles add_surroundings(Graph& graph, const Surroundings& surroundi
     constexpr std::uint32_t count = 9;
     constexpr std::uint64_t bytes = count * sizeof(glm::vec4);
     out.harmonics = harmonics.write(
-        inputs.are_kept ? graph.persistent_buffer("surroundings irradiance", bytes, still_right)
-                        : graph.buffer("surroundings irradiance", bytes));
+        buffer_kept_if(graph, inputs.are_kept, "surroundings irradiance", bytes, still_right));
     harmonics.dispatch(count);
 
     Pass reflectance = graph.compute("reflectance", "surroundings_reflectance.comp");
     const ImageDesc table{Format::rgba16f, 32, 32};
     out.reflectance = reflectance.write(
-        inputs.are_kept ? graph.persistent_image("reflectance", table, "it is always the same")
-                        : graph.image("reflectance", table));
+        image_kept_if(graph, inputs.are_kept, "reflectance", table, "it is always the same"));
     reflectance.dispatch_over(table.width, table.height);
     return out;
 }

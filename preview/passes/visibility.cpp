@@ -90,7 +90,7 @@ std::uint64_t visibility_bytes(Size size) {
 
 GBuffer add_visibility(Graph& graph, const SceneHandles& scene, Size size,
                        const std::vector<Draw>& draws, const VisibilityLimits& limits,
-                       bool filters_normals) {
+                       bool filters_normals, bool keeps_depth) {
     const std::vector<ClusterBlock> blocks = cluster_blocks(draws);
     BufferHandle clusters;
     BufferHandle keys =
@@ -119,7 +119,7 @@ GBuffer add_visibility(Graph& graph, const SceneHandles& scene, Size size,
     GBuffer out;
     out.normal = pass.write(target("normal", Format::rg16ui));
     out.material = pass.write(target("material", Format::r32ui));
-    out.depth = pass.write(target("depth", Format::r32f));
+    out.depth = pass.write(depth_image(graph, Format::r32f, size, keeps_depth));
     if (has_detail) {
         out.albedo = pass.write(target("albedo", Format::rgba16f));
         out.emission = pass.write(target("emission", Format::rgba16f));

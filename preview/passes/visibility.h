@@ -40,6 +40,6 @@ struct VisibilityLimits {
 /// (gpu::Device::has_int64_atomics()).
 GBuffer add_visibility(Graph& graph, const SceneHandles& scene, Size size,
                        const std::vector<Draw>& draws, const VisibilityLimits& limits = {},
-                       bool filters_normals = false);
+                       bool filters_normals = false, bool keeps_depth = false);
 
 } // namespace preview

@@ -203,12 +203,24 @@ TEST(PersistentTest, a_presented_one_is_read_again_from_where_it_stood) {
     EXPECT_EQ(back.new_layout, Layout::read_only);
 }
 
-TEST(PersistentTest, an_access_that_it_was_not_made_for_makes_it_anew) {
+TEST(PersistentTest, a_frame_that_presents_it_finds_what_one_that_only_reads_it_has_made) {
     const HeldResources before = make_plan(frame_of({})).held;
     Graph graph;
     const ImageHandle maps = add_maps(graph, {});
     show(graph, maps);
     graph.present(maps);
+    const Plan plan = make_plan(graph, before);
+    EXPECT_TRUE(plan.made.empty());
+    EXPECT_EQ(order(graph, plan), maps_rest);
+}
+
+TEST(PersistentTest, an_access_that_it_was_not_made_for_makes_it_anew) {
+    const HeldResources before = make_plan(frame_of({})).held;
+    Graph graph;
+    const ImageHandle maps = add_maps(graph, {});
+    Pass pass = graph.raster("lit", "x.vert", "x.frag");
+    pass.read(maps);
+    graph.present(pass.color(graph.image("lit", picture_size), {}));
     const Plan plan = make_plan(graph, before);
     EXPECT_EQ(plan.made.size(), 1U);
     EXPECT_EQ(order(graph, plan), all_run);

@@ -7,7 +7,10 @@
 
 #include <fmt/core.h>
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -20,6 +23,10 @@ constexpr std::size_t most_pixels = std::size_t{1} << 23;
 
 // The standard deviation of a channel that says nothing against two pictures, in code values.
 constexpr double little_off = 4 / 255.0;
+
+// Of these, unless one is named, what makes the best of pixels that it was not learnt from. Looks
+// are handed around in both, and one in as many nodes as the other has its kinks where they were.
+constexpr std::array<int, 2> usual_sizes{33, 32};
 
 // One pair after the other, so that a sequence needs no more memory than a frame. A single pair is
 // read once.
@@ -122,7 +129,8 @@ void reduce(const lutlib::OnPicture& on, MatchedPair& to) {
 
 class MatchRun {
   public:
-    MatchRun(std::span<const PairPaths> paths, const PairEncodings& encodings, int size)
+    MatchRun(std::span<const PairPaths> paths, const PairEncodings& encodings,
+             std::optional<int> size)
         : reader_(paths, encodings), size_(size), parts_(paths.size()) {}
 
     Matched run() {
@@ -176,7 +184,7 @@ class MatchRun {
         }
         out_.left_out = pixels.left_out;
         out_.pixels = pixels.learnt.size() + pixels.held_out.size();
-        const lutlib::MatchSettings settings{size_, out_.bits};
+        lutlib::MatchSettings settings{size_.value_or(usual_sizes.front()), out_.bits};
         if (pixels.held_out.empty() || pixels.learnt.empty()) {
             pixels.learnt.insert(pixels.learnt.end(), pixels.held_out.begin(),
                                  pixels.held_out.end());
@@ -184,7 +192,8 @@ class MatchRun {
             explain(images(out_.match, pixels.learnt));
             return;
         }
-        const lutlib::Match first = match_look(pixels.learnt, settings);
+        const lutlib::Match first = best_of_sizes(pixels, settings);
+        settings.size = first.cube.size;
         measure_held_out(images(first, pixels.held_out));
         pixels.learnt.insert(pixels.learnt.end(), pixels.held_out.begin(), pixels.held_out.end());
         out_.match = match_look(std::move(pixels.learnt), settings, &first);
@@ -207,6 +216,22 @@ class MatchRun {
         lut.cube = match.cube;
         apply_in_parallel(lutlib::Transform::of(lut), out.look);
         return out;
+    }
+
+    lutlib::Match best_of_sizes(const Gathered& pixels, const lutlib::MatchSettings& settings) {
+        if (size_) {
+            return match_look(pixels.learnt, settings);
+        }
+        std::array<lutlib::Match, usual_sizes.size()> matches;
+        std::array<double, usual_sizes.size()> off{};
+        tbb::parallel_for(std::size_t{0}, usual_sizes.size(), [&](std::size_t i) {
+            matches[i] = match_look(pixels.learnt, {usual_sizes[i], settings.bits});
+            const Images made = images(matches[i], pixels.held_out);
+            off[i] = errors_of(made.look, made.after, viewing()).mean;
+        });
+        const std::ptrdiff_t best = std::min_element(off.begin(), off.end()) - off.begin();
+        size_ = usual_sizes[static_cast<std::size_t>(best)];
+        return std::move(matches[static_cast<std::size_t>(best)]);
     }
 
     void explain(const Images& images) {
@@ -263,13 +288,13 @@ class MatchRun {
             reduce(on, out_.pairs.back());
         }
         out_.own = lutlib::error_stats(std::move(errors));
-        out_.coverage = lutlib::coverage_of(out_.match.support, size_);
+        out_.coverage = lutlib::coverage_of(out_.match.support, out_.match.cube.size);
     }
 
     lutlib::Viewing viewing() const { return {*out_.look.output}; }
 
     PairReader reader_;
-    int size_;
+    std::optional<int> size_;
     std::vector<std::vector<lutlib::Area>> parts_; ///< of each pair
     double off_ = 0; ///< the standard deviation of a channel from what was graded
     Matched out_;
@@ -277,7 +302,8 @@ class MatchRun {
 
 } // namespace
 
-Matched match_pairs(std::span<const PairPaths> paths, const PairEncodings& encodings, int size) {
+Matched match_pairs(std::span<const PairPaths> paths, const PairEncodings& encodings,
+                    std::optional<int> size) {
     return MatchRun(paths, encodings, size).run();
 }
 

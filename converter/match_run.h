@@ -53,7 +53,9 @@ struct Matched {
     std::vector<std::string> remarks;  ///< of all of it, a sentence each
 };
 
+/// Without a size, 33 or 32 nodes, whichever suits pixels better that it was not learnt from.
 /// Throws Error, also where the look does not make the one picture of the other.
-Matched match_pairs(std::span<const PairPaths> paths, const PairEncodings& encodings, int size);
+Matched match_pairs(std::span<const PairPaths> paths, const PairEncodings& encodings,
+                    std::optional<int> size);
 
 } // namespace converter

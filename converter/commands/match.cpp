@@ -24,7 +24,7 @@ struct MatchOptions {
     std::vector<std::string> pictures;
     std::string output, html, chart_before, chart_after, frames, before_encoding, after_encoding,
         look_input, look_output;
-    int size = lutlib::MatchSettings{}.size;
+    int size = 0; ///< 0: the best of the usual ones
     bool force = false, json = false;
 };
 
@@ -67,7 +67,8 @@ Matched from_charts(const MatchOptions& o, const PairEncodings& encodings) {
     if (!o.chart_after.empty()) {
         after = {o.pictures.back(), chart_area_of(o.chart_after, "--chart-after")};
     }
-    return match_charts(before, after, encodings, o.size);
+    return match_charts(before, after, encodings,
+                        o.size > 0 ? o.size : lutlib::MatchSettings{}.size);
 }
 
 void require_targets(const MatchOptions& o, const std::vector<std::string>& inputs) {
@@ -82,7 +83,7 @@ Matched from_pairs(const MatchOptions& o, const PairEncodings& encodings) {
         inputs.insert(inputs.end(), {pair.before, pair.after});
     }
     require_targets(o, inputs);
-    return match_pairs(pairs, encodings, o.size);
+    return match_pairs(pairs, encodings, o.size > 0 ? std::optional(o.size) : std::nullopt);
 }
 
 int run_match(const MatchOptions& o) {
@@ -116,9 +117,10 @@ Run declare_match(Verb& verb) {
     verb.add_option("--html", o->html,
                     "a page of it too: which part of the colour cube the pictures show, and where "
                     "in them the look misses");
-    verb.add_option("--size", o->size, "nodes per axis")
-        .takes(Takes::cube_size)
-        .capture_default_str();
+    verb.add_option("--size", o->size,
+                    "nodes per axis (default: 33 or 32, whichever suits pixels better that were "
+                    "held out; of charts 33)")
+        .takes(Takes::cube_size);
     verb.add_option("--chart-before", o->chart_before,
                     "X,Y,WIDTH,HEIGHT of a ColorChecker in the picture before the grade, from the "
                     "outer edges of its outer patches, whichever way it lies: the look is learnt "

@@ -145,7 +145,7 @@ class BaseFit {
     double squares() const {
         double out = 0;
         for (const ColorPair& pair : pairs_) {
-            const RgbD off = look_(pair.before) - pair.after;
+            const RgbD off = off_by(pair.after, look_(pair.before), pair.clipped);
             out += pair.weight * (off.r * off.r + off.g * off.g + off.b * off.b);
         }
         return out;
@@ -179,6 +179,9 @@ class BaseFit {
             const Mixed at = mixed(look_, pair.before);
             for (std::size_t c = 0; c < 3; ++c) {
                 const double w = pair.weight, in = at.mixed[c];
+                if (pair.clipped[c] * (look_.curves[c](in) - pair.after[c]) > 0) {
+                    continue;
+                }
                 const MixingColumn row = slope(c, in) * mixing_row(pair, at, c);
                 const auto [knot, share] = along_curve.before(in);
                 const Eigen::Index k = index(c * curve_knots + knot);

@@ -25,7 +25,8 @@ struct BaseLook {
 /// The nearest to the pairs by least squares, weakly held to smooth curves and to the identity:
 /// curves with second differences as in P. Eilers and B. Marx, "Flexible Smoothing with B-splines
 /// and Penalties", Statistical Science 11(2), 1996, made monotone (rising.h), with matrix and gain
-/// by steps of Gauss and Newton. Throws Error where no pair has a weight.
+/// by steps of Gauss and Newton. What goes beyond a pair that was clipped costs nothing. Throws
+/// Error where no pair has a weight.
 BaseLook fitted_base(std::span<const ColorPair> pairs);
 
 } // namespace lutlib

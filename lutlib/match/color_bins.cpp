@@ -7,15 +7,17 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
+#include <tuple>
+#include <utility>
 
 namespace lutlib {
 namespace {
 
 // Of a bin, as many as tell its median.
 constexpr std::size_t enough_for_median = 255;
+// A median of fewer pixels lies on one of them.
+constexpr std::size_t fewest_for_noise = 8;
 // Deviations are counted in steps of this, up to where they are outliers anyway.
 constexpr double deviation_step = 1.0 / 65536;
 constexpr std::size_t deviation_steps = 1 << 14;
@@ -44,35 +46,55 @@ Rgb held_to_halves(Rgb c) {
     return c;
 }
 
-// What is used again for each bin that a thread works on.
-struct Scratch {
-    std::vector<RgbD> off; ///< of each pixel, from the look
-    std::vector<double> channel;
-};
-
-void find_off(std::span<const PixelPair> pixels, const Transform& look, Scratch& scratch) {
-    scratch.off.clear();
-    for (const PixelPair& pixel : pixels) {
-        scratch.off.push_back(to_double(pixel.before));
+Clipped clipped_of(Rgb after, bool codes_end) {
+    Clipped out{};
+    for (std::size_t c = 0; codes_end && c < 3; ++c) {
+        out[c] = static_cast<std::int8_t>(after[c] >= 1 ? 1 : after[c] <= 0 ? -1 : 0);
     }
-    look(scratch.off);
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        scratch.off[i] = to_double(pixels[i].after) - scratch.off[i];
-    }
+    return out;
 }
 
-RgbD median_off(Scratch& scratch) {
+auto key_of(Rgb c) {
+    return std::tuple(c.r, c.g, c.b);
+}
+
+// Of pixels, each within its bin: those of one colour, and of one set of clipped channels,
+// together.
+void sort_bin(std::span<PixelPair> pixels, bool codes_end) {
+    const auto key = [codes_end](const PixelPair& pixel) {
+        return std::tuple(clipped_of(pixel.after, codes_end), key_of(pixel.before),
+                          key_of(pixel.after));
+    };
+    std::sort(pixels.begin(), pixels.end(),
+              [&](const PixelPair& a, const PixelPair& b) { return key(a) < key(b); });
+}
+
+// What is used again for each bin that a thread works on.
+struct Scratch {
+    std::vector<RgbD> off; ///< of each entry, from the look
+    std::vector<std::pair<double, std::size_t>> channel;
+};
+
+template <class Entries>
+RgbD median_off(const Entries& entries, Scratch& scratch) {
     const std::size_t step = 1 + scratch.off.size() / enough_for_median;
     RgbD out;
     for (std::size_t c = 0; c < 3; ++c) {
         scratch.channel.clear();
+        std::size_t pixels = 0;
         for (std::size_t i = 0; i < scratch.off.size(); i += step) {
-            scratch.channel.push_back(scratch.off[i][c]);
+            scratch.channel.emplace_back(scratch.off[i][c], entries[i].count);
+            pixels += entries[i].count;
         }
-        const auto middle =
-            scratch.channel.begin() + static_cast<std::ptrdiff_t>(scratch.channel.size() / 2);
-        std::nth_element(scratch.channel.begin(), middle, scratch.channel.end());
-        out[c] = *middle;
+        std::sort(scratch.channel.begin(), scratch.channel.end());
+        std::size_t below = 0;
+        for (const auto& [off, count] : scratch.channel) {
+            below += count;
+            if (2 * below > pixels) {
+                out[c] = off;
+                break;
+            }
+        }
     }
     return out;
 }
@@ -92,14 +114,22 @@ void for_each_bin(std::size_t count, F&& visit) {
 
 class Mean {
   public:
-    void add(const PixelPair& pixel, double weight) {
-        before_ = before_ + weight * to_double(pixel.before);
-        after_ = after_ + weight * to_double(pixel.after);
+    void add(Rgb before, Rgb after, double weight) {
+        before_ = before_ + weight * to_double(before);
+        after_ = after_ + weight * to_double(after);
         weight_ += weight;
     }
-    ColorPair pair() const {
-        return weight_ > 0 ? ColorPair{1 / weight_ * before_, 1 / weight_ * after_, weight_}
-                           : ColorPair{{}, {}, 0};
+    double weight() const { return weight_; }
+    ColorPair pair(const Clipped& clipped, double weight) const {
+        return weight_ > 0 ? ColorPair{1 / weight_ * before_, 1 / weight_ * after_, weight, clipped}
+                           : ColorPair{{}, {}, 0, clipped};
+    }
+    // So that it counts so much, whatever it is made of.
+    void add(const Mean& other, double weight) {
+        const double by = weight / other.weight_;
+        before_ = before_ + by * other.before_;
+        after_ = after_ + by * other.after_;
+        weight_ += weight;
     }
 
   private:
@@ -109,61 +139,119 @@ class Mean {
 
 } // namespace
 
-ColorBins::ColorBins(std::vector<PixelPair> pixels, int side) {
+ColorBins::ColorBins(std::vector<PixelPair> pixels, int side, bool codes_end) {
     std::erase_if(pixels, [](const PixelPair& pixel) { return !is_finite(pixel); });
-    for (PixelPair& pixel : pixels) {
-        pixel = {saturate(pixel.before), held_to_halves(pixel.after)};
-    }
     const auto n = static_cast<std::size_t>(side);
     std::vector<std::uint32_t> bins(pixels.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pixels.size()),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                          for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                              bins[i] = static_cast<std::uint32_t>(bin_of(pixels[i].before, side));
-                          }
-                      });
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, pixels.size()),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                pixels[i] = {saturate(pixels[i].before), held_to_halves(pixels[i].after)};
+                bins[i] = static_cast<std::uint32_t>(bin_of(pixels[i].before, side));
+            }
+        });
     std::vector<std::size_t> next(n * n * n + 1);
     for (const std::uint32_t b : bins) {
         ++next[b + 1];
     }
-    first_.push_back(0);
+    std::vector<std::size_t> first{0};
     for (std::size_t b = 1; b < next.size(); ++b) {
         next[b] += next[b - 1];
-        if (next[b] != first_.back()) {
-            first_.push_back(next[b]);
+        if (next[b] != first.back()) {
+            first.push_back(next[b]);
         }
     }
-    pixels_.resize(pixels.size());
+    std::vector<PixelPair> sorted(pixels.size());
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        pixels_[next[bins[i]]++] = pixels[i];
+        sorted[next[bins[i]]++] = pixels[i];
+    }
+    pixels_ = pixels.size();
+    for_each_bin(first.size() - 1, [&](std::size_t i, Scratch&) {
+        sort_bin(std::span(sorted).subspan(first[i], first[i + 1] - first[i]), codes_end);
+    });
+    for (std::size_t b = 0; b + 1 < first.size(); ++b) {
+        bins_.push_back({entries_.size(), groups_.size()});
+        for (std::size_t i = first[b]; i < first[b + 1]; ++i) {
+            const PixelPair& pixel = sorted[i];
+            const Clipped clipped = clipped_of(pixel.after, codes_end);
+            const bool is_new =
+                groups_.size() == bins_.back().group || groups_.back().clipped != clipped;
+            if (is_new) {
+                groups_.push_back({entries_.size(), clipped});
+            }
+            if (is_new || entries_.back().before != pixel.before ||
+                entries_.back().after != pixel.after) {
+                entries_.push_back({pixel.before, pixel.after, 0});
+            }
+            ++entries_.back().count;
+            groups_.back().end = entries_.size();
+        }
+    }
+    bins_.push_back({entries_.size(), groups_.size()});
+}
+
+void ColorBins::find_off(std::size_t bin, const Transform& look, std::vector<RgbD>& off) const {
+    const std::span<const Entry> all = entries(bin);
+    off.clear();
+    for (const Entry& entry : all) {
+        off.push_back(to_double(entry.before));
+    }
+    look(off);
+    std::size_t i = 0;
+    for (std::size_t g = bins_[bin].group; g < bins_[bin + 1].group; ++g) {
+        for (; bins_[bin].entry + i < groups_[g].end; ++i) {
+            off[i] = off_by(to_double(all[i].after), off[i], groups_[g].clipped);
+        }
     }
 }
 
 std::vector<ColorPair> ColorBins::means() const {
     std::vector<ColorPair> out(size());
-    for_each_bin(size(), [&](std::size_t i, Scratch&) {
-        Mean mean;
-        for (const PixelPair& pixel : bin(i)) {
-            mean.add(pixel, 1);
+    for_each_bin(bins_.size() - 1, [&](std::size_t b, Scratch&) {
+        std::size_t i = bins_[b].entry;
+        for (std::size_t g = bins_[b].group; g < bins_[b + 1].group; ++g) {
+            Mean mean;
+            for (; i < groups_[g].end; ++i) {
+                mean.add(entries_[i].before, entries_[i].after, entries_[i].count);
+            }
+            out[g] = mean.pair(groups_[g].clipped, mean.weight());
         }
-        out[i] = mean.pair();
     });
     return out;
 }
 
-std::vector<ColorPair> ColorBins::robust_means(const Transform& look, double limit) const {
+std::vector<ColorPair> ColorBins::robust_means(const Transform& look, double limit,
+                                               const PixelNoise& noise) const {
     std::vector<ColorPair> out(size());
-    for_each_bin(size(), [&](std::size_t i, Scratch& scratch) {
-        const std::span<const PixelPair> pixels = bin(i);
-        find_off(pixels, look, scratch);
-        const RgbD middle = median_off(scratch);
-        Mean mean;
-        for (std::size_t k = 0; k < pixels.size(); ++k) {
-            const double share = largest_magnitude(scratch.off[k] - middle) / limit;
-            const double kept = std::max(0.0, 1 - share * share);
-            mean.add(pixels[k], kept * kept);
+    const double rounding = noise.rounding * noise.rounding, own = noise.own * noise.own;
+    for_each_bin(bins_.size() - 1, [&](std::size_t b, Scratch& scratch) {
+        find_off(b, look, scratch.off);
+        const RgbD middle = median_off(entries(b), scratch);
+        std::size_t i = bins_[b].entry;
+        for (std::size_t g = bins_[b].group; g < bins_[b + 1].group; ++g) {
+            Mean mean;
+            const bool is_rounded = groups_[g].clipped == Clipped{};
+            while (i < groups_[g].end) {
+                const Rgb before = entries_[i].before;
+                Mean of_color;
+                double pixels = 0;
+                for (; i < groups_[g].end && entries_[i].before == before; ++i) {
+                    const double share =
+                        largest_magnitude(scratch.off[i - bins_[b].entry] - middle) / limit;
+                    const double kept = std::max(0.0, 1 - share * share);
+                    of_color.add(before, entries_[i].after, kept * kept * entries_[i].count);
+                    pixels += entries_[i].count;
+                }
+                if (of_color.weight() > 0) {
+                    const double rounded =
+                        rounding + own > 0 ? (rounding + own) / (rounding + own / pixels) : pixels;
+                    const double different = is_rounded ? rounded : std::sqrt(pixels);
+                    mean.add(of_color, different * of_color.weight() / pixels);
+                }
+            }
+            out[g] = mean.pair(groups_[g].clipped, mean.weight());
         }
-        out[i] = mean.pair();
     });
     return out;
 }
@@ -171,20 +259,29 @@ std::vector<ColorPair> ColorBins::robust_means(const Transform& look, double lim
 double ColorBins::noise(const Transform& look) const {
     using Counts = std::vector<std::size_t>;
     tbb::enumerable_thread_specific<Counts> counted(Counts(deviation_steps + 1));
-    for_each_bin(size(), [&](std::size_t i, Scratch& scratch) {
-        const std::span<const PixelPair> pixels = bin(i);
-        // A median of so few lies on one of them.
-        if (pixels.size() < 8) {
+    for_each_bin(bins_.size() - 1, [&](std::size_t b, Scratch& scratch) {
+        const std::span<const Entry> all = entries(b);
+        std::size_t pixels = 0;
+        for (const Entry& entry : all) {
+            pixels += entry.count;
+        }
+        if (pixels < fewest_for_noise) {
             return;
         }
-        find_off(pixels, look, scratch);
-        const RgbD middle = median_off(scratch);
+        find_off(b, look, scratch.off);
+        const RgbD middle = median_off(all, scratch);
         Counts& counts = counted.local();
-        for (const RgbD& off : scratch.off) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                const double steps = std::abs(off[c] - middle[c]) / deviation_step;
-                ++counts[static_cast<std::size_t>(
-                    std::min(steps, static_cast<double>(deviation_steps)))];
+        std::size_t i = 0;
+        for (std::size_t g = bins_[b].group; g < bins_[b + 1].group; ++g) {
+            for (; bins_[b].entry + i < groups_[g].end; ++i) {
+                for (std::size_t c = 0; c < 3; ++c) {
+                    if (groups_[g].clipped[c] == 0) {
+                        const double steps =
+                            std::abs(scratch.off[i][c] - middle[c]) / deviation_step;
+                        counts[static_cast<std::size_t>(
+                            std::min(steps, static_cast<double>(deviation_steps)))] += all[i].count;
+                    }
+                }
             }
         }
     });

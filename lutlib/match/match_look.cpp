@@ -1,5 +1,6 @@
 #include "lutlib/match/match_look.h"
 
+#include "lutlib/interpolation/interpolation.h"
 #include "lutlib/match/greys.h"
 #include "lutlib/match/residual_lattice.h"
 
@@ -16,11 +17,19 @@ constexpr int bins_a_cell = 2, most_bins = 128;
 constexpr double rounding_noise = 1 / 3.4641016151377544, usual_noise = rounding_noise / 255;
 // Pixels of one colour that count: more of them tell no better what a lattice cannot hold anyway.
 constexpr double pixels_that_count = 30;
-// What tells colours that stray, and what follows all others.
-constexpr double stiff = 10, supple = 0.1;
+// What tells colours that stray; then of these, from the stiffest on, what suits the channel, as a
+// lattice of half as many nodes shows it.
+constexpr double stiff = 10;
+constexpr std::array<double, 3> smoothnesses{10, 1, 0.1};
+// Of what a stiffer one misses: so much is chance.
+constexpr double worth_bending = 1.005;
+// Of the colours, those that the others foretell to find it out.
+constexpr std::size_t foretold = 4;
 // Pixels, and colours, are doubted from so many deviations on, and never within so many codes.
 constexpr double pixel_doubt = 6, color_doubt = 6, never_doubted = 4 / 255.0;
 constexpr double greys_limit = 2 / 255.0;
+// To what share lattices are solved.
+constexpr double rough = 1e-3, fine = 2e-4;
 
 double squared(double x) {
     return x * x;
@@ -43,6 +52,9 @@ std::vector<ColorPair> coarsened(std::span<const ColorPair> pairs, int side) {
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const RgbD place = saturate(pairs[i].before) * static_cast<double>(side - 1);
         std::size_t key = 0;
+        for (const std::int8_t clipped : pairs[i].clipped) {
+            key = 3 * key + static_cast<std::size_t>(clipped + 1);
+        }
         for (const double x : {place.b, place.g, place.r}) {
             key = key * static_cast<std::size_t>(side) + static_cast<std::size_t>(x + 0.5);
         }
@@ -51,15 +63,16 @@ std::vector<ColorPair> coarsened(std::span<const ColorPair> pairs, int side) {
     std::sort(order.begin(), order.end());
     std::vector<ColorPair> out;
     for (std::size_t i = 0; i < order.size();) {
-        ColorPair sum{{}, {}, 0};
+        ColorPair sum{{}, {}, 0, pairs[order[i].second].clipped};
         for (const std::size_t key = order[i].first; i < order.size() && order[i].first == key;
              ++i) {
             const ColorPair& pair = pairs[order[i].second];
             sum = {sum.before + pair.weight * pair.before, sum.after + pair.weight * pair.after,
-                   sum.weight + pair.weight};
+                   sum.weight + pair.weight, sum.clipped};
         }
         if (sum.weight > 0) {
-            out.push_back({1 / sum.weight * sum.before, 1 / sum.weight * sum.after, sum.weight});
+            out.push_back(
+                {1 / sum.weight * sum.before, 1 / sum.weight * sum.after, sum.weight, sum.clipped});
         }
     }
     return out;
@@ -68,7 +81,8 @@ std::vector<ColorPair> coarsened(std::span<const ColorPair> pairs, int side) {
 class Learning {
   public:
     Learning(std::vector<PixelPair> pixels, const MatchSettings& settings)
-        : bins_(std::move(pixels), std::min(bins_a_cell * (settings.size - 1), most_bins)),
+        : bins_(std::move(pixels), std::min(bins_a_cell * (settings.size - 1), most_bins),
+                settings.bits > 0),
           size_(settings.size),
           least_noise_(settings.bits ? rounding_noise / ((1 << settings.bits) - 1) : 0),
           noise_(usual_noise), trust_(bins_.size(), 1) {}
@@ -76,17 +90,20 @@ class Learning {
     Match run(const Match* start) {
         if (start) {
             lut_.cube = start->cube;
+            out_.smoothness = start->smoothness;
         } else {
-            fit(bins_.means(), stiff);
+            fit(bins_.means(), {stiff, stiff, stiff}, 0, rough);
             const std::vector<ColorPair> means = without_strays();
             trust(means);
-            fit(means, supple);
+            choose_smoothness(means);
+            lut_.cube.reset();
+            fit(means, out_.smoothness, usual_noise, rough);
         }
         const std::vector<ColorPair> means = without_strays();
         if (start) {
             trust(means);
         }
-        fit(means, supple);
+        fit(means, out_.smoothness, usual_noise, fine);
         out_.noise = noise_;
         // One pixel's weight, so that support counts pixels whatever their noise.
         const double of_one =
@@ -103,18 +120,66 @@ class Learning {
 
     std::vector<ColorPair> without_strays() {
         noise_ = std::max(bins_.noise(look()), least_noise_);
-        return bins_.robust_means(look(), std::max(pixel_doubt * noise_, never_doubted));
+        const double own = std::sqrt(std::max(0.0, squared(noise_) - squared(least_noise_)));
+        return bins_.robust_means(look(), std::max(pixel_doubt * noise_, never_doubted),
+                                  {least_noise_, own});
     }
 
-    void fit(const std::vector<ColorPair>& means, double smoothness) {
+    // What the base leaves over.
+    std::vector<ColorPair> residuals(const std::vector<ColorPair>& means) {
         std::vector<ColorPair> pairs = weighed(means, noise_, trust_);
         out_.base = fitted_base(coarsened(pairs, size_));
         for (ColorPair& pair : pairs) {
             pair.after = pair.after - out_.base(pair.before);
         }
-        ResidualLattice residual = residual_lattice(pairs, size_, smoothness);
+        return pairs;
+    }
+
+    // By how well colours foretell others, of each channel.
+    void choose_smoothness(const std::vector<ColorPair>& means) {
+        std::vector<ColorPair> known, unknown;
+        std::size_t i = 0;
+        for (const ColorPair& pair : residuals(means)) {
+            (i++ % foretold == 0 ? unknown : known).push_back(pair);
+        }
+        const int size = (size_ + 1) / 2;
+        RgbD least;
+        for (const double smoothness : smoothnesses) {
+            const ResidualLattice lattice = residual_lattice(
+                known, size, {{smoothness, smoothness, smoothness}, usual_noise, rough});
+            Lut3D cube = identity_cube(size);
+            std::transform(lattice.nodes.begin(), lattice.nodes.end(), cube.nodes.begin(),
+                           to_float);
+            RgbD off;
+            for (const ColorPair& pair : unknown) {
+                const RgbD found = evaluate_exact(cube, pair.before, Interpolation::tetrahedral);
+                const RgbD by = off_by(pair.after, found, pair.clipped);
+                for (std::size_t c = 0; c < 3; ++c) {
+                    off[c] += pair.weight * std::min(squared(by[c]), squared(never_doubted));
+                }
+            }
+            for (std::size_t c = 0; c < 3; ++c) {
+                if (smoothness == smoothnesses.front() || off[c] < worth_bending * least[c]) {
+                    least[c] =
+                        smoothness == smoothnesses.front() ? off[c] : std::min(least[c], off[c]);
+                    out_.smoothness[c] = smoothness;
+                }
+            }
+        }
+    }
+
+    // From the look so far, once there is one.
+    void fit(const std::vector<ColorPair>& means, RgbD smoothness, double kink, double precision) {
+        const std::vector<ColorPair> pairs = residuals(means);
+        std::vector<RgbD> start;
+        for (std::size_t k = 0; lut_.cube && k < lut_.cube->nodes.size(); ++k) {
+            start.push_back(to_double(lut_.cube->nodes[k]) -
+                            out_.base(to_double(identity_.nodes[k])));
+        }
+        ResidualLattice residual =
+            residual_lattice(pairs, size_, {smoothness, kink, precision, start});
         out_.support = std::move(residual.support);
-        out_.cube = identity_cube(size_);
+        out_.cube = identity_;
         for (std::size_t k = 0; k < out_.cube.nodes.size(); ++k) {
             Rgb& node = out_.cube.nodes[k];
             node = to_float(out_.base(to_double(node)) + residual.nodes[k]);
@@ -131,7 +196,7 @@ class Learning {
         apply_in_parallel(look(), expected);
         std::vector<double> off;
         for (std::size_t i = 0; i < means.size(); ++i) {
-            off.push_back(largest_magnitude(means[i].after - expected[i]));
+            off.push_back(largest_magnitude(off_by(means[i].after, expected[i], means[i].clipped)));
         }
         std::vector<double> sorted = off;
         const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
@@ -144,6 +209,7 @@ class Learning {
 
     ColorBins bins_;
     int size_;
+    Lut3D identity_ = identity_cube(size_);
     double least_noise_, noise_;
     std::vector<double> trust_; ///< of each bin, 0..1
     Lut lut_;

@@ -24,6 +24,7 @@ struct Match {
     BaseLook base;
     /// Of each node, about how many pixels say so, up to a bound for those of one colour.
     std::vector<double> support;
+    RgbD smoothness;  ///< of each channel's lattice (residual_lattice.h)
     double noise = 0; ///< standard deviation of a channel about the look, 0..1
     /// Channels that fall somewhere along the greys, as the pixels themselves do.
     std::array<bool, 3> greys_fall{};

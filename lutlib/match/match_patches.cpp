@@ -25,7 +25,8 @@ Match match_patches(std::span<const ColorPair> patches, int size) {
         left.push_back(
             {patch.before, patch.after - out.base(patch.before), patch_weight * patch.weight});
     }
-    ResidualLattice residual = residual_lattice(left, size, patch_smoothness);
+    ResidualLattice residual = residual_lattice(
+        left, size, {.smoothness = {patch_smoothness, patch_smoothness, patch_smoothness}});
     out.cube = identity_cube(size);
     for (std::size_t k = 0; k < out.cube.nodes.size(); ++k) {
         Rgb& node = out.cube.nodes[k];

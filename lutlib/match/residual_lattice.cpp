@@ -10,168 +10,183 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 
 namespace lutlib {
 namespace {
 
 constexpr double fading = 1e-5;
-constexpr int coarsest = 5, most_steps = 200;
+constexpr int coarsest = 5, most_steps = 200, most_rounds = 8, kink_rounds = 4;
+// Of a pair that the lattice goes beyond: nothing else says how far.
+constexpr double still = 0.01;
+// While kinks are still looked for.
+constexpr double on_the_way = 3e-3;
+// Of the pairs that were clipped, so few that still change sides are let be.
+constexpr std::size_t few = 200;
 
-// Nodes that have an entry in a node's row: those of the tetrahedra around it, and two steps along
-// each axis, as second differences reach.
+// Nodes behind a node that have an entry in its row: those of the tetrahedra around it, and two
+// steps along each axis, as second differences reach. Those before it have theirs by symmetry.
 using Steps = std::array<int, 3>;
-constexpr std::array<Steps, 21> neighbours{{
-    {0, 0, 0},    {1, 0, 0},  {0, 1, 0},  {0, 0, 1},  {1, 1, 0},   {1, 0, 1},   {0, 1, 1},
-    {1, 1, 1},    {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {-1, -1, 0}, {-1, 0, -1}, {0, -1, -1},
-    {-1, -1, -1}, {2, 0, 0},  {0, 2, 0},  {0, 0, 2},  {-2, 0, 0},  {0, -2, 0},  {0, 0, -2},
-}};
-using Row = std::array<double, neighbours.size()>;
+constexpr std::array<Steps, 11> neighbours{{{0, 0, 0},
+                                            {1, 0, 0},
+                                            {0, 1, 0},
+                                            {0, 0, 1},
+                                            {1, 1, 0},
+                                            {1, 0, 1},
+                                            {0, 1, 1},
+                                            {1, 1, 1},
+                                            {2, 0, 0},
+                                            {0, 2, 0},
+                                            {0, 0, 2}}};
 
 // A value a node, and zeros before and behind them, so that every neighbour can be read.
 class NodeValues {
   public:
-    NodeValues(std::size_t nodes, std::size_t margin)
-        : margin_(margin), values_(nodes + 2 * margin) {}
+    NodeValues() = default;
+    explicit NodeValues(int size)
+        : margin_(2 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size)),
+          values_(margin_ / 2 * static_cast<std::size_t>(size) + 2 * margin_) {}
 
-    RgbD& operator[](std::size_t node) { return values_[margin_ + node]; }
-    const RgbD& operator[](std::size_t node) const { return values_[margin_ + node]; }
-    const RgbD* at(std::size_t node) const { return &values_[margin_ + node]; }
+    double* data() { return values_.data() + margin_; }
+    const double* data() const { return values_.data() + margin_; }
+    double& operator[](std::size_t node) { return data()[node]; }
+    double operator[](std::size_t node) const { return data()[node]; }
 
   private:
-    std::size_t margin_;
-    std::vector<RgbD> values_;
+    std::size_t margin_ = 0;
+    std::vector<double> values_;
 };
 
-RgbD product(RgbD a, RgbD b) {
-    return {a.r * b.r, a.g * b.g, a.b * b.b};
-}
+// A pair and its share of each node.
+struct Placed {
+    std::array<std::size_t, 4> node{};
+    std::array<double, 4> share{};
+    double weight = 0;
+    RgbD after;
+    Clipped clipped{};
 
-// Of each channel; nothing where nothing is left to divide.
-RgbD ratio(RgbD a, RgbD b) {
-    const auto of = [](double x, double y) { return y > 0 ? x / y : 0; };
-    return {of(a.r, b.r), of(a.g, b.g), of(a.b, b.b)};
-}
+    Placed(const ColorPair& pair, int size)
+        : weight(pair.weight), after(pair.after), clipped(pair.clipped) {
+        const NodeWeights at =
+            node_weights(Interpolation::tetrahedral, size, (size - 1) * pair.before);
+        for (std::size_t i = 0; i < at.count; ++i) {
+            node[i] = at.node[i];
+            share[i] = at.weight[i];
+        }
+    }
+    double read(const NodeValues& from) const {
+        double out = 0;
+        for (std::size_t i = 0; i < node.size(); ++i) {
+            out += share[i] * from[node[i]];
+        }
+        return out;
+    }
+    // Whether a channel of what is read costs something.
+    bool counts(std::size_t channel, double read) const {
+        return clipped[channel] == 0 || (after[channel] - read) * clipped[channel] > 0;
+    }
+};
 
-class Equations {
+// The left side, by diagonals.
+class Matrix {
   public:
-    explicit Equations(int size)
-        : size_(size), count_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) *
-                              static_cast<std::size_t>(size)),
-          rows_(count_), right_(values()) {
+    explicit Matrix(int size) : size_(size) {
         for (std::size_t i = 0; i < neighbours.size(); ++i) {
             offsets_[i] = offset(neighbours[i]);
+            diagonals_[i] = NodeValues(size);
         }
     }
 
-    NodeValues values() const {
-        return {count_, 2 * static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_)};
-    }
-    std::size_t count() const { return count_; }
-    double own(std::size_t node) const { return rows_[node][0]; }
+    double own(std::size_t node) const { return diagonals_[0][node]; }
 
-    void add(const ColorPair& pair) {
-        const NodeWeights weights =
-            node_weights(Interpolation::tetrahedral, size_, (size_ - 1) * pair.before);
-        for (std::size_t i = 0; i < weights.count; ++i) {
-            const std::size_t node = weights.node[i];
-            const double w = pair.weight * weights.weight[i];
-            right_[node] = right_[node] + w * pair.after;
-            for (std::size_t k = 0; k < weights.count; ++k) {
-                rows_[node][neighbour(node, weights.node[k])] += w * weights.weight[k];
+    void add(const Placed& pair, double share = 1) {
+        for (std::size_t i = 0; i < pair.node.size(); ++i) {
+            for (std::size_t k = 0; k < pair.node.size(); ++k) {
+                const double entry = share * pair.weight * pair.share[i] * pair.share[k];
+                if (entry > 0 && pair.node[k] >= pair.node[i]) {
+                    diagonal(static_cast<std::ptrdiff_t>(pair.node[k] -
+                                                         pair.node[i]))[pair.node[i]] += entry;
+                }
             }
         }
     }
 
-    void add_smoothness(double smoothness) {
+    // bend(node, along) is what the second difference about the node behind `node` weighs.
+    template <class F>
+    void add_smoothness(F&& bend) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             Steps step{};
             step[axis] = 1;
             const std::ptrdiff_t along = offset(step);
+            const auto to_next = static_cast<std::size_t>(along);
+            double *const own = diagonals_[0].data(), *const next = diagonal(along).data(),
+                          *const behind = diagonal(2 * along).data();
+            std::size_t node = 0;
             for_each_node(size_, [&](int r, int g, int b) {
-                const int at = std::array{r, g, b}[axis];
-                if (at > 0 && at + 1 < size_) {
-                    add_bending(index(r, g, b), along, smoothness);
+                if (const int at = std::array{r, g, b}[axis]; at + 2 < size_) {
+                    const double weight = bend(node, to_next);
+                    const std::size_t middle = node + to_next, last = middle + to_next;
+                    own[node] += weight;
+                    own[middle] += 4 * weight;
+                    own[last] += weight;
+                    next[node] -= 2 * weight;
+                    next[middle] -= 2 * weight;
+                    behind[node] += weight;
                 }
+                ++node;
             });
         }
-        for (Row& row : rows_) {
-            row[0] += fading;
+        for (std::size_t k = 0; k < count(); ++k) {
+            diagonals_[0][k] += fading;
         }
     }
 
-    // The conjugate gradients of the three channels side by side, with each node's own entry as
-    // preconditioner (Hestenes and Stiefel, 1952).
-    NodeValues solved(NodeValues x, double precision) const {
-        NodeValues residual = values(), direction = values(), image = values();
+    // The conjugate gradients, with each node's own entry as preconditioner (Hestenes and Stiefel,
+    // 1952).
+    void solve(const NodeValues& right, NodeValues& x, double precision) const {
+        NodeValues residual(size_), direction(size_), image(size_);
         multiply(x, image);
-        RgbD whole, left;
-        for (std::size_t k = 0; k < count_; ++k) {
-            residual[k] = right_[k] - image[k];
-            direction[k] = 1 / own(k) * residual[k];
-            left = left + product(residual[k], direction[k]);
-            whole = whole + 1 / own(k) * product(right_[k], right_[k]);
+        double whole = 0, left = 0;
+        for (std::size_t k = 0; k < count(); ++k) {
+            residual[k] = right[k] - image[k];
+            direction[k] = residual[k] / own(k);
+            left += residual[k] * direction[k];
+            whole += right[k] * right[k] / own(k);
         }
-        const RgbD enough = precision * precision * whole;
-        for (int step = 0; step < most_steps && !is_below(left, enough); ++step) {
+        const double enough = precision * precision * whole;
+        for (int step = 0; step < most_steps && left > enough; ++step) {
             multiply(direction, image);
-            const RgbD along = sum([&](std::size_t k) { return product(direction[k], image[k]); });
-            const RgbD by = ratio(left, along);
-            const RgbD now = sum([&](std::size_t k) {
-                x[k] = x[k] + product(by, direction[k]);
-                residual[k] = residual[k] - product(by, image[k]);
-                return 1 / own(k) * product(residual[k], residual[k]);
+            const double along = sum([&](std::size_t k) { return direction[k] * image[k]; });
+            const double by = left / along;
+            const double now = sum([&](std::size_t k) {
+                x[k] += by * direction[k];
+                residual[k] -= by * image[k];
+                return residual[k] * residual[k] / own(k);
             });
-            const RgbD kept = ratio(now, left);
-            for_all([&](std::size_t k) {
-                direction[k] = 1 / own(k) * residual[k] + product(kept, direction[k]);
-            });
+            const double kept = now / left;
+            for_all(
+                [&](std::size_t k) { direction[k] = residual[k] / own(k) + kept * direction[k]; });
             left = now;
         }
-        return x;
     }
 
   private:
-    static bool is_below(RgbD a, RgbD b) { return a.r <= b.r && a.g <= b.g && a.b <= b.b; }
-
-    std::size_t index(int r, int g, int b) const {
+    std::size_t count() const {
         const auto n = static_cast<std::size_t>(size_);
-        return static_cast<std::size_t>(r) +
-               n * (static_cast<std::size_t>(g) + n * static_cast<std::size_t>(b));
+        return n * n * n;
     }
     std::ptrdiff_t offset(const Steps& steps) const {
         return steps[0] + static_cast<std::ptrdiff_t>(size_) * (steps[1] + size_ * steps[2]);
     }
-
-    // Which of the neighbours `other`, a corner of the same cell, is.
-    std::size_t neighbour(std::size_t node, std::size_t other) const {
-        const auto n = static_cast<std::size_t>(size_);
-        const Steps steps{static_cast<int>(other % n) - static_cast<int>(node % n),
-                          static_cast<int>(other / n % n) - static_cast<int>(node / n % n),
-                          static_cast<int>(other / n / n) - static_cast<int>(node / n / n)};
-        return static_cast<std::size_t>(std::find(neighbours.begin(), neighbours.end(), steps) -
-                                        neighbours.begin());
-    }
-
-    void add_bending(std::size_t middle, std::ptrdiff_t along, double weight) {
-        constexpr std::array<double, 3> difference{1, -2, 1};
-        for (int i = -1; i <= 1; ++i) {
-            const std::size_t node =
-                static_cast<std::size_t>(static_cast<std::ptrdiff_t>(middle) + i * along);
-            for (int k = -1; k <= 1; ++k) {
-                const std::size_t entry = static_cast<std::size_t>(
-                    std::find(offsets_.begin(), offsets_.end(), (k - i) * along) -
-                    offsets_.begin());
-                rows_[node][entry] += weight * difference[static_cast<std::size_t>(i + 1)] *
-                                      difference[static_cast<std::size_t>(k + 1)];
-            }
-        }
+    // Of equal offsets of tiny lattices, the tetrahedron's.
+    NodeValues& diagonal(std::ptrdiff_t offset) {
+        return diagonals_[static_cast<std::size_t>(
+            std::find(offsets_.begin(), offsets_.end(), offset) - offsets_.begin())];
     }
 
     template <class F>
     void for_all(F&& visit) const {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count_, 2048),
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count(), 4096),
                           [&](const tbb::blocked_range<std::size_t>& range) {
                               for (std::size_t k = range.begin(); k < range.end(); ++k) {
                                   visit(k);
@@ -180,12 +195,12 @@ class Equations {
     }
     // The same sum every time, however many cores there are.
     template <class F>
-    RgbD sum(F&& of) const {
+    double sum(F&& of) const {
         return tbb::parallel_deterministic_reduce(
-            tbb::blocked_range<std::size_t>(0, count_, 2048), RgbD{},
-            [&](const tbb::blocked_range<std::size_t>& range, RgbD out) {
+            tbb::blocked_range<std::size_t>(0, count(), 4096), 0.0,
+            [&](const tbb::blocked_range<std::size_t>& range, double out) {
                 for (std::size_t k = range.begin(); k < range.end(); ++k) {
-                    out = out + of(k);
+                    out += of(k);
                 }
                 return out;
             },
@@ -193,71 +208,159 @@ class Equations {
     }
 
     void multiply(const NodeValues& by, NodeValues& out) const {
-        for_all([&](std::size_t k) {
-            const Row& row = rows_[k];
-            const RgbD* const at = by.at(k);
-            RgbD value;
-            for (std::size_t i = 0; i < neighbours.size(); ++i) {
-                value = value + row[i] * at[offsets_[i]];
-            }
-            out[k] = value;
-        });
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count(), 4096),
+                          [&](const tbb::blocked_range<std::size_t>& range) {
+                              double* const to = out.data();
+                              const double *const x = by.data(), *const owns = diagonals_[0].data();
+                              for (std::size_t k = range.begin(); k < range.end(); ++k) {
+                                  to[k] = owns[k] * x[k];
+                              }
+                              for (std::size_t i = 1; i < neighbours.size(); ++i) {
+                                  const double *const entries = diagonals_[i].data(),
+                                                      *const before = entries - offsets_[i],
+                                                      *const ahead = x + offsets_[i],
+                                                      *const behind = x - offsets_[i];
+                                  for (std::size_t k = range.begin(); k < range.end(); ++k) {
+                                      to[k] += entries[k] * ahead[k] + before[k] * behind[k];
+                                  }
+                              }
+                          });
     }
 
     int size_;
-    std::size_t count_;
     std::array<std::ptrdiff_t, neighbours.size()> offsets_{};
-    std::vector<Row> rows_;
-    NodeValues right_;
+    std::array<NodeValues, neighbours.size()> diagonals_;
 };
 
+using Channels = std::array<NodeValues, 3>;
+
 // The nodes of a lattice of another size.
-NodeValues carried_over(const NodeValues& from, int from_size, const Equations& to, int to_size) {
-    NodeValues out = to.values();
+NodeValues carried_over(const NodeValues& from, int from_size, int to_size) {
+    NodeValues out(to_size);
     const double step = static_cast<double>(from_size - 1) / (to_size - 1);
     std::size_t node = 0;
     for_each_node(to_size, [&](int r, int g, int b) {
         const NodeWeights weights = node_weights(Interpolation::trilinear, from_size,
                                                  step * RgbD{double(r), double(g), double(b)});
-        RgbD value;
         for (std::size_t i = 0; i < weights.count; ++i) {
-            value = value + weights.weight[i] * from[weights.node[i]];
+            out[node] += weights.weight[i] * from[weights.node[i]];
         }
-        out[node++] = value;
+        ++node;
     });
     return out;
 }
 
+// A channel of one lattice, from where it starts. Pairs that were clipped take part while the
+// lattice does not go beyond them (Newton's method for the square of a hinge: O. Mangasarian, "A
+// finite Newton method for classification", Optimization Methods and Software 17(5), 2002).
+class ChannelFit {
+  public:
+    ChannelFit(const std::vector<Placed>& pairs, int size, std::size_t channel)
+        : channel_(channel), left_(size), right_(size) {
+        for (const Placed& pair : pairs) {
+            if (pair.clipped[channel] == 0) {
+                left_.add(pair);
+                add_right(pair, right_);
+            } else {
+                clipped_.push_back(&pair);
+            }
+        }
+    }
+
+    void run(double smoothness, double kink, double precision, NodeValues& nodes) const {
+        std::vector<bool> counted;
+        const int rounds = kink > 0 ? kink_rounds : 0;
+        for (int round = 0; round < most_rounds; ++round) {
+            std::vector<bool> counts;
+            for (const Placed* const pair : clipped_) {
+                counts.push_back(pair->counts(channel_, pair->read(nodes)));
+            }
+            if (round > rounds && !changes(counted, counts)) {
+                break;
+            }
+            Matrix left = left_;
+            NodeValues right = right_;
+            for (std::size_t i = 0; i < clipped_.size(); ++i) {
+                const double share = counts[i] ? 1 : still;
+                left.add(*clipped_[i], share);
+                // No correction, where that goes beyond the code as well.
+                if (counts[i] || clipped_[i]->counts(channel_, 0)) {
+                    add_right(*clipped_[i], right, share);
+                }
+            }
+            const double* const at = nodes.data();
+            const double doubt = round > 0 && kink > 0 ? smoothness / (kink * kink) : 0;
+            left.add_smoothness([&](std::size_t node, std::size_t along) {
+                const double bend = at[node] - 2 * at[node + along] + at[node + 2 * along];
+                return smoothness / (1 + doubt * bend * bend);
+            });
+            left.solve(right, nodes, round >= rounds ? precision : std::max(precision, on_the_way));
+            counted = std::move(counts);
+        }
+    }
+
+  private:
+    void add_right(const Placed& pair, NodeValues& right, double share = 1) const {
+        for (std::size_t i = 0; i < pair.node.size(); ++i) {
+            right[pair.node[i]] += share * pair.weight * pair.share[i] * pair.after[channel_];
+        }
+    }
+    static bool changes(const std::vector<bool>& was, const std::vector<bool>& is) {
+        std::size_t changed = 0;
+        for (std::size_t i = 0; i < is.size(); ++i) {
+            changed += was[i] != is[i] ? 1 : 0;
+        }
+        return changed > is.size() / few;
+    }
+
+    std::size_t channel_;
+    Matrix left_;
+    NodeValues right_;
+    std::vector<const Placed*> clipped_;
+};
+
 } // namespace
 
-ResidualLattice residual_lattice(std::span<const ColorPair> pairs, int size, double smoothness,
-                                 double precision) {
+ResidualLattice residual_lattice(std::span<const ColorPair> pairs, int size,
+                                 const ResidualSettings& settings) {
     check_cube_size(size);
     std::vector<int> sizes{size};
-    while (sizes.back() > 2 * coarsest) {
+    while (settings.start.empty() && sizes.back() > 2 * coarsest) {
         sizes.push_back((sizes.back() + 1) / 2);
     }
-    std::optional<NodeValues> start;
+    Channels nodes;
     int start_size = 0;
     ResidualLattice out;
     for (auto level = sizes.rbegin(); level != sizes.rend(); ++level) {
-        Equations equations(*level);
+        std::vector<Placed> placed;
         for (const ColorPair& pair : pairs) {
-            equations.add(pair);
+            placed.emplace_back(pair, *level);
         }
-        if (*level == size) {
-            for (std::size_t k = 0; k < equations.count(); ++k) {
-                out.support.push_back(equations.own(k));
+        for (std::size_t c = 0; c < 3; ++c) {
+            nodes[c] = start_size ? carried_over(nodes[c], start_size, *level) : NodeValues(*level);
+            for (std::size_t k = 0; k < settings.start.size(); ++k) {
+                nodes[c][k] = settings.start[k][c];
             }
         }
-        equations.add_smoothness(smoothness * (*level - 1) / 32);
-        start = equations.solved(start ? carried_over(*start, start_size, equations, *level)
-                                       : equations.values(),
-                                 precision);
+        tbb::parallel_for(std::size_t{0}, std::size_t{3}, [&](std::size_t c) {
+            // Kinks are sharp on the finest lattice only.
+            ChannelFit(placed, *level, c)
+                .run(settings.smoothness[c] * (*level - 1) / 32, *level == size ? settings.kink : 0,
+                     settings.precision, nodes[c]);
+        });
         start_size = *level;
+        if (*level == size) {
+            const auto n = static_cast<std::size_t>(size);
+            out.support.resize(n * n * n);
+            for (const Placed& pair : placed) {
+                for (std::size_t i = 0; i < pair.node.size(); ++i) {
+                    out.support[pair.node[i]] += pair.weight * pair.share[i] * pair.share[i];
+                }
+            }
+        }
     }
     for (std::size_t k = 0; k < out.support.size(); ++k) {
-        out.nodes.push_back((*start)[k]);
+        out.nodes.push_back({nodes[0][k], nodes[1][k], nodes[2][k]});
     }
     return out;
 }

@@ -69,6 +69,24 @@ TEST(BaseLook, rises_along_the_greys_whatever_the_pairs_say_and_falls_for_a_nega
     }
 }
 
+TEST(BaseLook, goes_on_where_the_codes_of_a_channel_end) {
+    const auto bright = [](RgbD c) { return RgbD{1.8 * c.r, 1.8 * c.g, 1.8 * c.b}; };
+    std::vector<ColorPair> pairs = exact_pairs(bright);
+    for (ColorPair& pair : pairs) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (pair.after[c] >= 1) {
+                pair.after[c] = 1;
+                pair.clipped[c] = 1;
+            }
+        }
+    }
+    const BaseLook base = fitted_base(pairs);
+    for (double x = 0.1; x < 0.55; x += 0.01) {
+        EXPECT_LT(largest_magnitude(base({x, x, x}) - bright({x, x, x})), 1.0 / 255) << x;
+    }
+    EXPECT_GT(base({0.8, 0.8, 0.8}).g, 1.2);
+}
+
 TEST(BaseLook, has_no_kink) {
     const BaseLook base = fitted_base(exact_pairs(test_looks()[2].f));
     const auto at = [&](double x) { return base({0.7 * x, x, 0.4 + 0.2 * x}).g; };

@@ -56,6 +56,36 @@ TEST(ColorBins, leave_out_pixels_that_are_no_numbers_and_hold_those_beyond_the_c
     EXPECT_TRUE(ColorBins({}, 4).means().empty());
 }
 
+TEST(ColorBins, channels_whose_codes_end_stand_apart_from_those_that_do_not) {
+    const std::vector<PixelPair> pixels{{{0.5F, 0.5F, 0.5F}, {1, 0.5F, 0.5F}},
+                                        {{0.51F, 0.5F, 0.5F}, {1, 0.6F, 0}},
+                                        {{0.52F, 0.5F, 0.5F}, {0.9F, 0.5F, 0.5F}},
+                                        {{0.53F, 0.5F, 0.5F}, {0.8F, 0.5F, 0.5F}}};
+    EXPECT_EQ(ColorBins(pixels, 1).size(), 1U);
+    const std::vector<ColorPair> means = ColorBins(pixels, 1, true).means();
+    ASSERT_EQ(means.size(), 3U);
+    EXPECT_EQ(means[0].clipped, (Clipped{0, 0, 0}));
+    EXPECT_EQ(means[0].weight, 2);
+    EXPECT_NEAR(means[0].after.r, 0.85, 1e-7);
+    EXPECT_EQ(means[1].clipped, (Clipped{1, 0, -1}));
+    EXPECT_EQ(means[2].clipped, (Clipped{1, 0, 0}));
+    // Beyond the end of the codes nothing is off.
+    EXPECT_EQ(off_by({1, 0.5, 0}, {1.2, 0.4, -0.1}, {1, 0, -1}), (RgbD{0, 0.5 - 0.4, 0}));
+    EXPECT_EQ(off_by({1, 0, 0}, {0.5, 0.25, 0.25}, {1, -1, 0}), (RgbD{0.5, -0.25, -0.25}));
+}
+
+TEST(ColorBins, pixels_of_one_colour_tell_no_more_than_one_of_what_rounding_took) {
+    std::vector<PixelPair> pixels(1000, {{0.5F, 0.5F, 0.5F}, {0.5F, 0.5F, 0.5F}});
+    pixels.push_back({{0.51F, 0.5F, 0.5F}, {0.52F, 0.5F, 0.5F}});
+    const ColorBins bins(pixels, 1, true);
+    const Transform same;
+    const ColorPair rounded = bins.robust_means(same, 0.1, {0.001, 0})[0];
+    EXPECT_NEAR(rounded.weight, 2, 0.05);
+    EXPECT_NEAR(rounded.before.r, 0.505, 1e-4);
+    const ColorPair noisy = bins.robust_means(same, 0.1, {0, 0.001})[0];
+    EXPECT_NEAR(noisy.weight, 1001, 1);
+}
+
 TEST(ColorBins, robust_means_do_not_hear_a_tenth_that_strays) {
     std::vector<PixelPair> pixels = picture_pairs(halved, 40000);
     for (std::size_t i = 0; i < pixels.size(); i += 10) {

@@ -74,7 +74,7 @@ std::vector<double> plainly(const std::vector<ColorPair>& pairs, int size, doubl
 TEST(ResidualLattice, is_the_solution_of_its_normal_equations) {
     const std::vector<ColorPair> pairs = corrections(400);
     for (const int size : {2, 3, 6}) {
-        const ResidualLattice found = residual_lattice(pairs, size, 0.1, 1e-9);
+        const ResidualLattice found = residual_lattice(pairs, size, {.precision = 1e-9});
         for (std::size_t c = 0; c < 3; ++c) {
             const std::vector<double> wanted = plainly(pairs, size, 0.1, c);
             ASSERT_EQ(found.nodes.size(), wanted.size());
@@ -89,7 +89,7 @@ TEST(ResidualLattice, is_read_as_what_was_wanted_where_pixels_are) {
     Lut lut;
     lut.cube = identity_cube(33);
     const std::vector<ColorPair> pairs = corrections(20000);
-    const ResidualLattice found = residual_lattice(pairs, 33, 0.1);
+    const ResidualLattice found = residual_lattice(pairs, 33, {});
     for (std::size_t k = 0; k < found.nodes.size(); ++k) {
         lut.cube->nodes[k] = to_float(found.nodes[k]);
     }
@@ -101,17 +101,82 @@ TEST(ResidualLattice, is_read_as_what_was_wanted_where_pixels_are) {
     EXPECT_LT(most, 0.5 / 255);
 }
 
+// Of a line that codes end: what goes beyond them is the line's, and what they said is kept.
+TEST(ResidualLattice, goes_beyond_what_was_clipped_and_bends_at_no_end_of_the_codes) {
+    std::vector<ColorPair> pairs = corrections(20000);
+    for (ColorPair& pair : pairs) {
+        const double line = 1.6 * pair.before.g - 0.3;
+        pair.after = {saturate(line), saturate(line), saturate(line)};
+        if (line > 1) {
+            pair.clipped = {1, 1, 1};
+        } else if (line < 0) {
+            pair.clipped = {-1, -1, -1};
+        }
+    }
+    const auto worst = [&](const std::vector<ColorPair>& learnt) {
+        Lut lut;
+        lut.cube = identity_cube(9);
+        const ResidualLattice found = residual_lattice(learnt, 9, {});
+        for (std::size_t k = 0; k < found.nodes.size(); ++k) {
+            lut.cube->nodes[k] = to_float(found.nodes[k]);
+        }
+        double most = 0;
+        for (const ColorPair& pair : pairs) {
+            most = std::max(
+                most, largest_magnitude(saturate(evaluate_exact(lut, pair.before)) - pair.after));
+        }
+        return most;
+    };
+    std::vector<ColorPair> as_values = pairs;
+    for (ColorPair& pair : as_values) {
+        pair.clipped = {};
+    }
+    // What keeps it from going anywhere where nothing says how far costs the rest of it.
+    EXPECT_LT(worst(pairs), 0.6 * worst(as_values));
+}
+
+// A kink at a node, which squares would round off over its neighbours.
+TEST(ResidualLattice, keeps_a_kink_where_it_looks_for_kinks) {
+    std::vector<ColorPair> pairs = corrections(600);
+    const auto kinked = [](double x) { return std::max(0.0, 4 * (x - 0.5)); };
+    for (ColorPair& pair : pairs) {
+        const double y = kinked(pair.before.g);
+        pair.after = {y, y, y};
+        pair.weight = 1e-2;
+    }
+    const auto off = [&](double kink) {
+        const ResidualLattice found = residual_lattice(pairs, 17, {.kink = kink});
+        double sum = 0;
+        for (int i = 4; i < 13; ++i) {
+            sum += std::abs(found.nodes[static_cast<std::size_t>(i * (1 + 17 + 17 * 17))].g -
+                            kinked(i / 16.0));
+        }
+        return sum / 9;
+    };
+    EXPECT_LT(off(1e-3), 0.3 * off(0));
+}
+
+TEST(ResidualLattice, starts_anywhere_and_ends_at_the_same) {
+    const std::vector<ColorPair> pairs = corrections(2000);
+    const ResidualLattice found = residual_lattice(pairs, 9, {.precision = 1e-8});
+    std::vector<RgbD> start(found.nodes.size(), RgbD{0.5, -0.2, 0.1});
+    const ResidualLattice again = residual_lattice(pairs, 9, {.precision = 1e-8, .start = start});
+    for (std::size_t k = 0; k < found.nodes.size(); ++k) {
+        EXPECT_LT(largest_magnitude(again.nodes[k] - found.nodes[k]), 1e-4) << k;
+    }
+}
+
 TEST(ResidualLattice, is_nothing_where_nothing_is_wanted_and_of_every_size) {
     const std::vector<ColorPair> zero{{{0.2, 0.3, 0.4}, {0, 0, 0}, 5}};
     for (const int size : {2, 5, 32, 33}) {
-        const ResidualLattice found = residual_lattice(zero, size, 0.1);
+        const ResidualLattice found = residual_lattice(zero, size, {});
         ASSERT_EQ(found.nodes.size(), static_cast<std::size_t>(size * size * size));
         for (const RgbD& node : found.nodes) {
             EXPECT_EQ(largest_magnitude(node), 0);
         }
     }
-    EXPECT_EQ(residual_lattice({}, 4, 0.1).nodes.size(), 64U);
-    EXPECT_THROW(residual_lattice(zero, 1, 0.1), Error);
+    EXPECT_EQ(residual_lattice({}, 4, {}).nodes.size(), 64U);
+    EXPECT_THROW(residual_lattice(zero, 1, {}), Error);
 }
 
 } // namespace

@@ -15,7 +15,8 @@
 namespace lutlib {
 namespace {
 
-constexpr double fading = 1e-5;
+// Of the smoothness: however stiff, a lattice reaches as far beyond what is known.
+constexpr double fading = 1e-4;
 constexpr int coarsest = 5, most_steps = 200, most_rounds = 8, kink_rounds = 4;
 // Of a pair that the lattice goes beyond: nothing else says how far.
 constexpr double still = 0.01;
@@ -113,7 +114,7 @@ class Matrix {
 
     // bend(node, along) is what the second difference about the node behind `node` weighs.
     template <class F>
-    void add_smoothness(F&& bend) {
+    void add_smoothness(double fade, F&& bend) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             Steps step{};
             step[axis] = 1;
@@ -137,7 +138,7 @@ class Matrix {
             });
         }
         for (std::size_t k = 0; k < count(); ++k) {
-            diagonals_[0][k] += fading;
+            diagonals_[0][k] += fade;
         }
     }
 
@@ -256,7 +257,7 @@ NodeValues carried_over(const NodeValues& from, int from_size, int to_size) {
 class ChannelFit {
   public:
     ChannelFit(const std::vector<Placed>& pairs, int size, std::size_t channel)
-        : channel_(channel), left_(size), right_(size) {
+        : size_(size), channel_(channel), left_(size), right_(size) {
         for (const Placed& pair : pairs) {
             if (pair.clipped[channel] == 0) {
                 left_.add(pair);
@@ -290,10 +291,11 @@ class ChannelFit {
             }
             const double* const at = nodes.data();
             const double doubt = round > 0 && kink > 0 ? smoothness / (kink * kink) : 0;
-            left.add_smoothness([&](std::size_t node, std::size_t along) {
-                const double bend = at[node] - 2 * at[node + along] + at[node + 2 * along];
-                return smoothness / (1 + doubt * bend * bend);
-            });
+            left.add_smoothness(
+                fading * smoothness * 32 / (size_ - 1), [&](std::size_t node, std::size_t along) {
+                    const double bend = at[node] - 2 * at[node + along] + at[node + 2 * along];
+                    return smoothness / (1 + doubt * bend * bend);
+                });
             left.solve(right, nodes, round >= rounds ? precision : std::max(precision, on_the_way));
             counted = std::move(counts);
         }
@@ -313,6 +315,7 @@ class ChannelFit {
         return changed > is.size() / few;
     }
 
+    int size_;
     std::size_t channel_;
     Matrix left_;
     NodeValues right_;

@@ -29,7 +29,7 @@ struct ResidualSettings {
 /// Minimises over v, for every channel,
 ///
 ///   sum_p w_p (sum_k W_pk v_k - after_p)^2 + s sum (second differences along the axes)^2
-///     + f sum_k v_k^2
+///     + s / 10000 sum_k v_k^2
 ///
 /// where W are the shares of nodes in the tetrahedral interpolation at before_p, in 0..1, and
 /// after_p the correction that is wanted there; where that was clipped, at least or at most it, so

@@ -203,7 +203,7 @@ class MatchRun {
     struct Images {
         std::vector<lutlib::RgbD> look, after;
     };
-    static Images images(const lutlib::Match& match, const std::vector<lutlib::PixelPair>& pixels) {
+    Images images(const lutlib::Match& match, const std::vector<lutlib::PixelPair>& pixels) const {
         Images out;
         for (const lutlib::PixelPair& pixel : pixels) {
             const lutlib::RgbD was = to_double(pixel.before), is = to_double(pixel.after);
@@ -215,6 +215,10 @@ class MatchRun {
         lutlib::Lut lut;
         lut.cube = match.cube;
         apply_in_parallel(lutlib::Transform::of(lut), out.look);
+        // What goes beyond codes that end is no miss.
+        for (lutlib::RgbD& color : out.look) {
+            color = out_.bits ? saturate(color) : color;
+        }
         return out;
     }
 
@@ -251,13 +255,10 @@ class MatchRun {
 
     void measure_held_out(const Images& images) {
         explain(images);
-        std::vector<lutlib::RgbD> exact = images.look, kept = images.look;
+        std::vector<lutlib::RgbD> kept = images.look;
         apply_in_parallel(rounded({}, out_.bits), kept);
         out_.held_out = errors_of(kept, images.after, viewing());
-        for (lutlib::RgbD& color : exact) {
-            color = out_.bits ? saturate(color) : color;
-        }
-        out_.rounding = errors_of(exact, kept, viewing());
+        out_.rounding = errors_of(images.look, kept, viewing());
     }
 
     void measure() {

@@ -1,12 +1,9 @@
 #include "converter/paint_picture.h"
 
-#include "lutlib/error.h"
 #include "lutlib/io/alpha.h"
 #include "lutlib/io/file.h"
-#include "lutlib/io/lut_picture.h"
 #include "lutlib/io/picture_types.h"
-
-#include <filesystem>
+#include "lutlib/io/png.h"
 
 namespace converter {
 namespace {
@@ -60,27 +57,6 @@ std::string png_of(const lutlib::Picture& picture, const std::string& title) {
     }
     out.text = {{"Title", title}, {"Software", "lutconv"}};
     return io::write_png(out);
-}
-
-void require_replaceable(const std::string& path, const std::vector<std::string>& inputs,
-                         bool force) {
-    std::error_code none;
-    if (force || path.empty() || path == io::standard_stream ||
-        !std::filesystem::is_regular_file(path, none)) {
-        return;
-    }
-    for (const std::string& input : inputs) {
-        if (!input.empty() && std::filesystem::equivalent(path, input, none)) {
-            throw lutlib::Error("it is what this run reads; name another file, or add --force to "
-                                "overwrite it",
-                                {path, 0, {}});
-        }
-    }
-    if (io::is_picture_extension(io::extension_of(path)) && !io::is_own_picture(path)) {
-        throw lutlib::Error("it is a picture that lutconv did not make; name another file, or add "
-                            "--force to overwrite it",
-                            {path, 0, {}});
-    }
 }
 
 } // namespace converter

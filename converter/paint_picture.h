@@ -23,9 +23,4 @@ PaintPicture read_paint_picture(const std::string& path);
 /// The bytes of an RGB PNG of 8 bits that says that lutconv made it.
 std::string png_of(const lutlib::Picture& picture, const std::string& title);
 
-/// Throws Error where the path is of a file that is not a LUT picture or sheet of ours and may not
-/// be overwritten: a picture without lutconv in its text, or one of `inputs`.
-void require_replaceable(const std::string& path, const std::vector<std::string>& inputs,
-                         bool force);
-
 } // namespace converter

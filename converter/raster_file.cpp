@@ -33,8 +33,9 @@ void write_raster(const std::string& path, const plot::Raster& raster, const std
     }
     static_assert(sizeof(plot::Rgb8) == 3);
     std::memcpy(image.samples.data(), raster.pixels().data(), image.bytes());
-    io::write_samples(path, std::move(image),
-                      {.depth = io::Depth::uint8, .text = {{"Source", source}}});
+    io::write_samples(
+        path, std::move(image),
+        {.depth = io::Depth::uint8, .text = {{"Source", source}, {"Software", "lutconv"}}});
 }
 
 } // namespace converter

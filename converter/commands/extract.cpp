@@ -3,6 +3,7 @@
 #include "converter/look_files.h"
 #include "converter/options.h"
 #include "converter/paint_picture.h"
+#include "converter/replaceable.h"
 #include "converter/report.h"
 #include "converter/result.h"
 #include "converter/usage.h"
@@ -381,8 +382,7 @@ Run declare_extract(Verb& verb) {
         .takes(Takes::cube_size);
     verb.add_option("--around", o->around, "X,Y: a pixel of the strip, where there are several");
     verb.add_flag("--damaged", o->damaged, "write the look of a strip that is not whole, too");
-    verb.add_flag("--force", o->force,
-                  "overwrite a picture that lutconv did not make, or one that this run reads");
+    declare_force(verb, o->force);
     verb.add_flag("--json", o->json, "print the results as JSON");
     verb.footer("Exit code 1, and nothing written, where the strip was blurred, cropped, scaled or "
                 "edited in places.");

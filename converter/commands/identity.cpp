@@ -3,6 +3,7 @@
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/paint_picture.h"
+#include "converter/replaceable.h"
 #include "converter/report.h"
 #include "converter/usage.h"
 #include "lutlib/bake/bake.h"
@@ -235,8 +236,7 @@ Run declare_identity(Verb& verb) {
             fmt::format(" {} ({}){}", place.name, place.help, &place == &places.back() ? "" : ",");
     }
     verb.add_option("--place", o->place, help).capture_default_str();
-    verb.add_flag("--force", o->force,
-                  "overwrite the screenshot itself, or a picture that lutconv did not make");
+    declare_force(verb, o->force);
     return [o] {
         if (!o->into.empty()) {
             return run_into(*o);

@@ -6,8 +6,8 @@
 #include "converter/match_pairs.h"
 #include "converter/match_run.h"
 #include "converter/match_text.h"
-#include "converter/paint_picture.h"
 #include "converter/recipe_options.h"
+#include "converter/replaceable.h"
 #include "converter/report.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
@@ -137,8 +137,7 @@ Run declare_match(Verb& verb) {
                     "what the look shall take (default: BEFORE's codes; srgb where that holds "
                     "light)");
     verb.add_option("--look-output", o->look_output, "what it shall give, in the same way");
-    verb.add_flag("--force", o->force,
-                  "overwrite a picture that lutconv did not make, or one that this run reads");
+    declare_force(verb, o->force);
     verb.add_flag("--json", o->json, "print the results as JSON");
     return [o] { return run_match(*o); };
 }

@@ -2,6 +2,7 @@
 #include "converter/command.h"
 #include "converter/inline_shader.h"
 #include "converter/options.h"
+#include "converter/replaceable.h"
 #include "converter/report.h"
 #include "converter/unused.h"
 #include "converter/usage.h"
@@ -22,6 +23,7 @@ struct ShaderOptions {
     std::string language, interpolation, output, inlined;
     int size = 0;
     double max_delta_e = 1;
+    bool force = false;
 };
 
 int run_shader(const ShaderOptions& o, const Verb& verb) {
@@ -31,6 +33,7 @@ int run_shader(const ShaderOptions& o, const Verb& verb) {
                        {"--interpolation", reads_picture, why_not},
                        {"--size", reads_picture, why_not},
                        {"--max-delta-e", !reads_picture, "only --inline has an error to keep to"}});
+    require_replaceable(o.output, {o.inlined}, o.force);
     if (!reads_picture) {
         return write_inline_shader({o.inlined, o.language, o.output, o.max_delta_e});
     }
@@ -87,6 +90,7 @@ Run declare_shader(Verb& verb) {
         .capture_default_str();
     verb.add_option("-o,--output", o->output, "the file to write, or - for standard output")
         .required();
+    declare_force(verb, o->force);
     verb.footer(language_list());
     return [o, &verb] { return run_shader(*o, verb); };
 }

@@ -7,6 +7,7 @@
 #include "converter/placing.h"
 #include "converter/raster_file.h"
 #include "converter/recipe_options.h"
+#include "converter/replaceable.h"
 #include "converter/report.h"
 #include "converter/sheet_look.h"
 #include "converter/sheet_tile.h"
@@ -46,7 +47,7 @@ struct SheetOptions {
     EngineOption engine;
     PlacingOptions placing;
     int columns = 0, width = 480;
-    bool json = false;
+    bool force = false, json = false;
 };
 
 struct Sheet {
@@ -235,6 +236,7 @@ int run_sheet(const SheetOptions& o, const Verb& verb) {
     inputs.push_back(o.picture);
     require_one_standard_input(inputs);
     require_output(o);
+    require_replaceable(o.output, inputs, o.force);
     std::vector<SheetSource> sources;
     for (const LookRoute& route : routes_of_looks(o.looks, "")) {
         sources.push_back({route.route.from.path, route.route.from.in_folder});
@@ -277,6 +279,7 @@ Run declare_sheet(Verb& verb) {
                     encoding_help("what the picture's codes are") +
                         " (default: what the file says, else srgb)");
     o->placing.declare(verb);
+    declare_force(verb, o->force);
     verb.add_flag("--json", o->json, "print the results as JSON");
     verb.footer("The picture without a look comes first; under each look stand its dE2000 from "
                 "that, the mean and what 99 % of the pixels do not exceed. With --engine each look "

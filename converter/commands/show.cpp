@@ -5,6 +5,7 @@
 #include "converter/options.h"
 #include "converter/placing.h"
 #include "converter/raster_file.h"
+#include "converter/replaceable.h"
 #include "converter/report.h"
 #include "converter/sheet.h"
 #include "converter/show_page.h"
@@ -38,7 +39,7 @@ struct ShowOptions {
     LookEncodingOptions encodings;
     InterpolationOption interpolation;
     int size = 1920;
-    bool json = false;
+    bool force = false, json = false;
 };
 
 struct OpenedLooks {
@@ -215,6 +216,7 @@ int run_show(const ShowOptions& o, const Verb& verb) {
     if (!o.output.empty() && kind.write == write_as_picture) {
         require_raster_name(o.output, "what is neither .svg nor .html");
     }
+    require_replaceable(o.output, o.looks, o.force);
     const OpenedLooks opened = open_looks(o);
     tell_unused(verb, {interpolation_part(opened.has_lattice),
                        {"--size", !o.output.empty() && kind.write != write_as_page,
@@ -252,6 +254,7 @@ Run declare_show(Verb& verb) {
         .capture_default_str();
     o->encodings.declare(verb);
     o->interpolation.declare(verb, "how LUTs are read between their nodes");
+    declare_force(verb, o->force);
     verb.add_flag("--json", o->json, "print the numbers behind the panels as JSON");
     verb.footer(panel_list());
     return [o, &verb] { return run_show(*o, verb); };

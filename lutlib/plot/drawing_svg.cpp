@@ -74,6 +74,7 @@ std::string svg(const Drawing& drawing, int width) {
         fmt::format("<svg{} viewBox=\"0 0 {:g} {:g}\" role=\"img\" aria-label=\"{}\">\n", alone,
                     drawing.width, drawing.height, escaped(drawing.label));
     if (width > 0) {
+        out += "<metadata>lutconv</metadata>\n";
         out += fmt::format("<rect width=\"{:g}\" height=\"{:g}\" fill=\"{}\"/>\n", drawing.width,
                            drawing.height, css_color(drawing_ground));
     }

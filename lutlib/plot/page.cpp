@@ -155,7 +155,8 @@ std::string table_html(const std::vector<std::string>& columns,
 
 std::string html(const Page& page) {
     std::string out = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                      "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
+                      "<meta name=\"viewport\" content=\"width=device-width\">\n"
+                      "<meta name=\"generator\" content=\"lutconv\">\n<title>" +
                       escaped(page.title) + "</title>\n<style>" + page_style() +
                       "</style>\n</head>\n<body>\n";
     out += "<h1>" + escaped(page.title) + "</h1>\n<p class=\"summary\">" + escaped(page.summary) +

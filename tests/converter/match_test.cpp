@@ -291,6 +291,34 @@ TEST_F(MatchVerb, learns_from_charts_that_lie_where_they_want_and_from_the_publi
             "take a picture each", 3);
 }
 
+// Parts of what `lutpreview chart --headless --size 640x360` renders, from the front and with
+// --azimuth 12, from pixel 4, 52 on.
+TEST_F(MatchVerb, finds_the_chart_of_the_scene_that_lutpreview_renders_also_from_the_side) {
+    struct Rendered {
+        const char *file, *area;
+    };
+    const auto published = lutlib::published_chart();
+    for (const auto& [file, area] :
+         {Rendered{"chart.png", "10,8,228,151"}, Rendered{"chart_turned.png", "43,14,198,144"}}) {
+        folder_.write("chart.png", contents(std::string(TEST_PICTURES "/") + file));
+        grade("chart.png", "chart_graded.png");
+        const json neutral = matched({"match", in("chart.png"), "--chart-before", area, "-o",
+                                      in("none.cube"), "--size", "9"});
+        const json graded =
+            matched({"match", in("chart.png"), in("chart_graded.png"), "--chart-before", area,
+                     "--chart-after", area, "-o", in("grade_found.cube"), "--size", "9"});
+        ASSERT_EQ(neutral["patches"].size(), published.size());
+        for (std::size_t i = 0; i < published.size(); ++i) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                EXPECT_NEAR(neutral["patches"][i]["before"][c], published[i][c], 1.01 / 255)
+                    << file << ' ' << neutral["patches"][i]["name"];
+            }
+        }
+        EXPECT_LT(neutral["all_pixels"]["delta_e_2000"]["max"], 0.5) << file;
+        EXPECT_LT(graded["all_pixels"]["delta_e_2000"]["mean"], 1) << file;
+    }
+}
+
 TEST_F(MatchVerb, refuses_pictures_that_do_not_lie_on_each_other) {
     io::PngImage other = shot(0);
     for (std::size_t i = 0; i < other.samples.size(); ++i) {

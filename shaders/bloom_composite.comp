@@ -8,6 +8,7 @@ layout(binding = 16) writeonly uniform image2D composite;
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     if (all(lessThan(at, imageSize(composite)))) {
-        imageStore(composite, at, vec4(bloomed(at, picture_at(at)), 1.0));
+        vec3 light = bloomed(at, picture_at(at));
+        imageStore(composite, at, vec4(round_to_half(min(light, half_max)), 1.0));
     }
 }

@@ -2,7 +2,9 @@
 // green, the more the farther from its axis. reference/lens.cpp is its twin.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "common/sanitise.glsl"
 #include "common/tile.glsl"
+layout(constant_id = 0) const bool is_half = true; // the target
 layout(binding = 0) uniform sampler2D source;
 layout(binding = 1) writeonly uniform image2D target;
 layout(push_constant) uniform Push {
@@ -27,7 +29,7 @@ void main() {
             vec3 color = vec3(textureLod(source, red / vec2(size), 0.0).r,
                               texelFetch(source, at, 0).g,
                               textureLod(source, blue / vec2(size), 0.0).b);
-            imageStore(target, at, vec4(color, 1.0));
+            imageStore(target, at, vec4(is_half ? round_to_half(color) : color, 1.0));
         }
     }
 }

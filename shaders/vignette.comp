@@ -4,7 +4,9 @@
 // reference/vignette.cpp is its twin.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "common/sanitise.glsl"
 #include "common/tile.glsl"
+layout(constant_id = 0) const bool is_half = true; // the target
 layout(binding = 0) uniform sampler2D source;
 layout(binding = 1) writeonly uniform image2D target;
 layout(push_constant) uniform Push {
@@ -26,7 +28,8 @@ void main() {
     for (int i = 0; i < texels_each; ++i) {
         ivec2 at = tile_texel(i);
         if (all(lessThan(at, size))) {
-            imageStore(target, at, vec4(texelFetch(source, at, 0).rgb * falloff(at, size), 1.0));
+            vec3 light = texelFetch(source, at, 0).rgb * falloff(at, size);
+            imageStore(target, at, vec4(is_half ? round_to_half(light) : light, 1.0));
         }
     }
 }

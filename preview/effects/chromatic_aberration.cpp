@@ -28,6 +28,7 @@ ImageHandle add_chromatic_aberration(Graph& graph, const EffectInput& in,
     const float width = static_cast<float>(in.width), height = static_cast<float>(desc.height);
     const float half_diagonal = 0.5F * std::sqrt(width * width + height * height);
     Pass pass = graph.compute("chromatic-aberration", "chromatic_aberration.comp");
+    pass.constants({desc.format == Format::rgba16f});
     pass.sample(in.picture, Sampler::linear_clamp);
     const ImageHandle out = pass.write(graph.image("with fringes", desc));
     const float corner = number_at(values, 1) / 1000 * height;

@@ -27,6 +27,7 @@ ImageHandle add_vignette(Graph& graph, const EffectInput& in, const lutlib::Valu
     const ImageDesc desc = graph.image_desc(in.picture);
     const double half_angle = std::get<double>(values[1]) / 2 * std::numbers::pi / 180;
     Pass pass = graph.compute("vignette", "vignette.comp");
+    pass.constants({desc.format == Format::rgba16f});
     pass.read(in.picture);
     const ImageHandle out = pass.write(graph.image("vignetted", desc));
     pass.push(VignettePush{static_cast<float>(std::get<double>(values[0])),

@@ -69,7 +69,8 @@ AreaSample sample_rod(vec3 centre, vec3 extent, vec3 normal, vec3 mirrored) {
 
 AreaSample sample_ring(vec3 centre, vec3 extent, vec3 normal, vec3 mirrored) {
     float radius = max(length(extent), 1e-4);
-    vec3 axis = extent / radius;
+    // A ring without a radius lies flat.
+    vec3 axis = dot(extent, extent) > 0.0 ? normalize(extent) : vec3(0.0, 1.0, 0.0);
     vec3 x = normalize(cross(axis, abs(axis.x) < 0.9 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
     vec3 y = cross(axis, x);
     const float eighth = 6.28318530718 / 8.0;

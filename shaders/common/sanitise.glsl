@@ -21,9 +21,12 @@ vec3 saturate(vec3 v) {
     return vec3(saturate(v.r), saturate(v.g), saturate(v.b));
 }
 
-/// The nearest value that a normal half float holds, ties to even. Drivers may truncate when they
-/// store to a half-float image, which darkens with every pass; what is rounded here stores exactly.
+/// The nearest value that a half float holds, ties to even. Drivers may truncate when they store to a
+/// half-float image, which darkens with every pass; what is rounded here stores exactly.
 float round_to_half(float v) {
+    if (abs(v) < 0.00006103515625) { // denormals, whole multiples of 2^-24
+        return roundEven(v * 16777216.0) / 16777216.0;
+    }
     uint bits = floatBitsToUint(v);
     bits += 0xFFFu + (bits >> 13 & 1u);
     return uintBitsToFloat(bits & ~0x1FFFu);

@@ -37,6 +37,10 @@ void main() {
         imageStore(normals, at, uvec4(0u));
         imageStore(material_numbers, at, uvec4(0u));
         imageStore(depths, at, vec4(1.0));
+#ifdef HAS_DETAIL
+        imageStore(albedos, at, vec4(0.0));
+        imageStore(emissions, at, vec4(0.0));
+#endif
         return;
     }
     uint number = ~key.x;

@@ -1,5 +1,6 @@
 // The HDR resolve on a device.
 #include "preview/passes/resolve.h"
+#include "preview/reference/resolve.h"
 #include "tests/preview/passes/lit_fixture.h"
 
 namespace preview {
@@ -63,6 +64,53 @@ TEST_F(ResolveTest, another_size_keeps_the_mean_and_ignores_what_is_not_finite) 
     texels[0] = std::numeric_limits<float>::quiet_NaN();
     for (const float value : resolve(desc, texels, {4, 3}, 1).texels) {
         EXPECT_TRUE(std::isfinite(value));
+    }
+}
+
+TEST_F(ResolveTest, the_darkest_light_is_rounded_and_not_cut_off) {
+    // Between denormals of half floats, 2^-24 apart: cut off, a quarter of this light would go.
+    std::vector<float> texels;
+    double mean = 0;
+    for (int i = 0; i < 64 * 64; ++i) {
+        const float value = static_cast<float>(i % 1021) / 256 * 0x1p-24F;
+        mean += static_cast<double>(value) / (64 * 64);
+        texels.insert(texels.end(), {value, value, value, 1});
+    }
+    const Result got = resolve({Format::rgba32f, 64, 64}, texels, {64, 64}, 1);
+    double found = 0;
+    for (std::size_t at = 0; at < got.texels.size(); at += 4) {
+        found += static_cast<double>(got.texels[at]) / (64 * 64);
+    }
+    EXPECT_NEAR(found / mean, 1, 0.01);
+}
+
+TEST_F(ResolveTest, equals_its_twin_in_double_at_any_size) {
+    reference::Image light(13, 7);
+    std::vector<float> texels;
+    for (int y = 0; y < light.height; ++y) {
+        for (int x = 0; x < light.width; ++x) {
+            const float value = x == 5 && y == 3 ? 60000.0F : static_cast<float>(x * y % 11) / 8;
+            light.at(x, y) = {static_cast<double>(value), static_cast<double>(x) / 16, -1};
+            texels.insert(texels.end(), {value, static_cast<float>(x) / 16, -1, 1});
+        }
+    }
+    const double exposure = 1.5;
+    for (const Size target : {Size{13, 7}, Size{4, 3}, Size{40, 9}, Size{1, 1}, Size{5, 31}}) {
+        const Size inner = fitted({13, 7}, target);
+        const auto at = [](std::uint32_t side) { return static_cast<int>(side); };
+        const reference::Image wanted = reference::resolved(
+            light, exposure, at(target.width), at(target.height),
+            {at(target.width - inner.width) / 2, at(target.height - inner.height) / 2,
+             at(inner.width), at(inner.height)});
+        const Result got = resolve({Format::rgba32f, 13, 7}, texels, target, 1.5F);
+        for (std::size_t i = 0; i < wanted.pixels.size(); ++i) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                // A rounding to half floats.
+                EXPECT_NEAR(static_cast<double>(got.texels[4 * i + c]), wanted.pixels[i][c],
+                            wanted.pixels[i][c] * 0x1p-10 + 0x1p-24)
+                    << target.width << "x" << target.height << ": " << i;
+            }
+        }
     }
 }
 

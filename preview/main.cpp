@@ -17,24 +17,26 @@
 namespace preview {
 namespace {
 
-enum ExitCode { ok = 0, bad_input = 2, bad_usage = 3 };
+enum ExitCode { ok = 0, failed = 1, bad_input = 2, bad_usage = 3 };
 
 constexpr const char* examples = R"(Examples:
 lutpreview --b look.json
 lutpreview --b strip.png --engine piccolo --headless --size 1280x720 -o split.png
 lutpreview photo.exr --a look.cube --b strip.png --engine unreal --compare diff --headless -o x.png
 lutpreview night --effect glitch --frames 0-47 --headless -o frame.####.png
+lutpreview check model.glb --json
 )";
 
 /// Throws lutlib::Error.
-void parse_and_run(CLI::App& app, const Options& options, int argc, const char* const* argv) {
+ExitCode parse_and_run(CLI::App& app, const Options& options, int argc, const char* const* argv) {
     if (terminal::asks_for_papers(argc, argv)) {
         terminal::write_papers(papers(app), argv[2]);
     } else if (const auto asked = terminal::parse(app, argc, argv)) {
         lutlib::io::print_out(*asked);
     } else {
-        run(options);
+        return run(options) ? ok : failed;
     }
+    return ok;
 }
 
 } // namespace
@@ -46,8 +48,8 @@ int main(int argc, char** argv) {
     CLI::App app(
         "Renders a scene or a picture, finishes it in an engine's order (bloom, tone map, "
         "LUT, antialiasing) and shows two looks side by side.\n"
-        "Exit codes: 0 ok, 2 bad input or a machine that cannot (no display, no Vulkan), 3 "
-        "bad usage.",
+        "Exit codes: 0 ok, 1 what was checked does not hold, 2 bad input or a machine that cannot "
+        "(no display, no Vulkan), 3 bad usage.",
         "lutpreview");
     app.footer(preview::examples);
     app.set_version_flag(
@@ -59,8 +61,7 @@ int main(int argc, char** argv) {
     // Beside a picture on standard output there is no room for it.
     const bool in_json = is_word_of("--json", argc, argv) && !is_word_of("-", argc, argv);
     try {
-        preview::parse_and_run(app, options, argc, argv);
-        return preview::ok;
+        return preview::parse_and_run(app, options, argc, argv);
     } catch (const lutlib::UsageError& error) {
         return complain("lutpreview", error, preview::bad_usage, in_json);
     } catch (const lutlib::Error& error) {

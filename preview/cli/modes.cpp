@@ -6,6 +6,7 @@
 #include "lutlib/io/output_names.h"
 #include "lutlib/io/references.h"
 #include "lutlib/io/terminal.h"
+#include "preview/cli/check_mode.h"
 #include "preview/cli/look_options.h"
 #include "preview/cli/option_listing.h"
 #include "preview/cli/picture_file.h"
@@ -369,7 +370,7 @@ void render(const Options& options) {
     print_validation(rendering.device);
 }
 
-void run(const Options& options) {
+bool run(const Options& options) {
     lutlib::io::box::set_used(!options.no_sandbox);
     lutlib::io::box::set_memory(static_cast<std::size_t>(options.max_memory * (1 << 30)));
     lutlib::io::allow_references_outside(options.allow_outside);
@@ -378,6 +379,9 @@ void run(const Options& options) {
     }
     for (const std::string& line : options.unused) {
         tell(line);
+    }
+    if (options.study != nullptr) {
+        return check_renderer(options);
     }
     if (options.list) {
         print_list();
@@ -388,6 +392,7 @@ void run(const Options& options) {
     } else {
         render(options);
     }
+    return true;
 }
 
 } // namespace preview

@@ -6,8 +6,8 @@
 namespace preview {
 
 /// Does what the options ask for: the one of the modes below. Throws lutlib::Error, and UsageError
-/// for options that do not go together.
-void run(const Options& options);
+/// for options that do not go together. Whether all that was checked holds, where something was.
+bool run(const Options& options);
 
 /// Prints the tables and the devices.
 void print_list();

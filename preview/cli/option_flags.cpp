@@ -1,5 +1,6 @@
 #include "preview/cli/options.h"
 
+#include "lutlib/error.h"
 #include "lutlib/named.h"
 #include "preview/cli/option_rows.h"
 #include "preview/cli/options_unused.h"
@@ -140,6 +141,17 @@ void declare_effects(CLI::App& app, Options& options) {
         ->allow_extra_args(false)
         ->type_name("LIGHT.CONTROL=VALUE");
 }
+/// The first word may name a study; its subject follows.
+void take_study(Options& options) {
+    options.study = lutlib::find_named(studies(), options.input);
+    if (options.study != nullptr) {
+        options.input = options.subject.empty() ? Options().input : options.subject;
+    } else if (!options.subject.empty()) {
+        throw lutlib::UsageError(fmt::format("'{}' is one word too many: looks are named by --a "
+                                             "and --b",
+                                             options.subject));
+    }
+}
 } // namespace
 
 void declare(CLI::App& app, Options& options) {
@@ -174,6 +186,7 @@ void declare(CLI::App& app, Options& options) {
     under("Cube view");
     declare_cube(app, options);
     app.parse_complete_callback([&] {
+        take_study(options);
         for (const CLI::Option* const option : app.get_options()) {
             for (const std::string& name : option->get_lnames()) {
                 if (option->count() > 0) {

@@ -54,6 +54,9 @@ terminal::Papers papers(const CLI::App& app) {
                                     {"--without", parts()},
                                     {"--depth", words(lutlib::io::depths())}},
                          .words = words(scenes())};
+    for (const Study& study : studies()) {
+        out.words.emplace_back(study.name);
+    }
     add(out, picture_choices());
     add(out, option_choices());
     for (const char* const option : {"--engine", "--engine-a", "--engine-b"}) {

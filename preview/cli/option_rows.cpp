@@ -15,8 +15,13 @@ constexpr OptionRow rows[] = {
     {.flag = "input",
      .help =
          "A built-in scene (--list), a model (glTF 2.0, OBJ), or a picture file, shown in place of "
-         "a scene",
+         "a scene; or check, which prints how the renderer bears extreme inputs of the scene, "
+         "model "
+         "or picture after it",
      .of = [](O& o) -> std::string& { return o.input; }},
+    {.flag = "subject",
+     .help = "What check looks at, by default the sample",
+     .of = [](O& o) -> std::string& { return o.subject; }},
     {.flag = "--a",
      .help = "Look of side A: none, or any LUT file or picture",
      .of = [](O& o) -> std::string& { return o.look_a; },

@@ -18,6 +18,10 @@ namespace {
 
 constexpr std::uint32_t largest_side = 16384;
 
+constexpr Study study_rows[] = {
+    {"check", "runs every pass with extreme inputs and says where numbers go bad"},
+};
+
 /// Switches off a part of the frame or takes out an effect.
 void leave_out(FrameSettings& settings, const std::string& name) {
     if (const EffectInfo* const part = lutlib::find_named(effects, name)) {
@@ -94,6 +98,10 @@ bool reads_pair(const std::string& text, char between, T& first, T& second) {
     return two.ec == std::errc{} && two.ptr == end;
 }
 } // namespace
+std::span<const Study> studies() {
+    return study_rows;
+}
+
 double reach_of(const NumberRow<Orbit>& row) {
     return row.max - row.min;
 }
@@ -124,8 +132,9 @@ bool is_given(const Options& options, const std::string& flag) {
 }
 
 bool opens_window(const Options& options) {
-    return !options.headless && !options.explain && !options.timings && !options.list &&
-           options.probe.empty() && options.output.empty() && options.cube_view.empty();
+    return options.study == nullptr && !options.headless && !options.explain && !options.timings &&
+           !options.list && options.probe.empty() && options.output.empty() &&
+           options.cube_view.empty();
 }
 
 const Compare* compare_of(const Options& options) {

@@ -8,6 +8,7 @@
 #include "preview/scene/surroundings.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,8 +19,12 @@ class App;
 
 namespace preview {
 
+struct Study;
+
 struct Options {
     std::string input = "sample"; ///< a built-in scene, a model or a picture file
+    const Study* study = nullptr; ///< what is asked about it in place of its picture
+    std::string subject;          ///< the word after the study's; input holds it once parsed
     std::string look_a = "none", look_b;
     std::string engine_a, engine_b;          ///< lookups that read them
     std::string look_input_a, look_output_a; ///< of the looks' codes; empty: as each says
@@ -74,6 +79,13 @@ void declare(CLI::App& app, Options& options);
 
 /// Whether the option was given, by its name as "--split".
 bool is_given(const Options& options, const std::string& flag);
+
+/// What lutpreview can be asked about its input, by the first word of the command line.
+struct Study {
+    std::string_view name;
+    std::string_view help;
+};
+std::span<const Study> studies();
 
 /// Whether they ask for the window, as those do that ask for nothing else.
 bool opens_window(const Options& options);

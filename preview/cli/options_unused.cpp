@@ -106,7 +106,38 @@ Rule cube_rule(const Options& options) {
     return out;
 }
 
+/// The options that a study, which makes no picture for anybody, does not take.
+Rule study_rule(const Options& options) {
+    return {{"--output",
+             "--depth",
+             "--cube-view",
+             "--cube-nodes",
+             "--probe",
+             "--scope",
+             "--scope-size",
+             "--scope-side",
+             "--scope-scale",
+             "--explain",
+             "--force-all",
+             "--timings",
+             "--frames",
+             "--frame-rate",
+             "--resume",
+             "--font",
+             "--watch-engine-folder",
+             "--places",
+             "--exr",
+             "--dither",
+             "--debug-view",
+             "--heat-scale"},
+            false,
+            fmt::format("{} writes no picture", options.study->name)};
+}
+
 std::vector<Rule> rules_of(const Options& o) {
+    if (o.study != nullptr) {
+        return {study_rule(o)};
+    }
     if (!o.cube_view.empty()) {
         return {cube_rule(o)};
     }

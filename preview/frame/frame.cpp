@@ -343,6 +343,7 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
     Finishing finishing = finishing_of(graph, inputs, settings);
     finishing.picture = handles.hdr;
     finishing.bloom = bloom_of(graph, handles.hdr, inputs, settings, drawn.uses);
+    handles.bloom_layers = finishing.bloom;
     handles.bloom = finishing.bloom.images[0];
     finish(graph, settings, drawn, finishing, handles);
 

@@ -7,6 +7,7 @@
 #include "preview/finish/probe.h"
 #include "preview/finish/scopes.h"
 #include "preview/frame/rasters.h"
+#include "preview/passes/bloom.h"
 #include "preview/passes/gbuffer.h"
 #include "preview/passes/visibility.h"
 #include "preview/scene/scene.h"
@@ -101,6 +102,7 @@ struct FrameHandles {
     GBuffer surfaces;
     BufferHandle materials; ///< the scene's buffer
     ImageHandle shadow_maps, occlusion, lit, hdr, bloom, graded, geometry;
+    BloomLayers bloom_layers;          ///< `bloom` is the first of their images
     BufferHandle hdr_maximum, figures; ///< a picture that no resolve changes has no maximum
     std::array<ImageHandle, scopes.size()> scope_pictures; ///< of those looked at, presented
     BufferHandle probe, axis_counts;

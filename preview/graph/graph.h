@@ -49,6 +49,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -306,6 +307,8 @@ class Graph {
 
   private:
     friend class Pass;
+    friend Graph interposed(const Graph& graph, ImageHandle image,
+                            const std::function<ImageHandle(Graph&, ImageHandle)>& declare);
     ImageHandle import_image(std::string_view name, const gpu::Image& image, std::uint64_t serial,
                              const ImageDesc& desc);
     BufferHandle import_buffer(std::string_view name, const gpu::Buffer& buffer,

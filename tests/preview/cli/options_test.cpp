@@ -379,5 +379,23 @@ TEST(ReportTest, is_one_document_whatever_it_holds) {
     EXPECT_EQ(to_json(alone), probe_json(Probe{}, {}));
 }
 
+TEST(Options, a_study_is_the_first_word_and_its_subject_the_second) {
+    const Options check = parsed("check night --json");
+    ASSERT_NE(check.study, nullptr);
+    EXPECT_EQ(check.study->name, "check");
+    EXPECT_EQ(check.input, "night");
+    EXPECT_FALSE(opens_window(check));
+    EXPECT_EQ(parsed("check").input, Options().input);
+    EXPECT_EQ(parsed("night").study, nullptr);
+    EXPECT_TRUE(opens_window(parsed("night")));
+    try {
+        parsed("night look.cube");
+        FAIL();
+    } catch (const lutlib::UsageError& error) {
+        EXPECT_NE(error.message().find("'look.cube' is one word too many"), std::string::npos)
+            << error.message();
+    }
+}
+
 } // namespace
 } // namespace preview

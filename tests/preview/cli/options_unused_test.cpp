@@ -35,6 +35,13 @@ TEST(Options, that_change_nothing_in_a_run_are_said) {
     EXPECT_TRUE(said("--engine-a unity --cube-nodes 5 --font x.ttf").empty()); // in the window
 }
 
+TEST(Options, that_a_study_does_not_take_are_said) {
+    EXPECT_EQ(parsed("check night -o x.png").unused.size(), 1U);
+    EXPECT_EQ(parsed("check --timings --frames 3").unused.size(), 2U);
+    EXPECT_TRUE(parsed("check night --b look.cube --size 64x36 --json --effect vignette --quiet")
+                    .unused.empty());
+}
+
 TEST(Options, that_another_option_takes_the_part_of_are_said) {
     for (const char* const arguments :
          {"--headless -o x.png --split 0.3", "--headless -o x.png --compare diff --split 0.3",

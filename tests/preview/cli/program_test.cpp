@@ -74,6 +74,20 @@ int status_of(const std::string& arguments) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+TEST(Check, prints_what_it_finds_and_says_by_its_exit_code_whether_all_holds) {
+    const std::string small = "check chart --size 16x9 --without shadows ";
+    const auto report = nlohmann::json::parse(lutpreview(small + "--json 2>/dev/null"));
+    EXPECT_TRUE(report["passed"].get<bool>());
+    EXPECT_GT(report["extremes"].size(), 80U);
+    EXPECT_GT(report["planted"].size(), 5U);
+    for (const auto& row : report["extremes"]) {
+        EXPECT_EQ(row["behind_resolve"], 0) << row["name"];
+    }
+    // A microsecond later the glitch is another.
+    const std::string stiff = small + "--effect glitch:strength=1,rate=10 --time 0.0999995 ";
+    EXPECT_EQ(status_of(stiff + "--quiet >/dev/null"), 1);
+}
+
 class Outputs : public testing::Test {
   protected:
     void SetUp() override {

@@ -5,6 +5,7 @@
 #include "preview/look/gpu_look.h"
 #include "preview/look/look_bake.h"
 #include "preview/passes/copy.h"
+#include "preview/passes/plant.h"
 #include "preview/scene/gpu_scene.h"
 #include "tests/preview/frame/shader_interface.h"
 #include "tests/preview/graph/gpu_test.h"
@@ -257,6 +258,8 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
         Graph copied;
         copied.present(add_copy(
             copied, copied.import("picture", picture.image, picture.image.desc()), Format::rgba8));
+        copied.present(add_plant(
+            copied, copied.import("planted", picture.image, picture.image.desc()), Planted{}));
         check(copied);
     }
 

@@ -1,0 +1,428 @@
+// The rows of extreme input. Those of settings come from the settings' own tables: each at both
+// ends of its range.
+#include "preview/check/situation.h"
+#include "preview/effects/effect.h"
+#include "preview/frame/rasters.h"
+#include "preview/scene/camera_settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace preview {
+
+namespace {
+
+constexpr float largest_half = 65504, smallest_half = 0x1p-24F;
+
+using Rows = std::vector<Extreme>;
+
+// ---- pictures
+
+/// Every texel of a lattice that meets borders, corners and the middle.
+void plant(ShownPicture& picture, float value) {
+    const std::uint32_t steps_x = std::min(picture.size.width, 5U),
+                        steps_y = std::min(picture.size.height, 5U);
+    for (std::uint32_t j = 0; j < steps_y; ++j) {
+        for (std::uint32_t i = 0; i < steps_x; ++i) {
+            const std::size_t x = i * (picture.size.width - 1) / std::max(steps_x - 1, 1U),
+                              y = j * (picture.size.height - 1) / std::max(steps_y - 1, 1U);
+            std::fill_n(picture.rgba.begin() +
+                            static_cast<std::ptrdiff_t>(4 * (y * picture.size.width + x)),
+                        3, value);
+        }
+    }
+}
+
+struct PictureRow {
+    std::string_view name, help;
+    float value;
+    bool fills; ///< all of the picture, not 25 texels
+};
+constexpr PictureRow picture_rows[] = {
+    {"picture of NaN", "25 texels", std::numeric_limits<float>::quiet_NaN(), false},
+    {"picture of +infinity", "25 texels", std::numeric_limits<float>::infinity(), false},
+    {"picture of -infinity", "25 texels", -std::numeric_limits<float>::infinity(), false},
+    {"picture of 65504", "sources of one texel", largest_half, false},
+    {"picture of 1e38", "near the largest float", 1e38F, false},
+    {"picture of denormals", "of half floats", smallest_half, true},
+    {"picture of 1e-42", "denormals of floats", 1e-42F, true},
+    {"picture of negative light", "-1 everywhere", -1, true},
+    {"picture of 65504 everywhere", "as bright as halves go", largest_half, true},
+    {"picture of black", "0 everywhere", 0, true},
+};
+
+void add_pictures(Rows& rows) {
+    for (const PictureRow& row : picture_rows) {
+        rows.push_back({.name = std::string(row.name),
+                        .help = std::string(row.help),
+                        .change_picture =
+                            [row](ShownPicture& picture) {
+                                if (!row.fills) {
+                                    plant(picture, row.value);
+                                    return;
+                                }
+                                for (std::size_t at = 0; at < picture.rgba.size(); ++at) {
+                                    picture.rgba[at] = at % 4 == 3 ? 1 : row.value;
+                                }
+                            },
+                        .is_not_finite = true});
+    }
+}
+
+// ---- geometry, materials and lights
+
+template <class Change>
+void for_each_vertex(Scene& scene, Change change) {
+    for (Mesh& mesh : scene.meshes) {
+        for (Vertex& vertex : mesh.vertices) {
+            change(vertex);
+        }
+    }
+}
+
+template <class Change>
+void for_each_material(Scene& scene, Change change) {
+    for (Material& material : scene.materials) {
+        change(material);
+    }
+}
+
+/// Triangles whose corners are one point, or stand in a line.
+void add_empty_triangles(Scene& scene) {
+    for (Mesh& mesh : scene.meshes) {
+        const std::size_t count = mesh.indices.size();
+        for (std::size_t at = 0; at + 2 < count; at += 3) {
+            const std::uint32_t a = mesh.indices[at], b = mesh.indices[at + 1];
+            mesh.indices.insert(mesh.indices.end(), {a, a, a, a, b, a});
+        }
+    }
+}
+
+/// Every object twice at one place, so that each pixel has two surfaces of one depth.
+void double_objects(Scene& scene) {
+    scene.objects.insert(scene.objects.end(), scene.objects.begin(), scene.objects.end());
+}
+
+void flatten(Scene& scene) {
+    for (Object& object : scene.objects) {
+        object.transform[1] = glm::vec4(0);
+    }
+}
+
+struct SceneRow {
+    std::string_view name, help;
+    void (*change)(Scene& scene);
+};
+constexpr SceneRow scene_rows[] = {
+    {"roughness 0", "of every material",
+     [](Scene& s) { for_each_material(s, [](Material& m) { m.roughness = 0; }); }},
+    {"mirrors", "roughness 0, metal, white",
+     [](Scene& s) {
+         for_each_material(s, [](Material& m) {
+             m.roughness = 0;
+             m.metalness = 1;
+             m.albedo = glm::vec3(1);
+         });
+     }},
+    {"black surfaces", "albedo 0, roughness 1",
+     [](Scene& s) {
+         for_each_material(s, [](Material& m) {
+             m.roughness = 1;
+             m.albedo = m.emission = glm::vec3(0);
+         });
+     }},
+    {"emission of 65504", "of every material",
+     [](Scene& s) {
+         for_each_material(s, [](Material& m) { m.emission = glm::vec3(largest_half); });
+     }},
+    {"emission of 1e30", "more than half floats hold",
+     [](Scene& s) { for_each_material(s, [](Material& m) { m.emission = glm::vec3(1e30F); }); }},
+    {"zero normals", "of every vertex",
+     [](Scene& s) { for_each_vertex(s, [](Vertex& v) { v.normal = glm::vec3(0); }); }},
+    {"NaN normals", "of every vertex",
+     [](Scene& s) {
+         for_each_vertex(
+             s, [](Vertex& v) { v.normal = glm::vec3(std::numeric_limits<float>::quiet_NaN()); });
+     }},
+    {"normals turned inwards", "of every vertex",
+     [](Scene& s) { for_each_vertex(s, [](Vertex& v) { v.normal = -v.normal; }); }},
+    {"zero tangents", "of every vertex that has one",
+     [](Scene& s) {
+         for (Mesh& mesh : s.meshes) {
+             for (VertexDetail& detail : mesh.details) {
+                 detail.tangent = glm::vec4(0);
+             }
+         }
+     }},
+    {"triangles without area", "two more for each triangle", add_empty_triangles},
+    {"coincident surfaces", "every object twice at one place", double_objects},
+    {"flat objects", "scaled by 0 along their height", flatten},
+    {"no object", "nothing but the surroundings", [](Scene& s) { s.objects.clear(); }},
+    {"objects of a micrometre", "scaled by 1e-6",
+     [](Scene& s) {
+         for (Object& object : s.objects) {
+             for (int column = 0; column < 3; ++column) {
+                 object.transform[column] *= 1e-6F;
+             }
+         }
+     }},
+    {"objects of a megametre", "scaled by 1e6",
+     [](Scene& s) {
+         for (Object& object : s.objects) {
+             for (int column = 0; column < 3; ++column) {
+                 object.transform[column] *= 1e6F;
+             }
+         }
+     }},
+};
+
+void add_scenes(Rows& rows) {
+    for (const SceneRow& row : scene_rows) {
+        rows.push_back({.name = std::string(row.name),
+                        .help = std::string(row.help),
+                        .change_scene = row.change});
+    }
+}
+
+void set_effect(Situation& situation, std::string_view name, std::string_view parameter,
+                double value) {
+    const PostEffect& effect = *post_effect_named(name);
+    const EffectUse* const given = use_of(situation.settings.effects, effect);
+    EffectUse use = given != nullptr ? *given : usual_use(effect);
+    set_number(use, parameter, value);
+    put_use(situation.settings.effects, std::move(use));
+}
+
+void put_light_at(Situation& s, glm::vec3 place) {
+    for (PointLight& light : s.lights) {
+        light.position = place;
+    }
+}
+
+struct FrameRow {
+    std::string_view name, help;
+    bool needs_scene;
+    void (*change)(Situation& situation);
+};
+constexpr FrameRow frame_rows[] = {
+    {"as it is", "nothing changed", false, [](Situation&) {}},
+    {"target of 1x1", "a single pixel", false,
+     [](Situation& s) {
+         s.settings.output = {1, 1};
+     }},
+    {"target of 8191x3", "odd, and wider than any screen", false,
+     [](Situation& s) {
+         s.settings.output = {8191, 3};
+     }},
+    {"target of 3x1023", "odd and narrow", false,
+     [](Situation& s) {
+         s.settings.output = {3, 1023};
+     }},
+    {"exposure -30 stops", "light of a billionth", false,
+     [](Situation& s) { s.settings.exposure = -30; }},
+    {"exposure +30 stops", "a billion times the light", false,
+     [](Situation& s) { s.settings.exposure = 30; }},
+    {"time 1e6 s", "eleven days", false,
+     [](Situation& s) { s.settings.seconds = s.surroundings.seconds = 1e6; }},
+    {"time -1e6 s", "eleven days before", false,
+     [](Situation& s) { s.settings.seconds = s.surroundings.seconds = -1e6; }},
+    {"drawn forward", "lit as it is drawn", true,
+     [](Situation& s) { s.settings.raster = Raster::forward; }},
+    {"drawn by the graphics hardware", "with a g-buffer", true,
+     [](Situation& s) { s.settings.raster = Raster::hardware; }},
+    {"drawn by compute shaders", "with a g-buffer", true,
+     [](Situation& s) { s.settings.raster = Raster::compute; }},
+    {"focus at infinity", "lens f/0.5", true,
+     [](Situation& s) {
+         set_effect(s, "depth-of-field", "focus", 1e9);
+         set_effect(s, "depth-of-field", "aperture", 0.5);
+     }},
+    {"focus of 0", "on what is in the middle", true,
+     [](Situation& s) { set_effect(s, "depth-of-field", "focus", 0); }},
+    {"focus at a tenth of a millimetre", "nearer than a lens can", true,
+     [](Situation& s) { set_effect(s, "depth-of-field", "focus", 1e-4); }},
+    {"sun at the horizon", "of the sky", true,
+     [](Situation& s) {
+         s.surroundings.kind = SurroundingsKind::sky;
+         s.surroundings.sky.sun_height = 0;
+     }},
+    {"sun below the horizon", "20 degrees, of the sky", true,
+     [](Situation& s) {
+         s.surroundings.kind = SurroundingsKind::sky;
+         s.surroundings.sky.sun_height = -20;
+     }},
+    {"sun at the zenith", "of the sky", true,
+     [](Situation& s) {
+         s.surroundings.kind = SurroundingsKind::sky;
+         s.surroundings.sky.sun_height = 90;
+     }},
+    {"turbidity 1", "less than the model knows", true,
+     [](Situation& s) {
+         s.surroundings.kind = SurroundingsKind::sky;
+         s.surroundings.sky.turbidity = 1;
+     }},
+    {"turbidity 30", "more than the model knows", true,
+     [](Situation& s) {
+         s.surroundings.kind = SurroundingsKind::sky;
+         s.surroundings.sky.turbidity = 30;
+     }},
+    {"sky +20 stops", "a sun of 1e11", true,
+     [](Situation& s) {
+         s.surroundings.kind = SurroundingsKind::sky;
+         s.surroundings.exposure = 20;
+     }},
+    {"noise at 1e6 s", "far from its origin", true,
+     [](Situation& s) {
+         s.surroundings.kind = SurroundingsKind::noise;
+         s.surroundings.seconds = 1e6;
+     }},
+    {"coincident lights", "every light twice at one place", true,
+     [](Situation& s) { s.lights.insert(s.lights.end(), s.lights.begin(), s.lights.end()); }},
+    {"lights in one point", "all of them, at the camera's target", true,
+     [](Situation& s) { put_light_at(s, s.settings.orbit.target); }},
+    {"lights at infinity", "1e30 m away", true,
+     [](Situation& s) { put_light_at(s, glm::vec3(1e30F, 0, 0)); }},
+    {"lights at their aim", "a spot or sun without a direction", true,
+     [](Situation& s) {
+         for (PointLight& light : s.lights) {
+             light.position = light.aim;
+         }
+     }},
+    {"lights of 1e30", "intensity", true,
+     [](Situation& s) {
+         for (PointLight& light : s.lights) {
+             light.intensity = glm::vec3(1e30F);
+         }
+     }},
+    {"negative lights", "intensity -1", true,
+     [](Situation& s) {
+         for (PointLight& light : s.lights) {
+             light.intensity = glm::vec3(-1);
+         }
+     }},
+    {"no light", "neither lights nor surroundings", true,
+     [](Situation& s) {
+         s.lights.clear();
+         s.settings.without.set(Effect::environment, true);
+     }},
+    {"grazing view", "the camera's axis along the ground", true,
+     [](Situation& s) {
+         s.settings.orbit.elevation = 0;
+         s.settings.orbit.target.y = 0;
+     }},
+    {"camera within things", "at a tenth of a millimetre from its target", true,
+     [](Situation& s) {
+         s.settings.orbit.distance = 1e-4F;
+         s.settings.orbit.near_plane = 1e-5F;
+     }},
+};
+
+void add_frames(Rows& rows, bool has_scene) {
+    for (const FrameRow& row : frame_rows) {
+        if (has_scene || !row.needs_scene) {
+            rows.push_back({.name = std::string(row.name),
+                            .help = std::string(row.help),
+                            .change = row.change});
+        }
+    }
+}
+
+// ---- settings at both ends of their ranges
+
+constexpr auto both_ends = {std::pair{"least", false}, std::pair{"most", true}};
+
+template <class S, class Of>
+void add_numbers(Rows& rows, std::span<const NumberRow<S>> numbers, Of of, std::string_view help) {
+    for (const NumberRow<S>& number : numbers) {
+        for (const auto& [end, is_most] : both_ends) {
+            const double value = is_most ? number.max : number.min;
+            rows.push_back({.name = fmt::format("{} {}", number.flag, value),
+                            .help = fmt::format("the {} that --help names{}", end, help),
+                            .change = [&number, value, of](Situation& situation) {
+                                number.of(of(situation)) = static_cast<float>(value);
+                            }});
+        }
+    }
+}
+
+void add_effects(Rows& rows, const Situation& situation) {
+    for (const PostEffect* const effect : post_effects()) {
+        if (effect->needs_depth && !situation.has_scene()) {
+            continue;
+        }
+        for (const auto& [end, is_most] : both_ends) {
+            rows.push_back({.name = fmt::format("{} at its {}", effect->name, end),
+                            .help = "every parameter but its strength",
+                            .change = [effect, most = is_most](Situation& changed) {
+                                for (const lutlib::Parameter& parameter :
+                                     effect->parameters.subspan(1)) {
+                                    set_effect(changed, effect->name, parameter.name,
+                                               most ? parameter.max : parameter.min);
+                                }
+                                set_effect(changed, effect->name, "strength", 1);
+                            }});
+        }
+    }
+}
+
+void add_blooms(Rows& rows) {
+    for (const Bloom& bloom : blooms()) {
+        rows.push_back({.name = fmt::format("bloom {}", bloom.name),
+                        .help = "all light blooms, all of it",
+                        .change = [&bloom](Situation& situation) {
+                            situation.settings.bloom = &bloom;
+                            situation.settings.bloom_settings = {1, 0, 0, 1};
+                        }});
+    }
+}
+
+void add_tonemaps(Rows& rows) {
+    for (const Tonemap& tonemap : tonemaps()) {
+        rows.push_back({.name = fmt::format("tone map {}", tonemap.name),
+                        .help = "at +10 stops",
+                        .change = [&tonemap](Situation& situation) {
+                            situation.settings.tonemap = &tonemap;
+                            situation.settings.exposure = 10;
+                        }});
+    }
+}
+
+} // namespace
+
+std::vector<Extreme> extremes(const Situation& situation) {
+    Rows rows;
+    add_frames(rows, situation.has_scene());
+    if (situation.shown->picture) {
+        add_pictures(rows);
+    }
+    add_numbers(
+        rows, picture_numbers(), [](Situation& s) -> PictureSettings& { return s.settings; }, "");
+    if (situation.has_light()) {
+        add_blooms(rows);
+        add_tonemaps(rows);
+    }
+    add_effects(rows, situation);
+    if (situation.has_scene()) {
+        add_scenes(rows);
+        add_numbers(
+            rows, camera_numbers(), [](Situation& s) -> Orbit& { return s.settings.orbit; }, "");
+        for (const SurroundingsInfo& info : surroundings_kinds()) {
+            if (info.kind == SurroundingsKind::picture && !situation.shown->surroundings) {
+                continue;
+            }
+            add_numbers(
+                rows, info.numbers,
+                [kind = info.kind](Situation& s) -> Surroundings& {
+                    s.surroundings.kind = kind;
+                    return s.surroundings;
+                },
+                fmt::format(", of {}", info.name));
+        }
+    }
+    return rows;
+}
+
+} // namespace preview

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace preview::editor {
 
@@ -24,8 +25,21 @@ enum class Key : std::uint8_t {
     digit_3,
     digit_4,
     digit_5,
+    digit_0,
+    plus, ///< also where it is typed with Shift
+    minus,
+    count_, ///< not a key
 };
-inline constexpr std::size_t key_count = 17;
+inline constexpr std::size_t key_count = static_cast<std::size_t>(Key::count_);
+
+/// What stands on the key; nothing of one that no panel knows.
+constexpr std::string_view text_of(Key key) {
+    constexpr std::string_view texts[key_count] = {
+        "",  "",  "F1", "Esc", "A", "B", "E", "Q", "R", "S",
+        "Y", "Z", "1",  "2",   "3", "4", "5", "0", "+", "-",
+    };
+    return texts[static_cast<std::size_t>(key)];
+}
 
 /// Whether the key types a character.
 constexpr bool is_printable(Key key) {

@@ -104,8 +104,8 @@ void cube_panel(Ui& ui) {
     controls(ui, choice);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float footer = ImGui::GetTextLineHeightWithSpacing();
-    const ImVec2 size(std::max(room.x, 60.0F),
-                      std::clamp(room.y - footer, 60.0F, std::max(room.x, 60.0F) * 1.25F));
+    const ImVec2 size(std::max(room.x, em(4)),
+                      std::clamp(room.y - footer, em(4), std::max(room.x, em(4)) * 1.25F));
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("cube", size);
     mark(ui, "cube");

@@ -18,8 +18,9 @@ using lutlib::Knot;
 using lutlib::Knots;
 using lutlib::Parameter;
 
-constexpr float knot_radius = 5;
-constexpr float reach = 10; // pixels from which a knot is caught
+// In heights of the text.
+constexpr float knot_radius = 0.36F;
+constexpr float reach = 0.72F; // from which a knot is caught
 constexpr int ribbon_steps = 72;
 
 /// A display colour of that hue, at a lightness and chroma that sRGB holds at every hue.
@@ -52,7 +53,7 @@ struct Canvas {
                     static_cast<double>((place.y - origin.y) / size.y) * (view.y_max - view.y_min)};
     }
     Knot reach_share() const {
-        return {static_cast<double>(reach / size.x), static_cast<double>(reach / size.y)};
+        return {static_cast<double>(em(reach) / size.x), static_cast<double>(em(reach) / size.y)};
     }
 };
 
@@ -129,8 +130,8 @@ void draw_knots(ImDrawList& list, const Canvas& canvas, const Knots& knots,
                 std::optional<std::size_t> lit) {
     for (std::size_t i = 0; i < knots.size(); ++i) {
         const ImVec2 place = canvas.at(knots[i]);
-        list.AddCircleFilled(place, knot_radius, IM_COL32(20, 20, 24, 255));
-        list.AddCircle(place, knot_radius,
+        list.AddCircleFilled(place, em(knot_radius), IM_COL32(20, 20, 24, 255));
+        list.AddCircle(place, em(knot_radius),
                        lit == i ? IM_COL32(255, 190, 60, 255) : IM_COL32(255, 255, 255, 255), 0,
                        1.8F);
     }
@@ -185,7 +186,7 @@ bool curve_editor(Ui& ui, const Parameter& parameter, Knots& knots, const std::s
                         parameter.label.data(), static_cast<int>(parameter.axis.label.size()),
                         parameter.axis.label.data());
     const ImVec2 origin = ImGui::GetCursorScreenPos();
-    const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 60.0F),
+    const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, em(4)),
                       std::floor(ImGui::GetFontSize() * 10));
     ImGui::PushID(place.c_str());
     ImGui::InvisibleButton("curve", size,
@@ -201,8 +202,8 @@ bool curve_editor(Ui& ui, const Parameter& parameter, Knots& knots, const std::s
     }
     // A knot at either end is to be seen and caught whole.
     const Canvas canvas{active ? dragged_view : view_of(parameter, knots),
-                        {origin.x + knot_radius, origin.y},
-                        {size.x - 2 * knot_radius, size.y}};
+                        {origin.x + em(knot_radius), origin.y},
+                        {size.x - 2 * em(knot_radius), size.y}};
     const ImGuiIO& io = ImGui::GetIO();
     const Knot mouse = canvas.knot(io.MousePos);
     std::optional<std::size_t> under;

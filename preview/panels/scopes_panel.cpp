@@ -115,7 +115,7 @@ void scope_strip(Ui& ui, const Rect& area) {
         x += widths[i];
     }
     if (ui.history.draft().compare == &compare_difference) {
-        ImGui::SetCursorScreenPos({area.x + 12, area.y + 8});
+        ImGui::SetCursorScreenPos({area.x + em(0.86F), area.y + em(0.57F)});
         ImGui::TextDisabled("a heat map has no code values to count");
     }
     ImGui::End();

@@ -1,8 +1,7 @@
 #include "preview/panels/ui.h"
 
 #include "lutlib/io/reason.h"
-#include "preview/editor/commands.h"
-#include "preview/editor/reload.h"
+#include "preview/panels/actions.h"
 
 #include <imgui.h>
 
@@ -24,56 +23,6 @@ constexpr Panel panels[] = {
     {"Look", &look_panel},  {"View", &view_panel},     {"Scene", &scene_panel},
     {"Files", &file_panel}, {"Passes", &passes_panel}, {"Scopes", &scopes_panel},
     {"Cube", &cube_panel},
-};
-
-struct Shortcut {
-    const char* keys;
-    const char* help;
-    Key key;
-    bool ctrl, shift;
-    void (*action)(Ui& ui);
-};
-
-void compare_by(Ui& ui, const Compare& row) {
-    ui.history.draft().compare = &row;
-}
-
-constexpr Shortcut shortcuts[] = {
-    {"F1", "this list", Key::f1, false, false, [](Ui& ui) { ui.shows_help = !ui.shows_help; }},
-    {"Esc", "close it, errors, questions and what was exported", Key::escape, false, false,
-     [](Ui& ui) {
-         ui.shows_help = false;
-         ui.errors.clear();
-         ui.exported.clear();
-         ui.to_replace.clear();
-     }},
-    {"Ctrl+Z", "undo", Key::z, true, false, [](Ui& ui) { ui.history.undo(); }},
-    {"Ctrl+Shift+Z", "redo", Key::z, true, true, [](Ui& ui) { ui.history.redo(); }},
-    {"Ctrl+Y", "redo", Key::y, true, false, [](Ui& ui) { ui.history.redo(); }},
-    {"Ctrl+S", "save the recipe to its file", Key::s, true, false,
-     [](Ui& ui) {
-         const std::string path = ui.history.draft().recipe_path;
-         const auto save = [&ui, path] { save_recipe(ui.history, path); };
-         if (path.empty()) {
-             ui.errors.emplace_back("the recipe has no file yet: save it under Files");
-         } else if (ui.offered || !is_file_as_saved(ui.history.draft())) {
-             attempt_writing(ui, path, save);
-         } else {
-             attempt(ui, save);
-         }
-     }},
-    {"Ctrl+E", "export the strip into the engine's folder (--watch-engine-folder)", Key::e, true,
-     false, &export_to_engine},
-    {"Ctrl+Shift+R", "make everything on the GPU anew", Key::r, true, true,
-     [](Ui& ui) { ui.wants_new_screen = true; }},
-    {"Ctrl+Q", "quit", Key::q, true, false, [](Ui& ui) { ui.quits = true; }},
-    {"1", "side A alone", Key::digit_1, false, false, [](Ui& ui) { compare_by(ui, compare_a); }},
-    {"2", "side B alone", Key::digit_2, false, false, [](Ui& ui) { compare_by(ui, compare_b); }},
-    {"3", "split by a line", Key::digit_3, false, false,
-     [](Ui& ui) { compare_by(ui, compare_split); }},
-    {"4", "side by side", Key::digit_4, false, false, [](Ui& ui) { compare_by(ui, compare_side); }},
-    {"5", "difference", Key::digit_5, false, false,
-     [](Ui& ui) { compare_by(ui, compare_difference); }},
 };
 
 /// What a text field takes for itself.
@@ -106,7 +55,7 @@ void help_window(Ui& ui) {
     if (!ui.shows_help) {
         return;
     }
-    ImGui::SetNextWindowPos({30, 30}, ImGuiCond_Appearing);
+    ImGui::SetNextWindowPos({em(2), em(2)}, ImGuiCond_Appearing);
     const bool open = ImGui::Begin("Help", &ui.shows_help, ImGuiWindowFlags_AlwaysAutoResize);
     mark_window(ui, "help");
     if (open && ImGui::BeginTable("keys", 2)) {
@@ -116,8 +65,11 @@ void help_window(Ui& ui) {
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(help);
         };
-        for (const Shortcut& shortcut : shortcuts) {
-            row(shortcut.keys, shortcut.help);
+        for (const Action& action : actions()) {
+            const std::string keys = action.listed.value_or(keys_of(action));
+            if (!keys.empty()) {
+                row(keys.c_str(), action.help.c_str());
+            }
         }
         for (const auto& line : mouse_help) {
             row(line[0], line[1]);
@@ -131,8 +83,8 @@ void error_window(Ui& ui) {
     if (ui.errors.empty()) {
         return;
     }
-    ImGui::SetNextWindowPos({30, 60}, ImGuiCond_Appearing);
-    ImGui::SetNextWindowSize({520, 0});
+    ImGui::SetNextWindowPos({em(2), em(4)}, ImGuiCond_Appearing);
+    ImGui::SetNextWindowSize({em(37), 0});
     const bool open = ImGui::Begin("Error", nullptr, ImGuiWindowFlags_NoCollapse);
     mark_window(ui, "error");
     if (open) {
@@ -175,6 +127,10 @@ void replace_dialog(Ui& ui) {
 
 } // namespace
 
+float em(float heights) {
+    return heights * ImGui::GetFontSize();
+}
+
 void mark(Ui& ui, std::string name) {
     std::replace(name.begin(), name.end(), ' ', '-');
     const ImVec2 low = ImGui::GetItemRectMin();
@@ -216,10 +172,9 @@ void handle_shortcuts(Ui& ui) {
         if (io.WantTextInput && is_for_text(press)) {
             continue;
         }
-        for (const Shortcut& shortcut : shortcuts) {
-            if (press.key == shortcut.key && press.ctrl == shortcut.ctrl &&
-                press.shift == shortcut.shift) {
-                shortcut.action(ui);
+        for (const Action& action : actions()) {
+            if (is_asked_by(action, press)) {
+                action.act(ui);
             }
         }
     }
@@ -254,7 +209,7 @@ void drag_camera(Orbit& orbit, const Rect& area) {
 }
 
 void picture_area(Ui& ui, const Rect& area) {
-    constexpr float line_reach = 8; // pixels
+    const float line_reach = em(0.6F);
     constexpr float zoom_per_notch = 0.9F;
     static bool moves_line = false; // one mouse, one drag
     State& state = ui.history.draft();
@@ -309,21 +264,59 @@ Rect fitted(const Ui& ui, const Rect& area) {
             area.y + std::floor((area.height - height) / 2), width, height};
 }
 
+/// The panels' tabs, in as many rows as it takes to show each whole.
+void tabs(Ui& ui) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    for (std::size_t i = 0; i < std::size(panels); ++i) {
+        const float width = ImGui::CalcTextSize(panels[i].name).x + 2 * style.FramePadding.x +
+                            style.ItemSpacing.x / 2;
+        if (i > 0 && ImGui::GetItemRectMax().x + width <= right) {
+            ImGui::SameLine(0, style.ItemSpacing.x / 2);
+        }
+        const bool is_open = ui.panel == i;
+        ImGui::PushStyleColor(
+            ImGuiCol_Button, ImGui::GetStyleColorVec4(is_open ? ImGuiCol_TabActive : ImGuiCol_Tab));
+        ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
+                              ImGui::GetStyleColorVec4(ImGuiCol_TabHovered));
+        if (ImGui::Button(panels[i].name)) {
+            ui.panel = i;
+        }
+        ImGui::PopStyleColor(2);
+        mark(ui, std::string("tab.") + panels[i].name);
+    }
+    ImGui::Separator();
+}
+
+/// The window of the panels, at the right; its width.
+float begin_panels(Ui& ui, ImVec2 window) {
+    constexpr float least_width = 24, usual_width = 31; // heights of the text
+    const float least = std::min(em(least_width), window.x / 2);
+    const float most = std::max(least, window.x * 0.7F);
+    const float chosen =
+        ui.panels_width > 0 ? em(ui.panels_width) : std::min(em(usual_width), window.x / 2);
+    const float wanted = std::round(std::clamp(chosen, least, most));
+    ImGui::SetNextWindowSize({wanted, window.y});
+    ImGui::SetNextWindowSizeConstraints({least, window.y}, {most, window.y});
+    ImGui::SetNextWindowPos({window.x, 0}, ImGuiCond_Always, {1, 0});
+    ImGui::Begin("Panels", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoSavedSettings);
+    mark_window(ui, "panels");
+    const float width = ImGui::GetWindowWidth();
+    // A narrow window forgets no width that a person has chosen.
+    if (std::abs(width - wanted) >= 1) {
+        ui.panels_width = width / em(1);
+    }
+    return width;
+}
+
 Rect draw(Ui& ui) {
-    constexpr float least_width = 340;
     ui.places.clear();
     ui.shows_passes = ui.shows_curves = false;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     handle_shortcuts(ui);
-    ImGui::SetNextWindowSize({std::min(440.0F, window.x / 2), window.y}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSizeConstraints({std::min(least_width, window.x / 2), window.y},
-                                        {std::max(least_width, window.x * 0.7F), window.y});
-    ImGui::SetNextWindowPos({window.x, 0}, ImGuiCond_Always, {1, 0});
-    ImGui::Begin("Panels", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus);
-    mark_window(ui, "panels");
-    const float width = ImGui::GetWindowWidth();
+    const float width = begin_panels(ui, window);
     if (ImGui::Button("Undo")) {
         ui.history.undo();
     }
@@ -338,23 +331,15 @@ Rect draw(Ui& ui) {
         ui.shows_help = true;
     }
     notices(ui);
-    if (ImGui::BeginTabBar("panels")) {
-        for (const Panel& panel : panels) {
-            const bool open = ImGui::BeginTabItem(panel.name);
-            mark(ui, std::string("tab.") + panel.name);
-            if (!open) {
-                continue;
-            }
-            ImGui::BeginChild("panel");
-            panel.draw(ui);
-            ImGui::EndChild();
-            ImGui::EndTabItem();
-        }
-        ImGui::EndTabBar();
-    }
+    tabs(ui);
+    ImGui::PushID(panels[ui.panel].name); // each scrolls by itself
+    ImGui::BeginChild("panel");
+    panels[ui.panel].draw(ui);
+    ImGui::EndChild();
+    ImGui::PopID();
     ImGui::End();
     const float left = std::max(window.x - width, 1.0F);
-    const float status = std::min(ImGui::GetFrameHeight() + 6, window.y / 2);
+    const float status = std::min(ImGui::GetFrameHeight() + em(0.43F), window.y / 2);
     const ScopeChoice& choice = ui.history.draft().scopes_seen;
     const bool any_scope = choice.seen != std::array<bool, scopes.size()>{};
     const float strip = any_scope ? std::floor((window.y - status) * choice.height) : 0;

@@ -72,6 +72,10 @@ struct Ui {
     std::string engine_folder; ///< where strips go at the press of a key; empty: nobody named one
     std::string exported;      ///< what went there and what that lost, till it is closed
     bool wants_new_screen = false; ///< everything on the GPU shall be made anew
+    /// How large text and controls are, times the desktop's; the program keeps it in its range.
+    float text_scale = 1;
+    float panels_width = 0; ///< in heights of the text; 0: nobody has chosen one
+    std::size_t panel = 0;  ///< which one is seen
     bool shows_help = false;
     bool quits = false;
     bool shows_passes = false; ///< set by the passes panel while it is seen: timings are wanted
@@ -132,6 +136,9 @@ bool curve_editor(Ui& ui, const lutlib::Parameter& parameter, lutlib::Knots& kno
 
 /// Texts one below the other, wrapped.
 void lines(const std::vector<std::string>& texts);
+
+/// So many heights of the text, in the window's pixels.
+float em(float heights);
 
 /// Remembers where the last item is; the name without blanks.
 void mark(Ui& ui, std::string name);

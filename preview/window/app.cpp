@@ -1,35 +1,24 @@
 #include "preview/window/app.h"
 
 #include "lutlib/error.h"
-#include "lutlib/io/file.h"
 #include "lutlib/io/terminal.h"
 #include "preview/editor/commands.h"
-#include "preview/editor/look_baker.h"
 #include "preview/scene/import.h"
-#include "preview/window/autosave.h"
+#include "preview/window/app_parts.h"
 #include "preview/window/display_end.h"
-#include "preview/window/following.h"
-#include "preview/window/gui.h"
 #include "preview/window/opening.h"
-#include "preview/window/present.h"
-#include "preview/window/screen.h"
-#include "preview/window/settings_folder.h"
-#include "preview/window/window_events.h"
-#include "preview/window/window_frame.h"
+#include "preview/window/places.h"
 
 #include <GLFW/glfw3.h>
 
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace preview {
 
 namespace {
-
-// Dear ImGui needs a frame to notice an event, and one to show what it led to.
-constexpr int frames_after_event = 3;
 
 // Bad input or a machine that cannot.
 constexpr int code_of_lost_display = 2;
@@ -51,57 +40,26 @@ void print_validation(const gpu::Device& device) {
     }
 }
 
-class App {
-  public:
-    explicit App(WindowSetup setup);
-    ~App() { at_end_of_display({}, code_of_lost_display); }
-    App(const App&) = delete;
-    App& operator=(const App&) = delete;
-    void run();
+} // namespace
 
-  private:
-    void wake() { frames_due_ = frames_after_event; }
-    void tell(const std::string& notice);
-    void open(const std::string& path);
-    void make_screen();
-    void follow_shown();
-    void resize_if_asked();
-    void frame(const std::vector<editor::InputEvent>& events);
-    void request_looks();
-    void take_looks();
-    void render(const panels::Rect& area);
-    void write_places() const;
-    void keep_look();
-    void show_title();
-
-    WindowSetup setup_;
-    Window window_;
-    WindowEvents events_{window_.handle()};
-    std::optional<Gui> gui_;
-    std::optional<Screen> screen_;
-    panels::Ui ui_;
-    editor::LookRequest requested_;
-    bool baking_ = false;
-    editor::LookBaker baker_;
-    Following following_;
-    Following::Clock::time_point opened_; ///< before all was read that is not followed yet
-    FrameReader reader_{frames_in_flight};
-    /// Of the last frame; none when something that it reads has been written since.
-    std::optional<Graph> drawn_;
-    int frames_due_ = frames_after_event;
-    Recovery recovery_;
-    Autosave autosave_{settings_folder()};
-    bool shows_unsaved_ = false; ///< in the window's title
-};
+App::~App() {
+    at_end_of_display({}, code_of_lost_display);
+}
 
 App::App(WindowSetup setup)
-    : setup_(std::move(setup)), window_(setup_.size), ui_(setup_.state),
+    : setup_(std::move(setup)), memory_(memory_path()),
+      window_(setup_.size, memory_.memory()), ui_(setup_.state),
       baker_([] { glfwPostEmptyEvent(); }), opened_(setup_.opened) {
     ui_.engine_folder = setup_.engine_folder;
     ui_.export_engine = export_engine_of(ui_.history.draft());
+    ui_.text_scale = memory_.memory().text_scale;
+    ui_.panels_width = memory_.memory().panels_width;
     gui_.emplace(window_.handle(), layout_path(), setup_.font);
-    if (!gui_->notice().empty()) {
-        ui_.errors.push_back(gui_->notice());
+    gui_->set_scale(window_.content_scale() * ui_.text_scale);
+    for (const std::string& notice : {gui_->notice(), memory_.notice()}) {
+        if (!notice.empty()) {
+            ui_.errors.push_back(notice);
+        }
     }
     if (settings_folder().empty()) {
         tell("name a folder in XDG_CONFIG_HOME or HOME: without one an unsaved look is not kept "
@@ -182,7 +140,8 @@ void App::run() {
             continue;
         }
         const std::vector<editor::InputEvent> events = events_.input.next_frame();
-        if (!events.empty() || !events_.dropped.empty() || events_.resized) {
+        if (!events.empty() || !events_.dropped.empty() || events_.resized ||
+            std::exchange(events_.moved, false)) {
             wake();
         }
         --frames_due_;
@@ -203,6 +162,7 @@ void App::run() {
         }
     }
     autosave_.forget();
+    keep_memory();
     print_validation(screen_->device);
 }
 
@@ -219,6 +179,29 @@ void App::keep_look() {
         if (std::find(ui_.errors.begin(), ui_.errors.end(), error.what()) == ui_.errors.end()) {
             ui_.errors.emplace_back(error.what());
         }
+    }
+}
+
+void App::keep_memory() {
+    WindowMemory now = memory_.memory();
+    if (!setup_.size) {
+        window_.tell_place(now);
+    }
+    now.text_scale = ui_.text_scale;
+    now.panels_width = ui_.panels_width;
+    try {
+        memory_.keep(now);
+    } catch (const lutlib::Error& error) {
+        tell(error.what());
+    }
+}
+
+void App::scale_if_asked() {
+    ui_.text_scale = std::clamp(ui_.text_scale, least_text_scale, most_text_scale);
+    const float scale = window_.content_scale() * ui_.text_scale;
+    if (scale != gui_->scale()) {
+        gui_->set_scale(scale);
+        screen_->overlay.take_fonts();
     }
 }
 
@@ -240,6 +223,7 @@ void App::resize_if_asked() {
 
 void App::frame(const std::vector<editor::InputEvent>& events) {
     resize_if_asked();
+    scale_if_asked();
     std::vector<std::string> paths = std::exchange(ui_.to_open, {});
     for (std::string& path : std::exchange(events_.dropped, {})) {
         paths.push_back(std::move(path));
@@ -277,117 +261,10 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
     show_title();
     if (frames_due_ == 0 && !baker_.is_busy()) {
         keep_look();
-        write_places();
+        keep_memory();
+        write_places(ui_, setup_.places);
     }
 }
-
-void App::request_looks() {
-    const editor::State& state = ui_.history.draft();
-    editor::LookRequest request{state.recipe, state.sides, state.picture};
-    if (baking_ && editor::same(request, requested_)) {
-        return;
-    }
-    requested_ = request;
-    baking_ = true;
-    baker_.request(std::move(request));
-}
-
-void App::take_looks() {
-    const std::optional<editor::BakedLooks> baked = baker_.take();
-    if (!baked) {
-        return;
-    }
-    ui_.facts.bake_milliseconds = baked->milliseconds;
-    frames_due_ = frames_after_event;
-    if (!baked->error.empty()) {
-        ui_.errors.push_back(baked->error);
-        return;
-    }
-    for (std::size_t i = 0; i < screen_->looks.size(); ++i) {
-        screen_->looks[i].set(baked->sides[i]);
-        ui_.facts.look_notes[i] = baked->sides[i].note;
-        ui_.facts.look_standings[i] = baked->sides[i].encodings;
-        ui_.facts.tables[i] = baked->sides[i].table;
-    }
-    drawn_.reset();
-}
-
-void App::render(const panels::Rect& area) {
-    Screen& screen = *screen_;
-    const vk::Extent2D window = screen.swapchain.extent();
-    const vk::Rect2D output = output_area(area, window);
-    const ScopeAreas scope_places = scope_areas(ui_, window);
-    FrameSettings settings =
-        window_settings(ui_, setup_.frame, {output.extent.width, output.extent.height});
-    settings.raster =
-        setup_.raster->on(screen.device, picture_size(settings.output, *settings.compare));
-    for (std::size_t i = 0; i < scopes.size(); ++i) {
-        settings.scope_sizes[i] = {scope_places[i].extent.width, scope_places[i].extent.height};
-    }
-    const editor::State& state = ui_.history.draft();
-    FrameInputs inputs = screen.shown->inputs();
-    inputs.lights = &state.lights;
-    inputs.surroundings = &state.surroundings;
-    inputs.look_a = screen.looks[0].look();
-    inputs.look_b = screen.looks[1].look();
-    const std::array names{title_of(state.sides[0]), title_of(state.sides[1])};
-    inputs.names = {names[0], names[1]};
-    inputs.hdr_maximum = reader_.hdr_maximum_for(settings, state.lights, state.surroundings);
-    Graph graph;
-    const FrameHandles handles = build_frame(graph, inputs, settings);
-
-    const std::optional<std::uint32_t> image = screen.swapchain.acquire();
-    if (!image) {
-        events_.resized = true;
-        frames_due_ = frames_after_event;
-        return;
-    }
-    FrameEnd end;
-    end.waits = {screen.swapchain.acquired()};
-    end.signals = {screen.swapchain.finished(*image)};
-    end.record = [&](const vk::raii::CommandBuffer& commands) {
-        std::vector<Placed> pictures{{&screen.executor.image(handles.output), output.offset}};
-        for (std::size_t i = 0; i < scopes.size(); ++i) {
-            if (handles.scope_pictures[i]) {
-                pictures.push_back(
-                    {&screen.executor.image(handles.scope_pictures[i]), scope_places[i].offset});
-            }
-        }
-        record_present(commands, pictures, screen.swapchain.image(*image));
-        screen.overlay.record(commands, *image);
-    };
-    if (drawn_ && *drawn_ == graph) {
-        screen.executor.repeat(end);
-    } else {
-        screen.executor.render(graph, end);
-    }
-    if (!screen.swapchain.present(*image)) {
-        events_.resized = true;
-        frames_due_ = frames_after_event;
-    }
-    if (reader_.read(screen.executor, graph, handles, ui_)) {
-        frames_due_ = std::max(frames_due_, 1);
-    }
-    drawn_ = std::move(graph);
-}
-
-void App::write_places() const {
-    if (setup_.places.empty()) {
-        return;
-    }
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    std::string text = fmt::format("frame {} 0 0 0\n", ImGui::GetFrameCount());
-    if (ImGui::IsMousePosValid(&mouse)) {
-        text += fmt::format("mouse {:.0f} {:.0f} 0 0\n", mouse.x, mouse.y);
-    }
-    for (const auto& [name, place] : ui_.places) {
-        text += fmt::format("{} {:.0f} {:.0f} {:.0f} {:.0f}\n", name, place.x, place.y, place.width,
-                            place.height);
-    }
-    lutlib::io::write_file(setup_.places, text);
-}
-
-} // namespace
 
 void run_window(WindowSetup setup) {
     App app(std::move(setup));

@@ -6,6 +6,7 @@
 #include "preview/gpu/size.h"
 #include "preview/window/following.h"
 
+#include <optional>
 #include <string>
 
 namespace preview {
@@ -15,10 +16,10 @@ struct WindowSetup {
     editor::State state;                             ///< with something to show
     FrameSettings frame;                             ///< shadow maps, and what is left out
     const RasterChoice* raster = &rasters().front(); ///< who rasterises
-    Size size{1600, 900};                            ///< of the window
-    std::string device;                              ///< as gpu::DeviceOptions::wanted
-    bool validation = false;                         ///< under Vulkan's validation layers
-    std::string font;                                ///< TrueType or OpenType file
+    std::optional<Size> size;  ///< of the window; empty: as it was, or fits the monitor
+    std::string device;        ///< as gpu::DeviceOptions::wanted
+    bool validation = false;   ///< under Vulkan's validation layers
+    std::string font;          ///< TrueType or OpenType file
     std::string engine_folder; ///< where strips go at the press of a key; empty: nobody named one
     Following::Clock::time_point opened{}; ///< before all that is shown was read
     std::string places; ///< file that tells where the controls are; empty: nobody asks

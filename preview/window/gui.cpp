@@ -6,6 +6,7 @@
 #include <imgui.h>
 #include <imgui/backends/imgui_impl_glfw.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -26,26 +27,44 @@ bool is_font(const std::string& path) {
 } // namespace
 
 Gui::Gui(GLFWwindow* window, std::string layout_path, const std::string& font)
-    : window_(window), layout_path_(std::move(layout_path)) {
+    : window_(window), layout_path_(std::move(layout_path)), font_path_(font) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = layout_path_.empty() ? nullptr : layout_path_.c_str();
-    ImGui::StyleColorsDark();
-    ImGuiStyle& style = ImGui::GetStyle();
-    style.WindowRounding = 0;
-    style.FrameRounding = 3;
-    float scale = 1;
-    glfwGetWindowContentScale(window, &scale, nullptr);
-    style.ScaleAllSizes(scale);
-    if (!is_font(font) ||
-        io.Fonts->AddFontFromFileTTF(font.c_str(), font_size * scale) == nullptr) {
-        io.Fonts->AddFontDefault();
+    if (!is_font(font)) {
+        font_path_.clear();
         notice_ =
             "the font " + font +
             " is missing or is not a font (Debian: fonts-dejavu-core); using the built-in font";
     }
     ImGui_ImplGlfw_InitForVulkan(window, false);
+}
+
+void Gui::set_scale(float scale) {
+    scale_ = scale;
+    ImGuiIO& io = ImGui::GetIO();
+    // The window's coordinates are not its pixels everywhere.
+    int window = 0, framebuffer = 0;
+    glfwGetWindowSize(window_, &window, nullptr);
+    glfwGetFramebufferSize(window_, &framebuffer, nullptr);
+    const float pixels = window > 0 && framebuffer > 0
+                             ? static_cast<float>(framebuffer) / static_cast<float>(window)
+                             : 1;
+    ImGuiStyle& style = ImGui::GetStyle();
+    style = ImGuiStyle();
+    ImGui::StyleColorsDark();
+    style.WindowRounding = 0;
+    style.FrameRounding = 3;
+    style.ScaleAllSizes(scale / pixels);
+    io.FontGlobalScale = 1 / pixels;
+    io.Fonts->Clear();
+    const float size = std::round(font_size * scale);
+    if (font_path_.empty() || io.Fonts->AddFontFromFileTTF(font_path_.c_str(), size) == nullptr) {
+        ImFontConfig built_in;
+        built_in.SizePixels = size;
+        io.Fonts->AddFontDefault(&built_in);
+    }
 }
 
 Gui::~Gui() {

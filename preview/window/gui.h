@@ -15,12 +15,16 @@ namespace preview {
 class Gui {
   public:
     /// `layout_path`: where the layout is remembered; empty: nowhere. A font file that is missing
-    /// or no font leaves a notice().
+    /// or no font leaves a notice(). There is no text before set_scale().
     Gui(GLFWwindow* window, std::string layout_path, const std::string& font_path);
     ~Gui();
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
 
+    /// Text and what stands around it, so many times as large as at 96 dpi. Between frames; the
+    /// overlay is made anew then.
+    void set_scale(float scale);
+    float scale() const { return scale_; }
     /// With what happened since the last one.
     void begin_frame(const std::vector<editor::InputEvent>& events);
     /// What a person should know of the set-up; empty when all is well.
@@ -33,7 +37,8 @@ class Gui {
     float mouse_x_ = editor::far_away,
           mouse_y_ = editor::far_away; ///< beyond the window when the mouse is
     std::array<bool, 5> buttons_{};
-    std::string layout_path_, notice_;
+    std::string layout_path_, font_path_, notice_;
+    float scale_ = 0;
 };
 
 /// Where the panels' layout is remembered. Empty when there is no settings_folder().

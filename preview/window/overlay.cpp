@@ -42,19 +42,23 @@ void check(VkResult result) {
 
 Overlay::Overlay(const gpu::Device& device, vk::Format format)
     : device_(device), descriptors_(make_pool(device)), pass_(make_pass(device, format)) {
+    start();
+}
+
+void Overlay::start() {
     ImGui_ImplVulkan_InitInfo info{};
-    info.Instance = *device.instance();
-    info.PhysicalDevice = *device.physical();
-    info.Device = *device.vk();
-    info.QueueFamily = device.queue_family();
-    info.Queue = *device.queue();
+    info.Instance = *device_.instance();
+    info.PhysicalDevice = *device_.physical();
+    info.Device = *device_.vk();
+    info.QueueFamily = device_.queue_family();
+    info.Queue = *device_.queue();
     info.DescriptorPool = *descriptors_;
     info.MinImageCount = 2;
     info.ImageCount = 3; // vertex buffers in turn, one more than frames in flight
     info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
     info.CheckVkResultFn = &check;
     ImGui_ImplVulkan_Init(&info, *pass_);
-    device.run_once([](const vk::raii::CommandBuffer& commands) {
+    device_.run_once([](const vk::raii::CommandBuffer& commands) {
         ImGui_ImplVulkan_CreateFontsTexture(*commands);
     });
     ImGui_ImplVulkan_DestroyFontUploadObjects();
@@ -63,6 +67,12 @@ Overlay::Overlay(const gpu::Device& device, vk::Format format)
 Overlay::~Overlay() {
     (*device_.vk()).waitIdle(*device_.vk().getDispatcher());
     ImGui_ImplVulkan_Shutdown();
+}
+
+void Overlay::take_fonts() {
+    device_.vk().waitIdle();
+    ImGui_ImplVulkan_Shutdown();
+    start();
 }
 
 void Overlay::set_targets(const gpu::Swapchain& swapchain) {

@@ -13,6 +13,8 @@ class Overlay {
     Overlay(const Overlay&) = delete;
     Overlay& operator=(const Overlay&) = delete;
 
+    /// Fonts have changed since.
+    void take_fonts();
     /// After every Swapchain::resize().
     void set_targets(const gpu::Swapchain& swapchain);
     /// Before Gui::begin_frame().
@@ -22,6 +24,8 @@ class Overlay {
     void record(const vk::raii::CommandBuffer& commands, std::uint32_t image) const;
 
   private:
+    void start();
+
     const gpu::Device& device_;
     vk::raii::DescriptorPool descriptors_;
     vk::raii::RenderPass pass_;

@@ -5,6 +5,10 @@
 #define GLFW_INCLUDE_VULKAN
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 namespace preview {
 
 namespace {
@@ -14,6 +18,27 @@ std::string glfw_error() {
     const char* text = nullptr;
     glfwGetError(&text);
     return text != nullptr ? std::string(": ") + text : std::string();
+}
+
+/// What the monitors leave for windows, the first monitor's first; of no monitor nothing.
+std::vector<DesktopArea> work_areas() {
+    int count = 0;
+    GLFWmonitor** const monitors = glfwGetMonitors(&count);
+    std::vector<DesktopArea> out;
+    for (int i = 0; i < count; ++i) {
+        DesktopArea area;
+        glfwGetMonitorWorkarea(monitors[i], &area.x, &area.y, &area.width, &area.height);
+        if (area.width > 0 && area.height > 0) {
+            out.push_back(area);
+        }
+    }
+    return out;
+}
+
+FrameWidths frame_of(GLFWwindow* window) {
+    FrameWidths out;
+    glfwGetWindowFrameSize(window, &out.left, &out.top, &out.right, &out.bottom);
+    return out;
 }
 
 } // namespace
@@ -34,12 +59,55 @@ Window::Library::~Library() {
     glfwTerminate();
 }
 
-Window::Window(Size size) {
+Window::Window(std::optional<Size> exact, const WindowMemory& memory) {
+    const Size first = exact.value_or(usual_window_size);
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
-    handle_ = glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height),
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE); // till it has its place
+    handle_ = glfwCreateWindow(static_cast<int>(first.width), static_cast<int>(first.height),
                                "lutpreview", nullptr, nullptr);
     if (handle_ == nullptr) {
         throw lutlib::Error("cannot open a window" + glfw_error());
+    }
+    place(exact, memory);
+    glfwShowWindow(handle_);
+}
+
+void Window::place(std::optional<Size> exact, const WindowMemory& memory) const {
+    const std::vector<DesktopArea> works = work_areas();
+    if (exact || works.empty()) {
+        return;
+    }
+    const FrameWidths frame = frame_of(handle_);
+    const auto scaled = [scale = content_scale()](std::uint32_t size) {
+        return static_cast<std::uint32_t>(std::lround(static_cast<float>(size) * scale));
+    };
+    const Size usual{scaled(usual_window_size.width), scaled(usual_window_size.height)};
+    const DesktopArea area = memory.area ? area_again(*memory.area, frame, works)
+                                         : first_area(usual, frame, works.front());
+    glfwSetWindowSize(handle_, area.width, area.height);
+    glfwSetWindowPos(handle_, area.x, area.y);
+    if (memory.is_maximised) {
+        glfwMaximizeWindow(handle_);
+    }
+}
+
+float Window::content_scale() const {
+    float scale = 1;
+    glfwGetWindowContentScale(handle_, &scale, nullptr);
+    return scale > 0 ? scale : 1;
+}
+
+void Window::tell_place(WindowMemory& memory) const {
+    memory.is_maximised = glfwGetWindowAttrib(handle_, GLFW_MAXIMIZED) == GLFW_TRUE;
+    const bool is_minimised = glfwGetWindowAttrib(handle_, GLFW_ICONIFIED) == GLFW_TRUE;
+    if (memory.is_maximised || is_minimised) {
+        return;
+    }
+    DesktopArea area;
+    glfwGetWindowPos(handle_, &area.x, &area.y);
+    glfwGetWindowSize(handle_, &area.width, &area.height);
+    if (area.width > 0 && area.height > 0) {
+        memory.area = area;
     }
 }
 

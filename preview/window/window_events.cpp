@@ -19,14 +19,17 @@ struct KeyName {
     editor::Key key;
 };
 constexpr KeyName keys[] = {
-    {GLFW_KEY_F1, editor::Key::f1},     {GLFW_KEY_ESCAPE, editor::Key::escape},
-    {GLFW_KEY_A, editor::Key::a},       {GLFW_KEY_B, editor::Key::b},
-    {GLFW_KEY_E, editor::Key::e},       {GLFW_KEY_Q, editor::Key::q},
-    {GLFW_KEY_R, editor::Key::r},       {GLFW_KEY_S, editor::Key::s},
-    {GLFW_KEY_Y, editor::Key::y},       {GLFW_KEY_Z, editor::Key::z},
-    {GLFW_KEY_1, editor::Key::digit_1}, {GLFW_KEY_2, editor::Key::digit_2},
-    {GLFW_KEY_3, editor::Key::digit_3}, {GLFW_KEY_4, editor::Key::digit_4},
-    {GLFW_KEY_5, editor::Key::digit_5},
+    {GLFW_KEY_F1, editor::Key::f1},        {GLFW_KEY_ESCAPE, editor::Key::escape},
+    {GLFW_KEY_A, editor::Key::a},          {GLFW_KEY_B, editor::Key::b},
+    {GLFW_KEY_E, editor::Key::e},          {GLFW_KEY_Q, editor::Key::q},
+    {GLFW_KEY_R, editor::Key::r},          {GLFW_KEY_S, editor::Key::s},
+    {GLFW_KEY_Y, editor::Key::y},          {GLFW_KEY_Z, editor::Key::z},
+    {GLFW_KEY_1, editor::Key::digit_1},    {GLFW_KEY_2, editor::Key::digit_2},
+    {GLFW_KEY_3, editor::Key::digit_3},    {GLFW_KEY_4, editor::Key::digit_4},
+    {GLFW_KEY_5, editor::Key::digit_5},    {GLFW_KEY_0, editor::Key::digit_0},
+    {GLFW_KEY_EQUAL, editor::Key::plus},   {GLFW_KEY_KP_ADD, editor::Key::plus},
+    {GLFW_KEY_MINUS, editor::Key::minus},  {GLFW_KEY_KP_SUBTRACT, editor::Key::minus},
+    {GLFW_KEY_KP_0, editor::Key::digit_0},
 };
 
 editor::Key key_of(int glfw) {
@@ -43,6 +46,10 @@ editor::Key key_of(int glfw) {
 WindowEvents::WindowEvents(GLFWwindow* window) {
     glfwSetWindowUserPointer(window, this);
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { of(w).resized = true; });
+    glfwSetWindowPosCallback(window, [](GLFWwindow* w, int, int) { of(w).moved = true; });
+    // Whoever draws the next frame asks for the new one.
+    glfwSetWindowContentScaleCallback(window,
+                                      [](GLFWwindow* w, float, float) { of(w).resized = true; });
     using Kind = editor::InputEvent::Kind;
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
         of(w).input.push({Kind::move, static_cast<float>(x), static_cast<float>(y)});

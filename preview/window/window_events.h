@@ -19,6 +19,7 @@ struct WindowEvents {
     editor::InputQueue input;
     std::vector<std::string> dropped;
     bool resized = true; ///< also before the first frame
+    bool moved = false;  ///< the window itself
 };
 
 } // namespace preview

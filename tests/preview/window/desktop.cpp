@@ -159,11 +159,12 @@ Desktop::Desktop(int width, int height) {
     if (pipe2(ends, O_CLOEXEC) != 0) {
         throw std::runtime_error("no pipe can be made");
     }
-    // -r: a key held for long on a busy machine does not repeat.
+    // -r: a key held for long on a busy machine does not repeat. -noreset: what programs have set
+    // outlives them, as on a person's desktop.
     server_ = std::make_unique<Process>(
         std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0",
                                  std::to_string(width) + "x" + std::to_string(height) + "x24",
-                                 "-fbdir", folder_.string(), "-nolisten", "tcp", "-r"},
+                                 "-fbdir", folder_.string(), "-nolisten", "tcp", "-r", "-noreset"},
         folder_, "server.txt", ends[1]);
     close(ends[1]);
     std::string number;

@@ -78,13 +78,21 @@ class Window : public ::testing::Test {
     }
 
     void start(const Words& arguments = {}) {
-        std::filesystem::remove(file("places.txt"));
-        program_ = std::make_unique<Process>(Words{LUTPREVIEW, "--size", "800x480", "--shadow-size",
-                                                   "256", "--places", "places.txt", "--validate"} +
-                                                 arguments,
-                                             desktop_->folder(), "window.txt");
-        wait_until([&] { return std::filesystem::exists(file("places.txt")); }, "the first frames");
+        start_unsized(Words{"--size", "800x480"} + arguments);
+    }
+    /// As people do, who name no size.
+    void start_unsized(const Words& arguments = {}) {
+        launch(arguments);
         act(mouse_to({100, 100}));
+    }
+    /// The pointer stays where it is, which may be outside.
+    void launch(const Words& arguments = {}) {
+        std::filesystem::remove(file("places.txt"));
+        program_ = std::make_unique<Process>(
+            Words{LUTPREVIEW, "--shadow-size", "256", "--places", "places.txt", "--validate"} +
+                arguments,
+            desktop_->folder(), "window.txt");
+        wait_until([&] { return std::filesystem::exists(file("places.txt")); }, "the first frames");
     }
     /// As a person does: the program writes its layout and frees what it has.
     void quit() {
@@ -216,6 +224,17 @@ class Window : public ::testing::Test {
         const int from = left > 0 ? static_cast<int>(left * all.width) + fxaa_reach : 0;
         const int to = static_cast<int>(right * all.width) - (right < 1 ? fxaa_reach : 0);
         return {all.x + from, all.y, to - from, all.height};
+    }
+    /// The window moved to this place and made this large.
+    void move_to(const Area& area) {
+        desktop_->xdotool({"search", "--name", "lutpreview", "windowmove", std::to_string(area.x),
+                           std::to_string(area.y), "windowsize", std::to_string(area.width),
+                           std::to_string(area.height)});
+        wait_until([&] { return is_as_large(area.width, area.height); }, "the window's new size");
+    }
+    bool is_as_large(int width, int height) const {
+        const Area panels = place("panels");
+        return panels.x + panels.width == width && panels.height == height;
     }
     int verify(const std::string& strip, const std::string& against) const {
         return say({LUTCONV, "verify", strip, "--against", against}, desktop_->folder()).code;

@@ -1,0 +1,110 @@
+#include "preview/panels/actions.h"
+
+#include "preview/editor/commands.h"
+#include "preview/editor/reload.h"
+
+#include <algorithm>
+
+namespace preview::panels {
+
+namespace {
+
+void compare_by(Ui& ui, const Compare& row) {
+    ui.history.draft().compare = &row;
+}
+
+template <int steps>
+void scale_text(Ui& ui) {
+    constexpr float step = 1.1F;
+    ui.text_scale = steps == 0 ? 1 : steps > 0 ? ui.text_scale * step : ui.text_scale / step;
+}
+
+void close_all(Ui& ui) {
+    ui.shows_help = false;
+    ui.errors.clear();
+    ui.exported.clear();
+    ui.to_replace.clear();
+}
+
+void save(Ui& ui) {
+    const std::string path = ui.history.draft().recipe_path;
+    const auto write = [&ui, path] { save_recipe(ui.history, path); };
+    if (path.empty()) {
+        ui.errors.emplace_back("the recipe has no file yet: save it under Files");
+    } else if (ui.offered || !is_file_as_saved(ui.history.draft())) {
+        attempt_writing(ui, path, write);
+    } else {
+        attempt(ui, write);
+    }
+}
+
+std::vector<Action> own_actions() {
+    std::vector<Action> out{
+        {.help = "this list",
+         .key = Key::f1,
+         .act = [](Ui& ui) { ui.shows_help = !ui.shows_help; }},
+        {.help = "close it, errors, questions and what was exported",
+         .key = Key::escape,
+         .act = &close_all},
+        {.help = "undo", .key = Key::z, .ctrl = true, .act = [](Ui& ui) { ui.history.undo(); }},
+        {.help = "redo",
+         .key = Key::z,
+         .ctrl = true,
+         .shift = true,
+         .act = [](Ui& ui) { ui.history.redo(); }},
+        {.help = "redo", .key = Key::y, .ctrl = true, .act = [](Ui& ui) { ui.history.redo(); }},
+        {.help = "save the recipe to its file", .key = Key::s, .ctrl = true, .act = &save},
+        {.help = "export the strip into the engine's folder (--watch-engine-folder)",
+         .key = Key::e,
+         .ctrl = true,
+         .act = &export_to_engine},
+        {.help = "larger text and controls", .key = Key::plus, .ctrl = true, .act = &scale_text<1>},
+        {.help = "smaller ones", .key = Key::minus, .ctrl = true, .act = &scale_text<-1>},
+        {.help = "as large as the desktop has them",
+         .key = Key::digit_0,
+         .ctrl = true,
+         .act = &scale_text<0>},
+        {.help = "make everything on the GPU anew",
+         .key = Key::r,
+         .ctrl = true,
+         .shift = true,
+         .act = [](Ui& ui) { ui.wants_new_screen = true; }},
+        {.help = "quit", .key = Key::q, .ctrl = true, .act = [](Ui& ui) { ui.quits = true; }},
+        {.help = "side A alone",
+         .key = Key::digit_1,
+         .act = [](Ui& ui) { compare_by(ui, compare_a); }},
+        {.help = "side B alone",
+         .key = Key::digit_2,
+         .act = [](Ui& ui) { compare_by(ui, compare_b); }},
+        {.help = "split by a line",
+         .key = Key::digit_3,
+         .act = [](Ui& ui) { compare_by(ui, compare_split); }},
+        {.help = "side by side",
+         .key = Key::digit_4,
+         .act = [](Ui& ui) { compare_by(ui, compare_side); }},
+        {.help = "difference",
+         .key = Key::digit_5,
+         .act = [](Ui& ui) { compare_by(ui, compare_difference); }},
+    };
+    return out;
+}
+
+} // namespace
+
+const std::vector<Action>& actions() {
+    static const std::vector<Action> table = own_actions();
+    return table;
+}
+
+std::string keys_of(const Action& action) {
+    return std::string(action.ctrl ? "Ctrl+" : "") + (action.shift ? "Shift+" : "") +
+           std::string(text_of(action.key));
+}
+
+bool is_asked_by(const Action& action, const KeyPress& press) {
+    // Where + is typed with Shift, that belongs to it.
+    const bool is_shift_right = press.shift == action.shift || press.key == Key::plus;
+    return press.key == action.key && press.ctrl == action.ctrl && is_shift_right;
+}
+
+} // namespace preview::panels

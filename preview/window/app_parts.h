@@ -1,0 +1,68 @@
+// The program of the window; app.cpp has its life, app_render.cpp what it draws.
+#pragma once
+
+#include "preview/editor/look_baker.h"
+#include "preview/window/app.h"
+#include "preview/window/autosave.h"
+#include "preview/window/following.h"
+#include "preview/window/gui.h"
+#include "preview/window/screen.h"
+#include "preview/window/settings_folder.h"
+#include "preview/window/window_events.h"
+#include "preview/window/window_frame.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace preview {
+
+class App {
+  public:
+    // Dear ImGui needs a frame to notice an event, and one to show what it led to.
+    static constexpr int frames_after_event = 3;
+
+    explicit App(WindowSetup setup);
+    ~App();
+    App(const App&) = delete;
+    App& operator=(const App&) = delete;
+    void run();
+
+  private:
+    void wake() { frames_due_ = frames_after_event; }
+    void tell(const std::string& notice);
+    void open(const std::string& path);
+    void make_screen();
+    void follow_shown();
+    void resize_if_asked();
+    void frame(const std::vector<editor::InputEvent>& events);
+    void request_looks();
+    void take_looks();
+    void render(const panels::Rect& area);
+    void keep_look();
+    void keep_memory();
+    void scale_if_asked();
+    void show_title();
+
+    WindowSetup setup_;
+    MemoryFile memory_;
+    Window window_;
+    WindowEvents events_{window_.handle()};
+    std::optional<Gui> gui_;
+    std::optional<Screen> screen_;
+    panels::Ui ui_;
+    editor::LookRequest requested_;
+    bool baking_ = false;
+    editor::LookBaker baker_;
+    Following following_;
+    Following::Clock::time_point opened_; ///< before all was read that is not followed yet
+    FrameReader reader_{frames_in_flight};
+    /// Of the last frame; none when something that it reads has been written since.
+    std::optional<Graph> drawn_;
+    int frames_due_ = frames_after_event;
+    Recovery recovery_;
+    Autosave autosave_{settings_folder()};
+    bool shows_unsaved_ = false; ///< in the window's title
+};
+
+} // namespace preview

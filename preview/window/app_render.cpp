@@ -1,0 +1,100 @@
+#include "preview/window/app_parts.h"
+#include "preview/window/present.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace preview {
+
+void App::request_looks() {
+    const editor::State& state = ui_.history.draft();
+    editor::LookRequest request{state.recipe, state.sides, state.picture};
+    if (baking_ && editor::same(request, requested_)) {
+        return;
+    }
+    requested_ = request;
+    baking_ = true;
+    baker_.request(std::move(request));
+}
+
+void App::take_looks() {
+    const std::optional<editor::BakedLooks> baked = baker_.take();
+    if (!baked) {
+        return;
+    }
+    ui_.facts.bake_milliseconds = baked->milliseconds;
+    frames_due_ = frames_after_event;
+    if (!baked->error.empty()) {
+        ui_.errors.push_back(baked->error);
+        return;
+    }
+    for (std::size_t i = 0; i < screen_->looks.size(); ++i) {
+        screen_->looks[i].set(baked->sides[i]);
+        ui_.facts.look_notes[i] = baked->sides[i].note;
+        ui_.facts.look_standings[i] = baked->sides[i].encodings;
+        ui_.facts.tables[i] = baked->sides[i].table;
+    }
+    drawn_.reset();
+}
+
+void App::render(const panels::Rect& area) {
+    Screen& screen = *screen_;
+    const vk::Extent2D window = screen.swapchain.extent();
+    const vk::Rect2D output = output_area(area, window);
+    const ScopeAreas scope_places = scope_areas(ui_, window);
+    FrameSettings settings =
+        window_settings(ui_, setup_.frame, {output.extent.width, output.extent.height});
+    settings.raster =
+        setup_.raster->on(screen.device, picture_size(settings.output, *settings.compare));
+    for (std::size_t i = 0; i < scopes.size(); ++i) {
+        settings.scope_sizes[i] = {scope_places[i].extent.width, scope_places[i].extent.height};
+    }
+    const editor::State& state = ui_.history.draft();
+    FrameInputs inputs = screen.shown->inputs();
+    inputs.lights = &state.lights;
+    inputs.surroundings = &state.surroundings;
+    inputs.look_a = screen.looks[0].look();
+    inputs.look_b = screen.looks[1].look();
+    const std::array names{title_of(state.sides[0]), title_of(state.sides[1])};
+    inputs.names = {names[0], names[1]};
+    inputs.hdr_maximum = reader_.hdr_maximum_for(settings, state.lights, state.surroundings);
+    Graph graph;
+    const FrameHandles handles = build_frame(graph, inputs, settings);
+
+    const std::optional<std::uint32_t> image = screen.swapchain.acquire();
+    if (!image) {
+        events_.resized = true;
+        frames_due_ = frames_after_event;
+        return;
+    }
+    FrameEnd end;
+    end.waits = {screen.swapchain.acquired()};
+    end.signals = {screen.swapchain.finished(*image)};
+    end.record = [&](const vk::raii::CommandBuffer& commands) {
+        std::vector<Placed> pictures{{&screen.executor.image(handles.output), output.offset}};
+        for (std::size_t i = 0; i < scopes.size(); ++i) {
+            if (handles.scope_pictures[i]) {
+                pictures.push_back(
+                    {&screen.executor.image(handles.scope_pictures[i]), scope_places[i].offset});
+            }
+        }
+        record_present(commands, pictures, screen.swapchain.image(*image));
+        screen.overlay.record(commands, *image);
+    };
+    if (drawn_ && *drawn_ == graph) {
+        screen.executor.repeat(end);
+    } else {
+        screen.executor.render(graph, end);
+    }
+    if (!screen.swapchain.present(*image)) {
+        events_.resized = true;
+        frames_due_ = frames_after_event;
+    }
+    if (reader_.read(screen.executor, graph, handles, ui_)) {
+        frames_due_ = std::max(frames_due_, 1);
+    }
+    drawn_ = std::move(graph);
+}
+
+} // namespace preview

@@ -55,7 +55,10 @@ void help_window(Ui& ui) {
     if (!ui.shows_help) {
         return;
     }
+    const ImVec2 room = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({em(2), em(2)}, ImGuiCond_Appearing);
+    ImGui::SetNextWindowSizeConstraints(
+        {0, 0}, {std::max(room.x - em(4), em(4)), std::max(room.y - em(4), em(4))});
     const bool open = ImGui::Begin("Help", &ui.shows_help, ImGuiWindowFlags_AlwaysAutoResize);
     mark_window(ui, "help");
     if (open && ImGui::BeginTable("keys", 2)) {
@@ -290,14 +293,16 @@ void tabs(Ui& ui) {
 
 /// The window of the panels, at the right; its width.
 float begin_panels(Ui& ui, ImVec2 window) {
-    constexpr float least_width = 24, usual_width = 31; // heights of the text
+    constexpr float least_width = 24, usual_width = 28.5F; // heights of the text
     const float least = std::min(em(least_width), window.x / 2);
     const float most = std::max(least, window.x * 0.7F);
     const float chosen =
         ui.panels_width > 0 ? em(ui.panels_width) : std::min(em(usual_width), window.x / 2);
-    const float wanted = std::round(std::clamp(chosen, least, most));
+    // The picture's columns are pairs, side by side.
+    const float left = 2 * std::round((window.x - std::clamp(chosen, least, most)) / 2);
+    const float wanted = window.x - left;
     ImGui::SetNextWindowSize({wanted, window.y});
-    ImGui::SetNextWindowSizeConstraints({least, window.y}, {most, window.y});
+    ImGui::SetNextWindowSizeConstraints({least - 1, window.y}, {most + 1, window.y});
     ImGui::SetNextWindowPos({window.x, 0}, ImGuiCond_Always, {1, 0});
     ImGui::Begin("Panels", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
@@ -305,7 +310,7 @@ float begin_panels(Ui& ui, ImVec2 window) {
     mark_window(ui, "panels");
     const float width = ImGui::GetWindowWidth();
     // A narrow window forgets no width that a person has chosen.
-    if (std::abs(width - wanted) >= 1) {
+    if (std::abs(width - wanted) > 1) {
         ui.panels_width = width / em(1);
     }
     return width;

@@ -246,7 +246,8 @@ std::vector<ColorPair> ColorBins::robust_means(const Transform& look, double lim
                 if (of_color.weight() > 0) {
                     const double rounded =
                         rounding + own > 0 ? (rounding + own) / (rounding + own / pixels) : pixels;
-                    const double different = is_rounded ? rounded : std::sqrt(pixels);
+                    const double different =
+                        is_rounded ? rounded : std::max(rounded, std::sqrt(pixels));
                     mean.add(of_color, different * of_color.weight() / pixels);
                 }
             }

@@ -69,7 +69,7 @@ class ColorBins {
     /// In the order of means(); of what nothing is left has a weight of 0. Pixels of one colour
     /// before the grade share what rounding took from them: the weight is the number of pixels of
     /// different colours that would tell as much. A code that was clipped was not rounded, and a
-    /// colour of which many say so counts by their square root.
+    /// colour of which many say so counts by their square root at least.
     std::vector<ColorPair> robust_means(const Transform& look, double limit,
                                         const PixelNoise& noise = {0, 1}) const;
 

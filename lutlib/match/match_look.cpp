@@ -23,6 +23,7 @@ constexpr double stiff = 10;
 constexpr std::array<double, 3> smoothnesses{10, 1, 0.1};
 // Of what a stiffer one misses: so much is chance.
 constexpr double worth_bending = 1.005;
+constexpr double noisy = 2 * usual_noise;
 // Of the colours, those that the others foretell to find it out.
 constexpr std::size_t foretold = 4;
 // Pixels, and colours, are doubted from so many deviations on, and never within so many codes.
@@ -97,13 +98,13 @@ class Learning {
             trust(means);
             choose_smoothness(means);
             lut_.cube.reset();
-            fit(means, out_.smoothness, usual_noise, rough);
+            fit(means, out_.smoothness, kink(), rough);
         }
         const std::vector<ColorPair> means = without_strays();
         if (start) {
             trust(means);
         }
-        fit(means, out_.smoothness, usual_noise, fine);
+        fit(means, out_.smoothness, kink(), fine);
         out_.noise = noise_;
         // One pixel's weight, so that support counts pixels whatever their noise.
         const double of_one =
@@ -116,13 +117,20 @@ class Learning {
     }
 
   private:
+    // Where pixels are noisy so are bends, and none of them can be told from a kink.
+    double kink() const { return noise_ < noisy ? usual_noise : 0; }
     Transform look() const { return Transform::of(lut_); }
 
     std::vector<ColorPair> without_strays() {
         noise_ = std::max(bins_.noise(look()), least_noise_);
         const double own = std::sqrt(std::max(0.0, squared(noise_) - squared(least_noise_)));
-        return bins_.robust_means(look(), std::max(pixel_doubt * noise_, never_doubted),
-                                  {least_noise_, own});
+        std::vector<ColorPair> out = bins_.robust_means(
+            look(), std::max(pixel_doubt * noise_, never_doubted), {least_noise_, own});
+        // Noise about an end of the codes falls on one side of it, and pulls only from there.
+        for (ColorPair& pair : out) {
+            pair.clipped = noise_ < noisy ? pair.clipped : Clipped{};
+        }
+        return out;
     }
 
     // What the base leaves over.
@@ -146,7 +154,7 @@ class Learning {
         RgbD least;
         for (const double smoothness : smoothnesses) {
             const ResidualLattice lattice = residual_lattice(
-                known, size, {{smoothness, smoothness, smoothness}, usual_noise, rough});
+                known, size, {{smoothness, smoothness, smoothness}, kink(), rough});
             Lut3D cube = identity_cube(size);
             std::transform(lattice.nodes.begin(), lattice.nodes.end(), cube.nodes.begin(),
                            to_float);

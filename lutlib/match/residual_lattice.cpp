@@ -164,9 +164,10 @@ class Matrix {
                 residual[k] -= by * image[k];
                 return residual[k] * residual[k] / own(k);
             });
-            const double kept = now / left;
-            for_all(
-                [&](std::size_t k) { direction[k] = residual[k] / own(k) + kept * direction[k]; });
+            const double carried = now / left;
+            for_all([&](std::size_t k) {
+                direction[k] = residual[k] / own(k) + carried * direction[k];
+            });
             left = now;
         }
     }
@@ -270,13 +271,13 @@ class ChannelFit {
 
     void run(double smoothness, double kink, double precision, NodeValues& nodes) const {
         std::vector<bool> counted;
-        const int rounds = kink > 0 ? kink_rounds : 0;
+        const int early = kink > 0 ? kink_rounds : 0;
         for (int round = 0; round < most_rounds; ++round) {
             std::vector<bool> counts;
             for (const Placed* const pair : clipped_) {
                 counts.push_back(pair->counts(channel_, pair->read(nodes)));
             }
-            if (round > rounds && !changes(counted, counts)) {
+            if (round > early && !changes(counted, counts)) {
                 break;
             }
             Matrix left = left_;
@@ -296,7 +297,7 @@ class ChannelFit {
                     const double bend = at[node] - 2 * at[node + along] + at[node + 2 * along];
                     return smoothness / (1 + doubt * bend * bend);
                 });
-            left.solve(right, nodes, round >= rounds ? precision : std::max(precision, on_the_way));
+            left.solve(right, nodes, round >= early ? precision : std::max(precision, on_the_way));
             counted = std::move(counts);
         }
     }

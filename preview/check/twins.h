@@ -19,8 +19,8 @@ struct TwinFigure {
     /// Texels beyond the bound, and how many may be: comparisons that hang on a rounding may fall
     /// either way.
     std::uint64_t beyond = 0, may_be_beyond = 0;
-    /// Of the channel that is worst: how much more light the pass has than its twin, as a share of
-    /// that and of the floor, and as allowed.
+    /// Of the channel that is worst: how much more light the pass has than its twin, rounded as the
+    /// pass's format should, as a share of that and of the floor; and as allowed.
     double drift = 0, drift_bound = 0;
     bool is_near() const { return beyond <= may_be_beyond; }
     bool keeps_light() const { return std::abs(drift) <= drift_bound; }

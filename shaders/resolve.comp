@@ -26,21 +26,28 @@ vec3 filtered(ivec2 at) {
         return vec3(0.0);
     }
     ivec2 source_size = textureSize(source, 0);
-    vec2 scale = vec2(source_size) / vec2(extent);
-    vec2 centre = (vec2(at) + 0.5) * scale;
-    vec2 reach = max(scale, vec2(1.0)) * 0.5;
-    ivec2 first = ivec2(floor(centre - reach));
-    ivec2 last = ivec2(ceil(centre + reach)) - 1;
+    // Borders that fall between texels do so exactly: a share of 1e-5 of a bright texel would shine.
+    vec2 low_edge = vec2(at * source_size) / vec2(extent);
+    vec2 high_edge = vec2((at + 1) * source_size) / vec2(extent);
+    vec2 centre = vec2((2 * at + 1) * source_size) / vec2(2 * extent);
+    vec2 low_corner = min(low_edge, centre - 0.5), high_corner = max(high_edge, centre + 0.5);
+    ivec2 first = ivec2(floor(low_corner));
+    ivec2 last = ivec2(ceil(high_corner)) - 1;
     vec3 sum = vec3(0.0);
     float weights = 0.0;
     for (int y = first.y; y <= last.y; ++y) {
+        // Row by row, or what is added vanishes beside what is there.
+        vec3 row_sum = vec3(0.0);
+        float row_weights = 0.0;
         for (int x = first.x; x <= last.x; ++x) {
-            vec2 low = max(vec2(x, y), centre - reach);
-            vec2 high = min(vec2(x, y) + 1.0, centre + reach);
+            vec2 low = max(vec2(x, y), low_corner);
+            vec2 high = min(vec2(x, y) + 1.0, high_corner);
             float weight = max(high.x - low.x, 0.0) * max(high.y - low.y, 0.0);
-            sum += weight * light_at(clamp(ivec2(x, y), ivec2(0), source_size - 1));
-            weights += weight;
+            row_sum += weight * light_at(clamp(ivec2(x, y), ivec2(0), source_size - 1));
+            row_weights += weight;
         }
+        sum += row_sum;
+        weights += row_weights;
     }
     return sum / max(weights, 1e-20);
 }

@@ -84,6 +84,32 @@ TEST_F(ResolveTest, the_darkest_light_is_rounded_and_not_cut_off) {
     EXPECT_NEAR(found / mean, 1, 0.01);
 }
 
+TEST_F(ResolveTest, a_large_picture_keeps_its_mean_in_a_single_pixel) {
+    // In one sum of floats what is added would be rounded to what the sum can hold. A software
+    // device ends loops after 65535 turns.
+    std::vector<float> texels;
+    double mean = 0;
+    constexpr int side = 250;
+    for (int i = 0; i < side * side; ++i) {
+        const float value = i < 40 ? 60000.0F : 0.3F;
+        mean += static_cast<double>(value) / (side * side);
+        texels.insert(texels.end(), {value, 0.3F, 0, 1});
+    }
+    const Result got = resolve({Format::rgba32f, side, side}, texels, {1, 1}, 1);
+    EXPECT_NEAR(static_cast<double>(got.texels[0]) / mean, 1, 5.1e-4);
+    EXPECT_NEAR(static_cast<double>(got.texels[1]) / 0.3, 1, 5.1e-4);
+}
+
+TEST_F(ResolveTest, a_bright_texel_does_not_shine_beyond_its_own_pixel) {
+    std::vector<float> texels(std::size_t{4} * 644 * 8, 0);
+    for (std::size_t y = 0; y < 8; ++y) {
+        texels[4 * (644 * y + 321)] = 65504; // the last of the left half
+    }
+    const Result got = resolve({Format::rgba32f, 644, 8}, texels, {80, 1}, 1);
+    EXPECT_GT(got.texels[std::size_t{4} * 39], 8000);
+    EXPECT_EQ(got.texels[std::size_t{4} * 40], 0);
+}
+
 TEST_F(ResolveTest, equals_its_twin_in_double_at_any_size) {
     reference::Image light(13, 7);
     std::vector<float> texels;

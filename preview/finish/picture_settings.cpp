@@ -81,6 +81,10 @@ constexpr NumberRow<S> numbers[] = {
      .of = [](S& s) -> float& { return s.heat_scale; },
      .own = [](const S&) { return usual_heat_scale; },
      .own_name = "until the 99th percentile is known"},
+    {.flag = "zebra-level",
+     .label = "Zebra from",
+     .help = "Luma from which --view zebra has stripes, 1 is white",
+     .of = [](S& s) -> float& { return s.zebra_level; }},
 };
 
 constexpr ChoiceRow<S> choices[] = {
@@ -91,6 +95,9 @@ constexpr ChoiceRow<S> choices[] = {
     choice_of<S, &S::compare, compare_rows>(
         "compare", "Compare", "comparison", "Comparisons",
         "What is shown of the looks; by default a, or split when --b is given"),
+    choice_of<S, &S::picture_view, picture_views>(
+        "view", "See", "view of the picture", "Views of the picture",
+        "How the finished picture is looked at, with a legend"),
 };
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "preview/finish/compare.h"
 #include "preview/finish/effect_use.h"
 #include "preview/finish/effects.h"
+#include "preview/finish/picture_views.h"
 #include "preview/finish/setting_rows.h"
 #include "preview/finish/tonemaps.h"
 
@@ -33,6 +34,8 @@ struct PictureSettings {
     const Compare* compare = &compare_a;
     float split = 0.5F;    ///< where the line stands, of the width
     float heat_scale = -1; ///< dE2000 at the heat map's end; negative: the 99th percentile
+    const PictureView* picture_view = picture_view_named("picture");
+    float zebra_level = 0.95F; ///< luma, 0..1, from which its stripes begin
     EffectSet without;     ///< parts of the frame that are switched off
     EffectUses effects;    ///< laid over it, in this order within each stage
     friend bool operator==(const PictureSettings&, const PictureSettings&) = default;

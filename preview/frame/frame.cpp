@@ -14,6 +14,7 @@
 #include "preview/passes/lighting.h"
 #include "preview/passes/names.h"
 #include "preview/passes/occlusion.h"
+#include "preview/passes/picture_view.h"
 #include "preview/passes/resolve.h"
 #include "preview/passes/shadow.h"
 #include "preview/passes/split_line.h"
@@ -224,6 +225,15 @@ void tone_map(Graph& graph, Finishing& finishing) {
     finishing.settings.tonemap = nullptr;
 }
 
+/// Why the picture is shown as it is; empty where a view of it is shown.
+std::string_view no_view_because(const FrameSettings& settings) {
+    return settings.picture_view->is_picture()       ? "the picture itself is shown"
+           : settings.compare == &compare_difference ? "a heat map is no picture to look at"
+           : settings.scope != nullptr               ? "a scope is shown"
+           : settings.shows_intermediate()           ? "an intermediate is shown"
+                                                     : "";
+}
+
 /// Finishes handles.hdr into handles.graded, and lays over it what stands after the look.
 void finish(Graph& graph, const FrameSettings& settings, const DrawnEffects& drawn,
             Finishing& finishing, FrameHandles& handles) {
@@ -242,34 +252,60 @@ void finish(Graph& graph, const FrameSettings& settings, const DrawnEffects& dra
         finishing.picture =
             with_effects(graph, Stage::before_look, drawn, finishing.picture, handles);
     }
-    finishing.settings.has_line = !fusion.is_line_apart;
+    const bool is_viewed = no_view_because(settings).empty();
+    const bool is_line_apart =
+        fusion.is_line_apart || (is_viewed && settings.compare == &compare_split);
+    finishing.settings.has_line = !is_line_apart;
     const bool rounds = settings.format == Format::rgba8 && settings.compare != &compare_difference;
     const bool dithers = settings.dithers && rounds;
     // Effects take what is not yet rounded; antialiasing alone is not worth a pass for it.
-    const bool rounds_apart = rounds && !dithers && has_stage(drawn.uses, Stage::after_look);
+    const bool rounds_apart =
+        rounds && !dithers && (is_viewed || has_stage(drawn.uses, Stage::after_look));
     if (dithers) {
         finishing.settings.format = Format::rgba32f;
     } else {
         if (rounds_apart) {
-            finishing.settings.format = Format::rgba16f;
+            finishing.settings.format = is_viewed ? Format::rgba32f : Format::rgba16f;
         }
         graph.withhold("dither", settings.dithers ? "there are no 8 bits of colour to round to"
                                                   : "it is off");
+    }
+    if (is_viewed && settings.picture_view->reads_before) {
+        Finishing before = finishing;
+        before.look_a = before.look_b = nullptr;
+        before.settings.name = "before the looks";
+        handles.before_looks = add_finish(graph, before).picture;
     }
     const Finished finished = add_finish(graph, finishing);
     handles.graded = finished.picture;
     handles.figures = finished.figures;
     handles.output = with_effects(graph, Stage::after_look, drawn, handles.graded, handles);
     handles.output = with_effects(graph, Stage::last, drawn, handles.output, handles);
+    handles.unrounded = handles.output;
     if (dithers) {
         handles.output = add_dither(graph, handles.output);
     } else if (rounds_apart) {
         handles.output = add_copy(graph, handles.output, Format::rgba8);
     }
-    if (fusion.is_line_apart) {
+    if (is_line_apart) {
         handles.output = add_split_line(graph, handles.output, settings.split);
     } else if (settings.compare == &compare_split) {
         graph.withhold("split line", "the finishing pass draws it: no effect comes after the look");
+    }
+}
+
+/// Looks at the picture as settings.picture_view does.
+void view_picture(Graph& graph, const FrameSettings& settings, FrameHandles& handles) {
+    const std::string_view reason = no_view_because(settings);
+    if (!reason.empty()) {
+        graph.withhold("view of the picture", reason);
+        return;
+    }
+    handles.output =
+        add_picture_view(graph, {handles.unrounded, handles.before_looks}, *settings.picture_view,
+                         settings.zebra_level, settings.format);
+    if (settings.compare == &compare_split) {
+        handles.output = add_split_line(graph, handles.output, settings.split);
     }
 }
 
@@ -357,6 +393,7 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
         return handles;
     }
     add_instruments(graph, settings, finishing, handles);
+    view_picture(graph, settings, handles);
     if (settings.scope == nullptr) {
         name_sides(graph, inputs, settings, handles);
     }

@@ -107,6 +107,8 @@ struct FrameHandles {
     std::array<ImageHandle, scopes.size()> scope_pictures; ///< of those looked at, presented
     BufferHandle probe, axis_counts;
     std::vector<EffectPicture> effects; ///< of those drawn, in the order of the frame
+    /// What views of the picture read: it before it is rounded, and before the looks.
+    ImageHandle unrounded, before_looks;
     ImageHandle output;                 ///< presented
 };
 

@@ -19,6 +19,13 @@ void scale_text(Ui& ui) {
     ui.text_scale = steps == 0 ? 1 : steps > 0 ? ui.text_scale * step : ui.text_scale / step;
 }
 
+/// Of the table, around it.
+void next_view(Ui& ui) {
+    const auto views = picture_views();
+    const PictureView*& view = ui.history.draft().picture_view;
+    view = &views[(static_cast<std::size_t>(index_of(*view)) + 1) % views.size()];
+}
+
 void close_all(Ui& ui) {
     ui.shows_help = false;
     ui.errors.clear();
@@ -85,6 +92,13 @@ std::vector<Action> own_actions() {
         {.help = "difference",
          .key = Key::digit_5,
          .act = [](Ui& ui) { compare_by(ui, compare_difference); }},
+        {.help = "look at the picture's levels, clipping, gamut or a channel: the next view",
+         .key = Key::v,
+         .act = &next_view},
+        {.help = "the picture itself",
+         .key = Key::v,
+         .shift = true,
+         .act = [](Ui& ui) { ui.history.draft().picture_view = &picture_views().front(); }},
     };
     return out;
 }

@@ -192,6 +192,12 @@ void view_panel(Ui& ui) {
     } else {
         number(ui, "split");
     }
+    ImGui::BeginDisabled(state.compare == &compare_difference);
+    choice(ui, "view");
+    if (state.picture_view == picture_view_named("zebra")) {
+        number(ui, "zebra-level");
+    }
+    ImGui::EndDisabled();
     ImGui::Separator();
     ImGui::TextDisabled("%s on %s", ui.facts.input.c_str(), ui.facts.device.c_str());
     number(ui, "exposure");

@@ -3,6 +3,7 @@
 // shaders: a row whose function is missing does not compile.
 #include "lutlib/error.h"
 #include "preview/finish/compare.h"
+#include "preview/finish/picture_views.h"
 #include "preview/finish/tonemaps.h"
 #include "preview/look/gpu_lookups.h"
 
@@ -16,6 +17,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace preview {
 namespace {
@@ -171,6 +173,55 @@ std::string compare_choice() {
            side_choice('b', &Compare::shows_b);
 }
 
+std::string color_text(const std::array<float, 3>& color) {
+    return fmt::format("vec3({:.6f}, {:.6f}, {:.6f})", color[0], color[1], color[2]);
+}
+
+/// A constant array of GLSL.
+std::string array_text(const std::string& type, const std::string& name,
+                       const std::vector<std::string>& items) {
+    return fmt::format("const {0} {1}[{2}] = {0}[{2}]({3});\n", type, name, items.size(),
+                       fmt::join(items, ", "));
+}
+
+std::string level_bands_text() {
+    constexpr double beyond_all = 2; // luma ends at 1
+    std::vector<std::string> ends, marked, colors;
+    for (const LevelBand& band : level_bands) {
+        ends.push_back(fmt::format("{:.6f}", std::min(band.to, beyond_all)));
+        marked.push_back(band.text.empty() ? "false" : "true");
+        colors.push_back(color_text(band.color));
+    }
+    return fmt::format("const int level_count = {};\n", level_bands.size()) +
+           array_text("float", "level_ends", ends) + array_text("bool", "level_is_marked", marked) +
+           array_text("vec3", "level_colors", colors);
+}
+
+std::string picture_view_choice() {
+    std::string legends, cases;
+    for (const PictureView& row : picture_views()) {
+        if (row.is_picture()) {
+            continue;
+        }
+        std::string name(row.name);
+        std::replace(name.begin(), name.end(), '-', '_');
+        std::vector<std::string> colors;
+        for (const LegendEntry& entry : row.legend) {
+            colors.push_back(color_text(entry.color));
+        }
+        legends += array_text("vec3", name + "_colors", colors);
+        cases += fmt::format("    case {}: // {}\n        return {}(v);\n", index_of(row), row.name,
+                             row.shader);
+    }
+    return "// Written by the build from preview/finish/picture_views.cpp.\n" + legends +
+           level_bands_text() +
+           "#include \"common/picture_views.glsl\"\n\n"
+           "/// `row` is a specialisation constant wherever this is called, so one branch "
+           "remains.\n"
+           "vec3 picture_view(int row, Viewed v) {\n    switch (row) {\n" +
+           cases + "    default:\n        return v.color;\n    }\n}\n";
+}
+
 /// Leaves a file alone that says the same already, so that no shader is compiled for nothing.
 void write(const std::filesystem::path& path, const std::string& text) {
     std::ostringstream known;
@@ -191,6 +242,7 @@ void write_tables(const std::filesystem::path& folder) {
     write(folder / "compares.glsl", compare_choice());
     write(folder / "lookups.glsl", lookup_choice());
     write(folder / "shared_lookups.glsl", shared_lookup_choice());
+    write(folder / "picture_views.glsl", picture_view_choice());
 }
 
 } // namespace

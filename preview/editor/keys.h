@@ -15,6 +15,7 @@ enum class Key : std::uint8_t {
     a, // from here on what a text field takes for itself
     b,
     e,
+    p,
     q,
     r,
     s,
@@ -36,8 +37,8 @@ inline constexpr std::size_t key_count = static_cast<std::size_t>(Key::count_);
 /// What stands on the key; nothing of one that no panel knows.
 constexpr std::string_view text_of(Key key) {
     constexpr std::string_view texts[key_count] = {
-        "",  "",  "F1", "Esc", "A", "B", "E", "Q", "R", "S", "V",
-        "Y", "Z", "1",  "2",   "3", "4", "5", "0", "+", "-",
+        "",  "",  "F1", "Esc", "A", "B", "E", "P", "Q", "R", "S",
+        "V", "Y", "Z",  "1",   "2", "3", "4", "5", "0", "+", "-",
     };
     return texts[static_cast<std::size_t>(key)];
 }

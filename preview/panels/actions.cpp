@@ -27,7 +27,7 @@ void next_view(Ui& ui) {
 }
 
 void close_all(Ui& ui) {
-    ui.shows_help = false;
+    ui.shows_help = ui.shows_palette = false;
     ui.errors.clear();
     ui.exported.clear();
     ui.to_replace.clear();
@@ -53,6 +53,10 @@ std::vector<Action> own_actions() {
         {.help = "close it, errors, questions and what was exported",
          .key = Key::escape,
          .act = &close_all},
+        {.help = "find anything that can be done by typing",
+         .key = Key::p,
+         .ctrl = true,
+         .act = [](Ui& ui) { ui.shows_palette = !ui.shows_palette; }},
         {.help = "undo", .key = Key::z, .ctrl = true, .act = [](Ui& ui) { ui.history.undo(); }},
         {.help = "redo",
          .key = Key::z,

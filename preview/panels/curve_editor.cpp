@@ -100,7 +100,7 @@ void draw_counts(ImDrawList& list, const Canvas& canvas, const Parameter& parame
     const double first = parameter.axis.periodic ? -step / 2 : 0; // bins about their hues
     const float floor_y = canvas.origin.y + canvas.size.y;
     const ImU32 color =
-        parameter.axis.periodic ? IM_COL32(0, 0, 0, 110) : IM_COL32(200, 205, 220, 62);
+        parameter.axis.periodic ? IM_COL32(0, 0, 0, 110) : IM_COL32(205, 205, 205, 62);
     for (std::uint32_t i = 0; i < axis_bins; ++i) {
         const float share =
             std::min(std::sqrt(static_cast<float>(bins[i]) / static_cast<float>(most)), 1.0F);
@@ -164,7 +164,7 @@ bool edit_knots(const Parameter& parameter, Knots& knots, const Knot& mouse, boo
 void draw_curves(const Ui& ui, const Canvas& canvas, const Parameter& parameter, const Knots& knots,
                  ImVec2 origin, ImVec2 corner) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(origin, corner, IM_COL32(24, 24, 28, 255));
+    list.AddRectFilled(origin, corner, IM_COL32(24, 24, 24, 255));
     list.PushClipRect(origin, corner, true);
     if (parameter.axis.periodic) {
         draw_ribbon(list, canvas);

@@ -2,6 +2,7 @@
 // exported and what that lost.
 #include "preview/editor/commands.h"
 #include "preview/editor/reload.h"
+#include "preview/panels/theme.h"
 #include "preview/panels/ui.h"
 
 #include <imgui.h>
@@ -26,7 +27,8 @@ std::string short_report(const std::string& report) {
 }
 
 void warning(const std::string& text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 190, 60, 255));
+    ImGui::PushStyleColor(ImGuiCol_Text,
+                          IM_COL32(warning_color[0], warning_color[1], warning_color[2], 255));
     ImGui::TextWrapped("%s", text.c_str());
     ImGui::PopStyleColor();
 }

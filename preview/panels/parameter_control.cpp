@@ -1,8 +1,37 @@
 #include "preview/panels/parameter_control.h"
 
+#include "preview/panels/tip.h"
+
+#include <fmt/format.h>
 #include <imgui.h>
 
 namespace preview::panels {
+
+namespace {
+
+std::string usual_of(const lutlib::Parameter& parameter, const lutlib::OpContext& context) {
+    const std::string unit = parameter.unit.empty() ? "" : " " + std::string(parameter.unit);
+    switch (parameter.kind) {
+    case lutlib::ParameterKind::number: {
+        const double usual = number_of(parameter, default_value(parameter), context);
+        return fmt::format("{:.5g}{}{}", usual, unit,
+                           parameter.automatic != nullptr
+                               ? " (" + std::string(parameter.automatic_words) + ")"
+                               : "");
+    }
+    case lutlib::ParameterKind::toggle:
+        return parameter.fallback != 0 ? "on" : "off";
+    case lutlib::ParameterKind::rgb: {
+        const auto usual = std::get<lutlib::RgbD>(default_value(parameter));
+        return fmt::format("{:.5g} {:.5g} {:.5g}{}", usual.r, usual.g, usual.b, unit);
+    }
+    case lutlib::ParameterKind::curve:
+        break;
+    }
+    return {};
+}
+
+} // namespace
 
 bool parameter_control(Ui& ui, const lutlib::Parameter& parameter, lutlib::Value& value,
                        const std::string& place, const lutlib::OpContext& context) {
@@ -41,6 +70,7 @@ bool parameter_control(Ui& ui, const lutlib::Parameter& parameter, lutlib::Value
         return curve_editor(ui, parameter, std::get<lutlib::Knots>(value), place);
     }
     mark(ui, place);
+    tip({}, usual_of(parameter, context), parameter.kind != lutlib::ParameterKind::toggle);
     return changed;
 }
 

@@ -1,4 +1,5 @@
 // The lights of the scene, by the table of their controls.
+#include "preview/panels/tip.h"
 #include "preview/panels/ui.h"
 #include "preview/scene/light_controls.h"
 
@@ -39,9 +40,7 @@ void control_row(Ui& ui, const LightControl& control, PointLight& light, const s
         break;
     }
     mark(ui, place);
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("%s", std::string(control.help).c_str());
-    }
+    tip(control.help, {}, control.kind != LightControl::Kind::flag);
     if (changed) {
         control.set(light, value);
     }

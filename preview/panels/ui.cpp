@@ -2,6 +2,7 @@
 
 #include "lutlib/io/reason.h"
 #include "preview/panels/actions.h"
+#include "preview/panels/palette.h"
 
 #include <imgui.h>
 
@@ -130,6 +131,14 @@ void replace_dialog(Ui& ui) {
 
 } // namespace
 
+std::vector<std::string> panel_names() {
+    std::vector<std::string> out;
+    for (const Panel& panel : panels) {
+        out.emplace_back(panel.name);
+    }
+    return out;
+}
+
 float em(float heights) {
     return heights * ImGui::GetFontSize();
 }
@@ -165,6 +174,7 @@ void dialogs(Ui& ui) {
     help_window(ui);
     error_window(ui);
     replace_dialog(ui);
+    palette(ui);
 }
 
 void handle_shortcuts(Ui& ui) {

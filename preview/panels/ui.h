@@ -77,6 +77,9 @@ struct Ui {
     float panels_width = 0; ///< in heights of the text; 0: nobody has chosen one
     std::size_t panel = 0;  ///< which one is seen
     bool shows_help = false;
+    bool shows_palette = false;
+    std::string palette_text;   ///< what is typed in it
+    std::size_t palette_at = 0; ///< the row that Enter does
     bool quits = false;
     bool shows_passes = false; ///< set by the passes panel while it is seen: timings are wanted
     bool shows_curves = false; ///< set by curve editors: counts along their axes are wanted
@@ -136,6 +139,9 @@ bool curve_editor(Ui& ui, const lutlib::Parameter& parameter, lutlib::Knots& kno
 
 /// Texts one below the other, wrapped.
 void lines(const std::vector<std::string>& texts);
+
+/// What the tabs are called, in their order.
+std::vector<std::string> panel_names();
 
 /// So many heights of the text, in the window's pixels.
 float em(float heights);

@@ -2,10 +2,13 @@
 #include "preview/editor/commands.h"
 #include "preview/effects/effect.h"
 #include "preview/panels/parameter_control.h"
+#include "preview/panels/tip.h"
 #include "preview/panels/ui.h"
 #include "preview/scene/camera_settings.h"
 
 #include <imgui.h>
+
+#include <type_traits>
 
 namespace preview::panels {
 
@@ -30,6 +33,18 @@ void choice(Ui& ui, std::string_view flag) {
     ImGui::EndCombo();
 }
 
+/// The default with its unit; none of a camera, which each scene has its own.
+template <class S>
+std::string usual_text(const NumberRow<S>& row) {
+    if constexpr (std::is_same_v<S, Orbit>) {
+        return {};
+    } else {
+        const S usual{};
+        return number_text(row.value(usual), row.is_own(usual) ? row.own_name : "") +
+               (row.unit.empty() ? "" : " " + std::string(row.unit));
+    }
+}
+
 template <class S>
 void number(Ui& ui, const NumberRow<S>& row, S& settings) {
     const bool has_own_range = row.slider_min < row.slider_max;
@@ -44,9 +59,7 @@ void number(Ui& ui, const NumberRow<S>& row, S& settings) {
         row.of(settings) = value;
     }
     mark(ui, "setting." + std::string(row.flag));
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("%s", std::string(row.help).c_str());
-    }
+    tip(row.help, usual_text(row));
 }
 
 void number(Ui& ui, std::string_view flag) {

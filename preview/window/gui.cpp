@@ -1,5 +1,6 @@
 #include "preview/window/gui.h"
 
+#include "preview/panels/theme.h"
 #include "preview/window/settings_folder.h"
 
 #include <GLFW/glfw3.h>
@@ -53,7 +54,7 @@ void Gui::set_scale(float scale) {
                              : 1;
     ImGuiStyle& style = ImGui::GetStyle();
     style = ImGuiStyle();
-    ImGui::StyleColorsDark();
+    panels::apply_theme();
     style.WindowRounding = 0;
     style.FrameRounding = 3;
     style.ScaleAllSizes(scale / pixels);

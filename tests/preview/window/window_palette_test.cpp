@@ -1,0 +1,36 @@
+// The palette of commands by mouse and keys.
+#include "tests/preview/window/window_fixture.h"
+
+namespace desktop {
+namespace {
+
+class WindowPalette : public Window {};
+
+TEST_F(WindowPalette, does_what_is_typed_and_entered_or_clicked) {
+    start({"picture.ppm"});
+    const Screen before = first_screen();
+    key("ctrl+p");
+    type("see 709");
+    key("Return");
+    const Screen luma = screen_where(
+        [&](const Screen& now) { return now.changed(before, picture()) > 0.9; }, "the luma");
+    EXPECT_EQ(places().count("palette.search"), 0U) << "it is still open";
+    key("ctrl+z");
+    screen_where(is(before), "the picture");
+    key("ctrl+p");
+    type("see 709");
+    click("palette.0");
+    screen_where(is(luma), "the luma by a click");
+    key("shift+v");
+    screen_where(is(before), "the picture by its key");
+    key("ctrl+p");
+    key("Escape");
+    EXPECT_EQ(places().count("palette.search"), 0U);
+    key("ctrl+p");
+    type("panel cube");
+    key("Return");
+    place("cube.front");
+}
+
+} // namespace
+} // namespace desktop

@@ -41,6 +41,9 @@ vec3 light_from(Surface surface, vec3 position, vec3 normal, vec3 face, vec3 to_
         vec3 towards = light.position_layer.xyz - (is_sun(light) ? vec3(0.0) : position);
         // A light that touches the surface is held at a millimetre.
         float squared = max(dot(towards, towards), 1e-6);
+        if (!(squared < 1e30)) {
+            continue; // floats do not square its distance, and it lights nothing
+        }
         float distance_to_light = sqrt(squared);
         vec3 direction = towards / distance_to_light;
         bool is_area =

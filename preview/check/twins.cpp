@@ -180,10 +180,11 @@ TwinFigure compared(const TwinRow& row, const Image& wanted, const Observed& got
         out.largest = std::max(out.largest, worst);
         out.beyond += worst > row.bound ? 1 : 0;
     }
-    // Bars beside a picture round to what they are.
+    // Bars beside a picture round to what they are; a picture that is all black is no bar.
     const auto lit = std::count_if(wanted.pixels.begin(), wanted.pixels.end(),
                                    [](const RgbD& pixel) { return pixel != RgbD{}; });
-    const double texels = std::max(static_cast<double>(lit), 1.0);
+    const double texels =
+        lit > 0 ? static_cast<double>(lit) : static_cast<double>(wanted.pixels.size());
     out.drift_bound = row.drift + drift_of_one_texel / std::sqrt(texels);
     for (std::size_t c = 0; c < 3; ++c) {
         const double drift =

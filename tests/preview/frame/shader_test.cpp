@@ -191,6 +191,11 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
         changed.tonemap = &row;
         check(inputs, changed);
     }
+    for (const PictureView& row : picture_views()) {
+        FrameSettings changed = settings();
+        changed.picture_view = &row;
+        check(inputs, changed);
+    }
     for (const Bloom& row : blooms()) {
         for (const float threshold : {0.0F, 1.0F}) {
             FrameSettings changed = settings();

@@ -11,6 +11,11 @@ enum class Key : std::uint8_t {
     none,     ///< one that no panel knows
     modifier, ///< Shift, Control, Alt, Super
     f1,
+    f2,
+    f3,
+    f4,
+    f5,
+    f6,
     escape,
     a, // from here on what a text field takes for itself
     b,
@@ -27,6 +32,10 @@ enum class Key : std::uint8_t {
     digit_3,
     digit_4,
     digit_5,
+    digit_6,
+    digit_7,
+    digit_8,
+    digit_9,
     digit_0,
     plus, ///< also where it is typed with Shift
     minus,
@@ -37,8 +46,8 @@ inline constexpr std::size_t key_count = static_cast<std::size_t>(Key::count_);
 /// What stands on the key; nothing of one that no panel knows.
 constexpr std::string_view text_of(Key key) {
     constexpr std::string_view texts[key_count] = {
-        "",  "",  "F1", "Esc", "A", "B", "E", "P", "Q", "R", "S",
-        "V", "Y", "Z",  "1",   "2", "3", "4", "5", "0", "+", "-",
+        "",  "",  "F1", "F2", "F3", "F4", "F5", "F6", "Esc", "A", "B", "E", "P", "Q", "R", "S",
+        "V", "Y", "Z",  "1",  "2",  "3",  "4",  "5",  "6",   "7", "8", "9", "0", "+", "-",
     };
     return texts[static_cast<std::size_t>(key)];
 }

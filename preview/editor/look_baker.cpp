@@ -60,6 +60,13 @@ LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side, const Picture
             return table_look(side.lut, picture);
         }
         break;
+    case SideSource::version:
+        if (side.version) {
+            Side whole = side;
+            whole.source = SideSource::recipe;
+            return look_of(side.version->recipe, whole, picture);
+        }
+        break;
     case SideSource::recipe: {
         const LookStanding where = standing_of(encodings_of(recipe), nullptr, picture);
         return standing(look_for(quick_table(recipe), float_table()), where);

@@ -19,7 +19,7 @@ auto values_of(const Orbit& o) {
 }
 
 auto values_of(const State& s) {
-    return std::tie(s.recipe_path, s.base_path, s.sides, s.picture, s.shown, s.lights,
+    return std::tie(s.recipe_path, s.base_path, s.sides, s.versions, s.picture, s.shown, s.lights,
                     s.surroundings, s.scopes_seen, s.cube);
 }
 
@@ -31,6 +31,9 @@ std::string title_of(const Side& side) {
     }
     if (side.source == SideSource::none) {
         return "no look";
+    }
+    if (side.source == SideSource::version) {
+        return "version " + std::to_string(side.version_place + 1);
     }
     const SideSourceInfo& row = side_sources[static_cast<std::size_t>(side.source)];
     return std::string(row.name) +

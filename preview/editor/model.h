@@ -22,7 +22,7 @@ struct Shown;
 namespace preview::editor {
 
 /// What one side of the comparison shows.
-enum class SideSource : std::uint8_t { none, source, recipe, baked, file };
+enum class SideSource : std::uint8_t { none, source, recipe, baked, file, version };
 
 struct SideSourceInfo {
     SideSource source;
@@ -31,13 +31,22 @@ struct SideSourceInfo {
 };
 
 /// In the order of the enumeration.
-inline constexpr std::array<SideSourceInfo, 5> side_sources{{
+inline constexpr std::array<SideSourceInfo, 6> side_sources{{
     {SideSource::none, "none", "no look"},
     {SideSource::source, "source", "the LUT that the recipe starts from"},
     {SideSource::recipe, "recipe", "the recipe itself, as a float table with its error stated"},
     {SideSource::baked, "baked", "the recipe's strip as that engine reads it"},
     {SideSource::file, "file", "another LUT file"},
+    {SideSource::version, "version", "the version that was put here, as its recipe"},
 }};
+
+/// A look that was stored.
+struct Version {
+    lutlib::Recipe recipe;
+    std::string base_path;         ///< where its base lies
+    std::vector<std::string> told; ///< as State::told
+};
+inline constexpr std::size_t version_count = 9;
 
 struct Side {
     SideSource source = SideSource::none;
@@ -48,6 +57,8 @@ struct Side {
     lutlib::LookEncodings said;        ///< of `file`: in place of what it says
     std::vector<std::string> told;     ///< of `file`: what its reading lost, guessed or left undone
     std::shared_ptr<const lutlib::Lut> lut;
+    std::shared_ptr<const Version> version; ///< of `version`
+    std::size_t version_place = 0;          ///< where it was stored
     friend bool operator==(const Side&, const Side&) = default;
 };
 
@@ -80,6 +91,7 @@ struct State : PictureSettings {
     lutlib::Recipe saved;          ///< the recipe as its file has it: opened or saved last
     std::vector<std::string> told; ///< what the reading of the look lost, guessed or left undone
     std::array<Side, 2> sides;
+    std::array<std::shared_ptr<const Version>, version_count> versions; ///< null: none
     PictureCodes picture;
     std::shared_ptr<const Shown> shown; ///< the scene or picture
     Orbit orbit;

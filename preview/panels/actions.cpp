@@ -2,6 +2,7 @@
 
 #include "preview/editor/commands.h"
 #include "preview/editor/reload.h"
+#include "preview/editor/versions.h"
 
 #include <algorithm>
 
@@ -45,6 +46,55 @@ void save(Ui& ui) {
     }
 }
 
+void store(Ui& ui, std::size_t place) {
+    store_version(ui.history.draft(), place);
+}
+
+void say_if_none(Ui& ui, bool is_there, std::size_t place) {
+    if (!is_there) {
+        const std::string number = std::to_string(place + 1);
+        ui.errors.push_back("store a version there first: Ctrl+" + number);
+    }
+}
+
+void recall(Ui& ui, std::size_t place) {
+    say_if_none(ui, recall_version(ui.history.draft(), place), place);
+}
+
+void put_on_a(Ui& ui, std::size_t place) {
+    say_if_none(ui, show_version(ui.history.draft(), place, 0), place);
+}
+
+constexpr Key digits[] = {Key::digit_1, Key::digit_2, Key::digit_3, Key::digit_4, Key::digit_5,
+                          Key::digit_6, Key::digit_7, Key::digit_8, Key::digit_9};
+static_assert(std::size(digits) == version_count);
+
+struct NumberedAction {
+    const char* help;
+    bool ctrl = false, shift = false;
+    void (*act)(Ui& ui, std::size_t place) = nullptr;
+};
+constexpr NumberedAction numbered[] = {
+    {.help = "store the look as version ", .ctrl = true, .act = &store},
+    {.help = "bring back version ", .act = &recall},
+    {.help = "show on side A version ", .shift = true, .act = &put_on_a},
+};
+
+/// For each place; F1 lists them as one.
+void add_numbered(std::vector<Action>& out) {
+    for (const NumberedAction& row : numbered) {
+        for (std::size_t place = 0; place < std::size(digits); ++place) {
+            Action action{.help = row.help + std::to_string(place + 1),
+                          .key = digits[place],
+                          .ctrl = row.ctrl,
+                          .shift = row.shift,
+                          .act = [act = row.act, place](Ui& ui) { act(ui, place); }};
+            action.listed = place == 0 ? keys_of(action) + " to 9" : "";
+            out.push_back(std::move(action));
+        }
+    }
+}
+
 std::vector<Action> own_actions() {
     std::vector<Action> out{
         {.help = "this list",
@@ -81,20 +131,16 @@ std::vector<Action> own_actions() {
          .shift = true,
          .act = [](Ui& ui) { ui.wants_new_screen = true; }},
         {.help = "quit", .key = Key::q, .ctrl = true, .act = [](Ui& ui) { ui.quits = true; }},
-        {.help = "side A alone",
-         .key = Key::digit_1,
-         .act = [](Ui& ui) { compare_by(ui, compare_a); }},
-        {.help = "side B alone",
-         .key = Key::digit_2,
-         .act = [](Ui& ui) { compare_by(ui, compare_b); }},
+        {.help = "side A alone", .key = Key::f2, .act = [](Ui& ui) { compare_by(ui, compare_a); }},
+        {.help = "side B alone", .key = Key::f3, .act = [](Ui& ui) { compare_by(ui, compare_b); }},
         {.help = "split by a line",
-         .key = Key::digit_3,
+         .key = Key::f4,
          .act = [](Ui& ui) { compare_by(ui, compare_split); }},
         {.help = "side by side",
-         .key = Key::digit_4,
+         .key = Key::f5,
          .act = [](Ui& ui) { compare_by(ui, compare_side); }},
         {.help = "difference",
-         .key = Key::digit_5,
+         .key = Key::f6,
          .act = [](Ui& ui) { compare_by(ui, compare_difference); }},
         {.help = "look at the picture's levels, clipping, gamut or a channel: the next view",
          .key = Key::v,
@@ -104,6 +150,7 @@ std::vector<Action> own_actions() {
          .shift = true,
          .act = [](Ui& ui) { ui.history.draft().picture_view = &picture_views().front(); }},
     };
+    add_numbered(out);
     return out;
 }
 

@@ -21,9 +21,9 @@ struct Panel {
     void (*draw)(Ui& ui);
 };
 constexpr Panel panels[] = {
-    {"Look", &look_panel},  {"View", &view_panel},     {"Scene", &scene_panel},
-    {"Files", &file_panel}, {"Passes", &passes_panel}, {"Scopes", &scopes_panel},
-    {"Cube", &cube_panel},
+    {"Look", &look_panel},     {"Versions", &versions_panel}, {"View", &view_panel},
+    {"Scene", &scene_panel},   {"Files", &file_panel},        {"Passes", &passes_panel},
+    {"Scopes", &scopes_panel}, {"Cube", &cube_panel},
 };
 
 /// What a text field takes for itself.

@@ -122,6 +122,7 @@ void file_panel(Ui& ui);
 void passes_panel(Ui& ui);
 void scopes_panel(Ui& ui);
 void cube_panel(Ui& ui);
+void versions_panel(Ui& ui);
 void dialogs(Ui& ui);
 /// What a person must know of files, above the panels.
 void notices(Ui& ui);

@@ -124,9 +124,15 @@ void side_controls(Ui& ui, Side& side, const std::string& name, const std::strin
     ImGui::PushID(name.c_str());
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(("Side " + name).c_str());
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     for (const SideSourceInfo& info : side_sources) {
-        ImGui::SameLine();
-        ImGui::BeginDisabled(info.source == SideSource::file && !side.lut);
+        const float width = ImGui::CalcTextSize(info.name.data()).x + ImGui::GetFrameHeight() +
+                            2 * ImGui::GetStyle().ItemSpacing.x;
+        if (ImGui::GetItemRectMax().x + width < right) {
+            ImGui::SameLine();
+        }
+        ImGui::BeginDisabled((info.source == SideSource::file && !side.lut) ||
+                             (info.source == SideSource::version && !side.version));
         if (ImGui::RadioButton(std::string(info.name).c_str(), side.source == info.source)) {
             side.source = info.source;
         }

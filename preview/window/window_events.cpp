@@ -30,7 +30,11 @@ constexpr KeyName keys[] = {
     {GLFW_KEY_5, editor::Key::digit_5},    {GLFW_KEY_0, editor::Key::digit_0},
     {GLFW_KEY_EQUAL, editor::Key::plus},   {GLFW_KEY_KP_ADD, editor::Key::plus},
     {GLFW_KEY_MINUS, editor::Key::minus},  {GLFW_KEY_KP_SUBTRACT, editor::Key::minus},
-    {GLFW_KEY_KP_0, editor::Key::digit_0},
+    {GLFW_KEY_KP_0, editor::Key::digit_0}, {GLFW_KEY_6, editor::Key::digit_6},
+    {GLFW_KEY_7, editor::Key::digit_7},    {GLFW_KEY_8, editor::Key::digit_8},
+    {GLFW_KEY_9, editor::Key::digit_9},    {GLFW_KEY_F2, editor::Key::f2},
+    {GLFW_KEY_F3, editor::Key::f3},        {GLFW_KEY_F4, editor::Key::f4},
+    {GLFW_KEY_F5, editor::Key::f5},        {GLFW_KEY_F6, editor::Key::f6},
 };
 
 editor::Key key_of(int glfw) {

@@ -97,10 +97,10 @@ void add_numbered(std::vector<Action>& out) {
 
 std::vector<Action> own_actions() {
     std::vector<Action> out{
-        {.help = "this list",
+        {.help = "list of keys",
          .key = Key::f1,
          .act = [](Ui& ui) { ui.shows_help = !ui.shows_help; }},
-        {.help = "close it, errors, questions and what was exported",
+        {.help = "close what lies over the panels: lists, errors, questions, what was exported",
          .key = Key::escape,
          .act = &close_all},
         {.help = "find anything that can be done by typing",
@@ -120,8 +120,11 @@ std::vector<Action> own_actions() {
          .ctrl = true,
          .act = &export_to_engine},
         {.help = "larger text and controls", .key = Key::plus, .ctrl = true, .act = &scale_text<1>},
-        {.help = "smaller ones", .key = Key::minus, .ctrl = true, .act = &scale_text<-1>},
-        {.help = "as large as the desktop has them",
+        {.help = "smaller text and controls",
+         .key = Key::minus,
+         .ctrl = true,
+         .act = &scale_text<-1>},
+        {.help = "text and controls as large as the desktop has them",
          .key = Key::digit_0,
          .ctrl = true,
          .act = &scale_text<0>},

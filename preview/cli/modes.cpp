@@ -179,12 +179,19 @@ FrameInputs Rendering::inputs() const {
     return out;
 }
 
+void tell_lost(const std::string& path, const std::vector<std::string>& lost) {
+    for (const std::string& what : lost) {
+        tell(path + ": not written, as the file does not hold it: " + what);
+    }
+}
+
 void write(const std::string& path, const Rendering& rendering, const Rendered& rendered) {
     const FrameSettings& settings = rendering.settings;
     const std::optional<ShownPicture>& picture = rendering.shown->picture;
     if (settings.keep_hdr) {
-        write_light(path, rendered, rendering.file,
-                    picture ? alpha_for(*picture, rendered.hdr_size) : std::vector<float>());
+        tell_lost(path, write_light(path, rendered, rendering.file,
+                                    picture ? alpha_for(*picture, rendered.hdr_size)
+                                            : std::vector<float>()));
         return;
     }
     std::vector<float> alpha;
@@ -192,8 +199,9 @@ void write(const std::string& path, const Rendering& rendering, const Rendered& 
         settings.compare != &compare_difference) {
         alpha = alpha_for(*picture, rendered.size);
     }
-    write_picture(path, rendered, rendering.file,
-                  settings.shows_numbers ? Content::numbers : Content::codes, alpha);
+    tell_lost(path,
+              write_picture(path, rendered, rendering.file,
+                            settings.shows_numbers ? Content::numbers : Content::codes, alpha));
 }
 
 /// Says once what the frame leaves out of what was asked for; the explanation has it anyhow.

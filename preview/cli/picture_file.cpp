@@ -86,11 +86,12 @@ void set_alpha(io::FloatImage& image, const std::vector<float>& alpha) {
 }
 
 /// Colours multiplied by alpha where files of that type hold them so.
-void write_as_stored(const std::string& path, io::FloatImage& image, const FileFormat& format) {
+std::vector<std::string> write_as_stored(const std::string& path, io::FloatImage& image,
+                                         const FileFormat& format) {
     if (image.alpha && io::stores_premultiplied(path, nullptr)) {
         io::premultiply(image);
     }
-    io::write_image(path, image, {format.depth, image.alpha, {}});
+    return io::write_image(path, image, {format.depth, image.alpha, {}});
 }
 
 } // namespace
@@ -140,8 +141,9 @@ io::PngImage code_image(const Rendered& rendered) {
     return png_of(float_image(rendered), 8);
 }
 
-void write_picture(const std::string& path, const Rendered& rendered, const FileFormat& format,
-                   Content content, const std::vector<float>& alpha) {
+std::vector<std::string> write_picture(const std::string& path, const Rendered& rendered,
+                                       const FileFormat& format, Content content,
+                                       const std::vector<float>& alpha) {
     io::FloatImage image = float_image(rendered);
     if (format.holds_light && content == Content::codes) {
         decode(image.rgba);
@@ -150,20 +152,20 @@ void write_picture(const std::string& path, const Rendered& rendered, const File
     if (is_png(path)) {
         io::write_file(path,
                        io::write_png(png_of(image, format.depth == io::Depth::uint8 ? 8 : 16)));
-        return;
+        return {};
     }
-    write_as_stored(path, image, format);
+    return write_as_stored(path, image, format);
 }
 
-void write_light(const std::string& path, const Rendered& rendered, const FileFormat& format,
-                 const std::vector<float>& alpha) {
+std::vector<std::string> write_light(const std::string& path, const Rendered& rendered,
+                                     const FileFormat& format, const std::vector<float>& alpha) {
     io::FloatImage image;
     image.width = static_cast<int>(rendered.hdr_size.width);
     image.height = static_cast<int>(rendered.hdr_size.height);
     image.rgba = rendered.hdr;
     image.depth = format.depth;
     set_alpha(image, alpha);
-    write_as_stored(path, image, format);
+    return write_as_stored(path, image, format);
 }
 
 } // namespace preview

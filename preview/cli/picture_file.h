@@ -39,12 +39,15 @@ std::vector<float> alpha_for(const ShownPicture& picture, Size rendered);
 /// The output in 8 bits without its alpha, tagged as sRGB.
 lutlib::io::PngImage code_image(const Rendered& rendered);
 
-/// PNG, or what OpenImageIO writes by that extension. `alpha` may be empty. Throws lutlib::Error.
-void write_picture(const std::string& path, const Rendered& rendered, const FileFormat& format,
-                   Content content = Content::codes, const std::vector<float>& alpha = {});
+/// PNG, or what OpenImageIO writes by that extension. `alpha` may be empty. The answer is what of
+/// it the file does not hold, a phrase each. Throws lutlib::Error.
+std::vector<std::string> write_picture(const std::string& path, const Rendered& rendered,
+                                       const FileFormat& format, Content content = Content::codes,
+                                       const std::vector<float>& alpha = {});
 
-/// The light before tone mapping. `alpha` may be empty. Throws lutlib::Error.
-void write_light(const std::string& path, const Rendered& rendered, const FileFormat& format,
-                 const std::vector<float>& alpha = {});
+/// The same of the light before tone mapping.
+std::vector<std::string> write_light(const std::string& path, const Rendered& rendered,
+                                     const FileFormat& format,
+                                     const std::vector<float>& alpha = {});
 
 } // namespace preview

@@ -206,8 +206,9 @@ class Library final : public Oiio {
             write_parts(*output, *keep, path, file, image, options);
             return {};
         }
-        OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.samples_a_pixel()),
-                             type_of(image.depth));
+        const OIIO::TypeDesc type = type_of(image.depth);
+        const bool drops_alpha = image.alpha && !output->supports("alpha");
+        OIIO::ImageSpec spec(image.width, image.height, image.alpha && !drops_alpha ? 4 : 3, type);
         if (!image.premultiplied) {
             spec.attribute("oiio:UnassociatedAlpha", 1);
         }
@@ -215,7 +216,7 @@ class Library final : public Oiio {
             spec.attribute(key, value);
         }
         std::vector<std::string> lost;
-        if (image.alpha && !output->supports("alpha")) {
+        if (drops_alpha) {
             lost.emplace_back("the alpha");
         }
         if (options.keep) {
@@ -226,7 +227,8 @@ class Library final : public Oiio {
         if (!output->open(path, spec)) {
             fail("cannot write the picture", output->geterror(), path, file);
         }
-        if (!output->write_image(type_of(image.depth), image.samples.data()) || !output->close()) {
+        const auto pixel = static_cast<OIIO::stride_t>(image.samples_a_pixel() * type.size());
+        if (!output->write_image(type, image.samples.data(), pixel) || !output->close()) {
             fail("cannot write the pixels", output->geterror(), path, file);
         }
         return lost;

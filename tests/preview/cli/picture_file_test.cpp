@@ -98,6 +98,14 @@ TEST(PictureFile, of_light_keeps_alpha_as_its_type_stores_it) {
     EXPECT_EQ(back.rgba, (std::vector<float>{1.5F, 1, 0.5F, 0.5F, 0.5F, 0.5F, 0.5F, 1}));
     write_light(path, rendered, file_format(path, "float"));
     EXPECT_FALSE(lutlib::io::read_image(path).alpha);
+
+    const std::string without = folder.file("x.hdr");
+    EXPECT_EQ(write_light(without, rendered, file_format(without, ""), {0.5F, 1}),
+              std::vector<std::string>{"the alpha"});
+    const lutlib::io::FloatImage straight = lutlib::io::read_image(without);
+    EXPECT_FALSE(straight.alpha);
+    EXPECT_NEAR(straight.rgba[0], 3, 0.02);
+    EXPECT_NEAR(straight.rgba[4], 0.5, 0.005);
 }
 
 TEST(PictureFile, of_premultiplied_colours_is_shown_straight_and_written_as_its_type_stores_them) {

@@ -3,56 +3,26 @@
 #include "lutlib/error.h"
 #include "lutlib/io/box/box.h"
 #include "lutlib/io/file.h"
-#include "lutlib/io/output_names.h"
 #include "lutlib/io/references.h"
 #include "lutlib/io/terminal.h"
 #include "preview/cli/check_mode.h"
 #include "preview/cli/look_options.h"
 #include "preview/cli/option_listing.h"
 #include "preview/cli/picture_file.h"
+#include "preview/cli/rendering.h"
 #include "preview/cli/sequence.h"
 #include "preview/frame/shown.h"
-#include "preview/look/gpu_look.h"
 #include "preview/look/look_file.h"
-#include "preview/scene/gpu_scene.h"
-#include "preview/scene/nearest.h"
 #include "terminal/table.h"
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <memory>
 #include <optional>
 #include <set>
 
 namespace preview {
 
 namespace {
-
-void tell(const std::string& line) {
-    lutlib::io::print_err("lutpreview: " + lutlib::io::shown_text(line) + "\n");
-}
-
-std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& path,
-                                 const LookUse& use, bool force, std::string& notes,
-                                 const char* side, std::string& reason) {
-    const LoadedLook look = load_look(path, use);
-    const std::string name = "look " + std::string(side) + ": ";
-    for (const std::string& line : look.told) {
-        tell(path + ": " + line);
-        notes += name + line + "\n";
-    }
-    for (const std::string& line : {look.encodings, look.note}) {
-        if (!line.empty() && (look.told.empty() || look.told.back() != line)) {
-            notes += name + line + "\n";
-        }
-    }
-    if (look.skip_reason.empty() || (force && path != "none" && !path.empty())) {
-        return std::optional<GpuLook>(std::in_place, device, look.data);
-    }
-    reason = look.skip_reason;
-    return std::nullopt;
-}
 
 /// A line for the kind of the surroundings and each number that it has.
 std::string surroundings_text(const Surroundings& surroundings) {
@@ -65,143 +35,6 @@ void tell_written(const Options& options, const std::string& path) {
     if (options.verbose) {
         tell(lutlib::io::output_name(path));
     }
-}
-
-void refuse_looks_as_output(const Options& options) {
-    for (const std::string& look : {options.look_a, options.look_b}) {
-        lutlib::io::require_another_than(look, "a look that is shown", options.output);
-    }
-}
-
-/// What frames without a window are rendered from.
-struct Rendering {
-    explicit Rendering(const Options& options);
-    FrameInputs inputs() const;
-
-    gpu::Device device;
-    std::shared_ptr<const Shown> shown;
-    FrameSettings settings;
-    std::vector<PointLight> lights;
-    Surroundings surroundings;
-    FileFormat file;
-    std::string notes; ///< lines of --explain: what the files have and the frame has not
-    std::array<std::string, 2> no_look; ///< why a side has none
-    std::array<std::string, 2> names;   ///< of the sides
-    std::optional<GpuLook> look_a, look_b;
-    GpuShown on_gpu;
-};
-
-gpu::DeviceOptions device_options_of(const Options& options) {
-    gpu::DeviceOptions out;
-    out.wanted = options.device;
-    out.validation = options.validate;
-    return out;
-}
-
-Rendering::Rendering(const Options& options)
-    : device(device_options_of(options)), shown(std::make_shared<const Shown>(shown_of(options))),
-      settings(settings_of(options, shown->picture_size())),
-      lights(lights_of(options, shown->scene)), on_gpu(device, shown) {
-    for (const std::string& line : shown->left_out) {
-        notes += "left out  of " + shown->name + ": " + line + "\n";
-        if (!options.explain) {
-            tell(shown->name + ": not supported, left out: " + line);
-        }
-    }
-    if (shown->scene) {
-        settings.orbit = orbit_of(options, *shown->scene);
-        surroundings = surroundings_of(options, *shown->scene);
-    }
-    for (const std::string& line : unused_options(
-             options, {shown->scene ? &*shown->scene : nullptr, shown->display_encoded()},
-             settings)) {
-        tell(line);
-    }
-    settings.raster = options.raster->on(device, picture_size(settings.output, *settings.compare));
-    for (const std::string& line : shown->told) {
-        notes += line + "\n";
-        tell(line);
-    }
-    if (!options.output.empty()) {
-        refuse_looks_as_output(options);
-        for (const std::string& read : shown->files) {
-            lutlib::io::require_another_than(read, "what is shown", options.output);
-        }
-        file = file_format(options.output, options.depth);
-        for (const std::string& line : shown->not_written) {
-            tell(shown->name + ": not written: " + line + "; 'lutconv apply' keeps it");
-        }
-    }
-    const bool shows_picture = !settings.shows_intermediate() && settings.scope == nullptr;
-    settings.keep_hdr =
-        file.holds_light && options.exr_light && shows_picture && !shown->display_encoded();
-    if (const std::string line = not_in_light(options, settings);
-        settings.keep_hdr && !line.empty()) {
-        tell(line);
-    }
-    settings.format = file.frame_format();
-    settings.keeps_light = true; // measuring it draws it already
-    settings.dithers = options.dither.value_or(false);
-    settings.shows_numbers = file.holds_light && settings.shows_intermediate();
-    const bool force = options.frame.force_all, has_light = !shown->display_encoded();
-    look_a =
-        load_side(device, options.look_a, use_a(options, has_light), force, notes, "A", no_look[0]);
-    names = {look_title(options.look_a), look_title(options.look_b)};
-    look_b =
-        load_side(device, options.look_b, use_b(options, has_light), force, notes, "B", no_look[1]);
-}
-
-/// Says so when the camera sees nothing of the scene.
-void tell_empty_view(const Rendering& rendering) {
-    const FrameInputs inputs = rendering.inputs();
-    if (inputs.scene == nullptr) {
-        return;
-    }
-    const Size size = picture_size(rendering.settings.output, *rendering.settings.compare);
-    const Orbit& orbit = rendering.settings.orbit;
-    const Camera camera =
-        camera_of(orbit, static_cast<float>(size.width) / static_cast<float>(size.height));
-    if (std::isinf(nearest_depth(*inputs.scene, inputs.gpu_scene->geometry,
-                                 camera.projection * camera.view, orbit.near_plane))) {
-        tell("the camera sees nothing of " + rendering.shown->name +
-             ": turn it by --azimuth and --elevation, or name another with --camera");
-    }
-}
-
-FrameInputs Rendering::inputs() const {
-    FrameInputs out = on_gpu.inputs();
-    out.lights = &lights;
-    out.surroundings = &surroundings;
-    out.look_a = look_a ? &*look_a : nullptr;
-    out.look_b = look_b ? &*look_b : nullptr;
-    out.no_look = {no_look[0], no_look[1]};
-    out.names = {names[0], names[1]};
-    return out;
-}
-
-void tell_lost(const std::string& path, const std::vector<std::string>& lost) {
-    for (const std::string& what : lost) {
-        tell(path + ": not written, as the file does not hold it: " + what);
-    }
-}
-
-void write(const std::string& path, const Rendering& rendering, const Rendered& rendered) {
-    const FrameSettings& settings = rendering.settings;
-    const std::optional<ShownPicture>& picture = rendering.shown->picture;
-    if (settings.keep_hdr) {
-        tell_lost(path, write_light(path, rendered, rendering.file,
-                                    picture ? alpha_for(*picture, rendered.hdr_size)
-                                            : std::vector<float>()));
-        return;
-    }
-    std::vector<float> alpha;
-    if (picture && !settings.shows_intermediate() && settings.scope == nullptr &&
-        settings.compare != &compare_difference) {
-        alpha = alpha_for(*picture, rendered.size);
-    }
-    tell_lost(path,
-              write_picture(path, rendered, rendering.file,
-                            settings.shows_numbers ? Content::numbers : Content::codes, alpha));
 }
 
 /// Says once what the frame leaves out of what was asked for; the explanation has it anyhow.
@@ -233,7 +66,7 @@ void render_once(const Options& options, const Rendering& rendering, Executor& e
                                     : "");
     }
     if (!options.output.empty()) {
-        write(options.output, rendering, rendered);
+        write_frame(options.output, rendering, rendered);
         tell_written(options, options.output);
     }
 }
@@ -257,7 +90,7 @@ void render_moment(const Options& options, const Rendering& rendering, Executor&
     }
     const Rendered rendered = render_frame(executor, inputs, settings);
     tell_left_out(options, rendered.withheld, told);
-    write(path, rendering, rendered);
+    write_frame(path, rendering, rendered);
 }
 
 void render_sequence(const Options& options, const Rendering& rendering, Executor& executor,

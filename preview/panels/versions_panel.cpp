@@ -10,7 +10,7 @@ namespace {
 
 void version_row(Ui& ui, State& state, std::size_t place) {
     const std::string number = std::to_string(place + 1);
-    const std::shared_ptr<const Version> version = state.versions[place];
+    const std::shared_ptr<const editor::Version> version = state.versions[place];
     ImGui::PushID(number.c_str());
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();

@@ -36,8 +36,8 @@ struct PictureSettings {
     float heat_scale = -1; ///< dE2000 at the heat map's end; negative: the 99th percentile
     const PictureView* picture_view = picture_view_named("picture");
     float zebra_level = 0.95F; ///< luma, 0..1, from which its stripes begin
-    EffectSet without;     ///< parts of the frame that are switched off
-    EffectUses effects;    ///< laid over it, in this order within each stage
+    EffectSet without;         ///< parts of the frame that are switched off
+    EffectUses effects;        ///< laid over it, in this order within each stage
     friend bool operator==(const PictureSettings&, const PictureSettings&) = default;
 };
 

@@ -109,7 +109,7 @@ struct FrameHandles {
     std::vector<EffectPicture> effects; ///< of those drawn, in the order of the frame
     /// What views of the picture read: it before it is rounded, and before the looks.
     ImageHandle unrounded, before_looks;
-    ImageHandle output;                 ///< presented
+    ImageHandle output; ///< presented
 };
 
 } // namespace preview

@@ -47,9 +47,8 @@ App::~App() {
 }
 
 App::App(WindowSetup setup)
-    : setup_(std::move(setup)), memory_(memory_path()),
-      window_(setup_.size, memory_.memory()), ui_(setup_.state),
-      baker_([] { glfwPostEmptyEvent(); }), opened_(setup_.opened) {
+    : setup_(std::move(setup)), memory_(memory_path()), window_(setup_.size, memory_.memory()),
+      ui_(setup_.state), baker_([] { glfwPostEmptyEvent(); }), opened_(setup_.opened) {
     ui_.engine_folder = setup_.engine_folder;
     ui_.export_engine = export_engine_of(ui_.history.draft());
     ui_.text_scale = memory_.memory().text_scale;

@@ -2,21 +2,17 @@
 
 #include "lutlib/error.h"
 #include "preview/effects/fusion.h"
-#include "preview/frame/declared_scene.h"
 #include "preview/frame/frame_effects.h"
+#include "preview/frame/frame_scene.h"
 #include "preview/frame/instruments.h"
 #include "preview/look/gpu_look.h"
 #include "preview/passes/bloom_composite.h"
 #include "preview/passes/copy.h"
 #include "preview/passes/dither.h"
 #include "preview/passes/finish.h"
-#include "preview/passes/forward.h"
-#include "preview/passes/lighting.h"
 #include "preview/passes/names.h"
-#include "preview/passes/occlusion.h"
 #include "preview/passes/picture_view.h"
 #include "preview/passes/resolve.h"
-#include "preview/passes/shadow.h"
 #include "preview/passes/split_line.h"
 #include "preview/scene/gpu_scene.h"
 
@@ -27,100 +23,6 @@
 namespace preview {
 
 namespace {
-
-/// Whether what the looks get is kept for the next frame.
-bool keeps_light(const FrameSettings& settings) {
-    return settings.keeps_light && !settings.force_all;
-}
-
-/// Whether effects in use will ask for the depth of a scene that is then not drawn again.
-bool keeps_depth(const FrameSettings& settings) {
-    return keeps_light(settings) &&
-           std::any_of(settings.effects.begin(), settings.effects.end(), [](const EffectUse& use) {
-               return use.effect->needs_depth && strength_of(use) != 0;
-           });
-}
-
-/// Empty where the frame has none; says why.
-ImageHandle occlusion_of(Graph& graph, const Scene& scene, const SceneHandles& declared,
-                         const GBuffer& surfaces, const FrameSettings& settings,
-                         bool has_surroundings) {
-    const float strength = std::clamp(settings.occlusion.strength * scene.occlusion, 0.0F, 2.0F);
-    if (settings.without.has(Effect::occlusion)) {
-        return {};
-    }
-    const std::string_view reason = settings.occlusion.strength <= 0 ? "its strength is 0"
-                                    : scene.occlusion <= 0 ? "the scene does not ask for it"
-                                    : !has_surroundings    ? "there is no light of surroundings"
-                                                           : "";
-    if (!reason.empty()) {
-        graph.withhold("ambient occlusion", reason);
-        return {};
-    }
-    return add_occlusion(graph, declared, surfaces,
-                         {.strength = strength,
-                          .radius = settings.occlusion.radius,
-                          .samples = static_cast<std::uint32_t>(
-                              std::clamp(std::lround(settings.occlusion.samples), 1L, 64L))});
-}
-
-/// Radiance of the scene; fills in what it is made of.
-ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
-                         Size size, FrameHandles& handles) {
-    const Scene& scene = *inputs.scene;
-    DeclaredScene declared = declare_scene(graph, inputs, settings, size);
-    handles.shadow_maps = add_shadows(graph, declared.handles, std::move(declared.shadows));
-    if (settings.view != nullptr && settings.view->geometry != nullptr) {
-        std::vector<Draw> all = declared.opaque;
-        all.insert(all.end(), declared.blended.begin(), declared.blended.end());
-        handles.geometry = add_geometry_view(graph, declared.handles, *settings.view->geometry,
-                                             size, std::move(all));
-    }
-    const bool filters_normals = !settings.without.has(Effect::specular_aa);
-    const bool is_forward = settings.raster == Raster::forward;
-    if (settings.raster == Raster::compute) {
-        handles.surfaces =
-            add_visibility(graph, declared.handles, size, declared.opaque, settings.visibility,
-                           filters_normals, keeps_depth(settings));
-    } else if (!is_forward) {
-        handles.surfaces = add_gbuffer(graph, declared.handles, size, std::move(declared.opaque),
-                                       filters_normals, keeps_depth(settings));
-    } else {
-        graph.withhold("g-buffer", "surfaces are lit as they are drawn");
-    }
-    handles.materials = declared.handles.materials;
-    LightingInputs lighting;
-    lighting.surfaces = handles.surfaces;
-    lighting.shadow_maps = handles.shadow_maps;
-    lighting.surroundings = declared.surroundings;
-    const bool has_surroundings = !settings.without.has(Effect::environment);
-    lighting.environment =
-        has_surroundings &&
-        (settings.force_all || lighting.surroundings.kind != SurroundingsKind::gradient ||
-         !scene.environment.is_black());
-    if (has_surroundings && !lighting.environment) {
-        graph.withhold("environment", "the surroundings are black");
-    }
-    ImageHandle lit;
-    if (is_forward) {
-        graph.withhold("ambient occlusion", "it needs the g-buffer");
-        const ForwardPicture picture =
-            add_forward(graph, declared.handles, lighting, size, std::move(declared.opaque),
-                        filters_normals, keeps_depth(settings));
-        lit = picture.lit;
-        lighting.surfaces.depth = handles.surfaces.depth = picture.depth;
-    } else {
-        lighting.occlusion = handles.occlusion = occlusion_of(
-            graph, scene, declared.handles, handles.surfaces, settings, lighting.environment);
-        lit = add_lighting(graph, declared.handles, lighting);
-    }
-    if (declared.blended.empty()) {
-        graph.withhold("see-through surfaces", "nothing in the picture lets light through");
-        return lit;
-    }
-    return add_blended(graph, declared.handles, lighting, lit, std::move(declared.blended),
-                       filters_normals);
-}
 
 /// Exposes and measures handles.lit into handles.hdr. The codes of a picture that needs neither
 /// reach the looks as they are.
@@ -135,7 +37,7 @@ void resolve(Graph& graph, const FrameInputs& inputs, const FrameSettings& setti
     }
     const Resolved resolved =
         add_resolve(graph, handles.lit, size, std::exp2(stops),
-                    has_codes ? Format::rgba32f : Format::rgba16f, keeps_light(settings));
+                    has_codes ? Format::rgba32f : Format::rgba16f, settings.reuses_light());
     handles.hdr = resolved.hdr;
     handles.hdr_maximum = resolved.maximum;
 }
@@ -175,7 +77,7 @@ BloomLayers bloom_of(Graph& graph, ImageHandle hdr, const FrameInputs& inputs,
         graph.withhold("bloom", reason);
         return {};
     }
-    return add_bloom(graph, hdr, plan, Format::rgba16f, keeps_light(settings));
+    return add_bloom(graph, hdr, plan, Format::rgba16f, settings.reuses_light());
 }
 
 /// What the finishing pass is asked for; says which looks there are not.
@@ -368,7 +270,7 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
     resolve(graph, inputs, settings, size, handles);
     if (settings.only_maximum && handles.hdr_maximum) {
         graph.present(handles.hdr_maximum);
-        if (keeps_light(settings)) {
+        if (settings.reuses_light()) {
             graph.present(handles.hdr);
         }
         return handles;

@@ -68,6 +68,7 @@ struct FrameSettings : PictureSettings {
     /// at the scene is off, and nothing is kept from an earlier frame.
     bool force_all = false;
 
+    bool reuses_light() const { return keeps_light && !force_all; }
     bool shows_intermediate() const { return view != nullptr || effect_view != nullptr; }
 };
 

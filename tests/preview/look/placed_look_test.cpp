@@ -106,7 +106,8 @@ TEST(PlacedLook, of_a_recipe_is_what_the_window_shows_too) {
     side.source = editor::SideSource::recipe;
     const LoadedLook shown = editor::look_of(recipe, side);
     const LoadedLook left = editor::look_of(recipe, side, {.convert = false});
-    // To LogC3 and from it: nothing. Left alone, log codes are decoded that are none.
+    // To LogC3 and from it: nothing, as near as a quick table is between its nodes. Left alone, log
+    // codes are decoded that are none.
     EXPECT_NEAR(shown_of(shown, 0.5), 0.5, 2e-3);
     EXPECT_GT(std::abs(shown_of(left, 0.5) - 0.5), 0.1);
 }

@@ -54,6 +54,20 @@ int grey_of(const PicturePart& part, const std::string& layer, const std::string
     return -1;
 }
 
+/// Red, green or blue by itself: what a program keeps that saves one channel of a picture.
+bool is_one_color(const PicturePart& part, int at) {
+    const std::string name = split(part.channels[static_cast<std::size_t>(at)]).channel;
+    return std::any_of(spellings.begin(), spellings.begin() + 3, [&](const Spelling& color) {
+        return name == color.letter || name == color.word;
+    });
+}
+
+int only_color_of(const std::array<int, 4>& found) {
+    const auto there =
+        std::count_if(found.begin(), found.begin() + 3, [](int at) { return at >= 0; });
+    return there == 1 ? std::max({found[0], found[1], found[2]}) : -1;
+}
+
 std::vector<std::string> layers_of(const PicturePart& part) {
     std::vector<std::string> out;
     for (const std::string& channel : part.channels) {
@@ -106,7 +120,8 @@ std::vector<PictureChannels> pictures_among(const std::vector<PicturePart>& part
                 found.at[c] = channel_of(part, layer, spellings[c]);
             }
             if (found.at[0] < 0 || found.at[1] < 0 || found.at[2] < 0) {
-                const int grey = grey_of(part, layer, file);
+                const int named = grey_of(part, layer, file);
+                const int grey = named >= 0 ? named : only_color_of(found.at);
                 found.at = {grey, grey, grey, found.at[3]};
             }
             if (found.at[0] >= 0) {
@@ -162,6 +177,10 @@ std::vector<std::string> channel_remarks(const PictureChannels& taken,
             const std::string name = layer_name(picture, parts);
             others.push_back(name.empty() ? "part " + std::to_string(picture.part + 1) : name);
         }
+    }
+    if (taken.grey() && is_one_color(parts[taken.part], taken.at[0])) {
+        out.push_back("the picture is taken to be grey: of R, G and B there is only the channel '" +
+                      parts[taken.part].channels[static_cast<std::size_t>(taken.at[0])] + "'");
     }
     const std::string name = layer_name(taken, parts);
     if (!others.empty() || !taken.layer.empty()) {

@@ -26,9 +26,10 @@ struct PictureChannels {
     bool has_alpha() const { return at[3] >= 0; }
 };
 
-/// Every picture in the parts, R, G and B (or Y alone) of one layer, with A where it is there. In
-/// the order in which one is taken: plain R, G, B first, then layers called Combined, beauty or
-/// rgba, then in the file's order. Throws Error for Y with RY and BY.
+/// Every picture in the parts, R, G and B (or one grey channel: Y, else the only one of R, G and B)
+/// of one layer, with A where it is there. In the order in which one is taken: plain R, G, B first,
+/// then layers called Combined, beauty or rgba, then in the file's order. Throws Error for Y with
+/// RY and BY.
 std::vector<PictureChannels> pictures_among(const std::vector<PicturePart>& parts,
                                             const std::string& file);
 

@@ -62,6 +62,20 @@ TEST(PictureChannels, that_are_no_picture_are_refused_by_their_names) {
     }
 }
 
+TEST(PictureChannels, of_one_color_alone_are_grey_and_that_is_said) {
+    const std::vector<PicturePart> parts{exr({"A", "G"})};
+    const auto pictures = pictures_among(parts, "x.exr");
+    ASSERT_EQ(pictures.size(), 1U);
+    EXPECT_EQ(pictures[0].at, (At{1, 1, 1, 0}));
+    const auto remarks = channel_remarks(pictures[0], pictures, parts);
+    ASSERT_EQ(remarks.size(), 1U);
+    EXPECT_NE(remarks[0].find("only the channel 'G'"), std::string::npos) << remarks[0];
+    EXPECT_TRUE(pictures_among({exr({"R", "G"})}, "x.exr").empty()) << "two are no grey";
+    EXPECT_TRUE(channel_remarks(pictures_among({exr({"Y"})}, "x.exr")[0],
+                                pictures_among({exr({"Y"})}, "x.exr"), {exr({"Y"})})
+                    .empty());
+}
+
 TEST(PictureChannels, without_names_stand_in_their_usual_order) {
     PicturePart tiff{{}, {"c0", "c1", "c2", "c3", "c4"}, 3, true};
     EXPECT_EQ(taken({tiff}).at, (At{0, 1, 2, 3}));

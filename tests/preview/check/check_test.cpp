@@ -241,7 +241,8 @@ Shown powers_of_two() {
 TEST_F(CheckTest, pictures_of_every_half_and_of_nan_are_borne) {
     std::vector<Shown> pictures{powers_of_two()};
     const std::filesystem::path folder(EXTRA_DATA);
-    for (const char* const name : {"BrightRingsNanInf.exr", "AllHalfValues.exr"}) {
+    for (const char* const name :
+         {"BrightRingsNanInf.exr", "AllHalfValues.exr", "WideFloatRange.exr"}) {
         const std::string path = (folder / "images" / name).string();
         if (!folder.empty()) {
             ASSERT_TRUE(std::filesystem::exists(path)) << path;

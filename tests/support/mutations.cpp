@@ -218,7 +218,7 @@ Mutated mutated(const std::string& bytes, std::size_t number) {
 
 std::size_t mutations_to_try() {
     const char* const asked = std::getenv("LUT_MUTATIONS");
-    constexpr std::size_t usual = is_sanitized ? 15 : 200;
+    const std::size_t usual = is_sanitized ? 15 : is_thorough() ? 200 : 60;
     return asked ? static_cast<std::size_t>(std::strtoull(asked, nullptr, 10)) : usual;
 }
 

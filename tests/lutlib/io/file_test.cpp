@@ -222,6 +222,8 @@ TEST(PendingFile, and_temporary_files_go_with_a_program_that_a_signal_ends) {
         const pid_t child = ::fork();
         ASSERT_GE(child, 0);
         if (child == 0) {
+            // A shell's background job starts with some ignored, and they stay so.
+            ::signal(signal, SIG_DFL);
             ::setenv("TMPDIR", folder.path().c_str(), 1);
             const PendingFile pending(folder.file("x.exr"));
             const TemporaryFile temporary("bytes", "a.exr", "");

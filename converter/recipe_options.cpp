@@ -51,6 +51,9 @@ std::string help_of(const Parameter& parameter) {
     return out;
 }
 
+constexpr Parameter opacity_parameter{
+    .name = "opacity", .flag = "opacity", .label = "Opacity", .fallback = 1};
+
 std::vector<std::string_view> shapers(bool recipe) {
     return recipe ? lutlib::recipe_shaper_names() : lutlib::shaper_names();
 }
@@ -67,6 +70,9 @@ void OperatorFlags::declare(Verb& verb) {
             flags_.push_back({op, i});
         }
     }
+    verb.add_in_order("--opacity", "how much of the operator before it is taken, 0 to 1, default 1",
+                      "Of the operator before it");
+    flags_.push_back({nullptr, 0});
 }
 
 std::vector<Operation> OperatorFlags::operations() const {
@@ -74,6 +80,14 @@ std::vector<Operation> OperatorFlags::operations() const {
     std::vector<bool> set; // parameters of the last operation that have been given
     for (const auto& [number, text] : verb_->in_order()) {
         const Flag& flag = flags_[number];
+        if (flag.op == nullptr) {
+            if (out.empty()) {
+                throw lutlib::UsageError("--opacity belongs to the operator before it: give that "
+                                         "one first");
+            }
+            out.back().opacity = std::get<double>(parse_value(opacity_parameter, text));
+            continue;
+        }
         if (out.empty() || out.back().op != flag.op || set[flag.parameter]) {
             out.push_back(default_operation(*flag.op));
             set.assign(flag.op->parameters.size(), false);

@@ -17,11 +17,12 @@ class OperatorFlags {
 
     /// The operators that the flags describe. A flag opens an operator, unless it belongs to the
     /// one before it and is not set there yet: `--contrast 1.2 --contrast-pivot .4` is one.
+    /// `--opacity` belongs to the one before it. Throws UsageError.
     std::vector<lutlib::Operation> operations() const;
 
   private:
     struct Flag {
-        const lutlib::Op* op;
+        const lutlib::Op* op; ///< null: the opacity of the operator before it
         std::size_t parameter;
     };
     const Verb* verb_ = nullptr;

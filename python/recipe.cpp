@@ -2,6 +2,7 @@
 #include "lutlib/error.h"
 #include "lutlib/io/recipe_file.h"
 #include "lutlib/named.h"
+#include "lutlib/number_text.h"
 #include "python/parts.h"
 
 #include <algorithm>
@@ -86,10 +87,16 @@ Recipe make(const std::string& title, const std::string& input,
     return out;
 }
 
-Recipe& add(Recipe& recipe, const std::string& name, bool enabled, const py::kwargs& values) {
+Recipe& add(Recipe& recipe, const std::string& name, bool enabled, double opacity,
+            const py::kwargs& values) {
     const lutlib::Op& op = lutlib::require_named(lutlib::ops(), "operator", name);
     lutlib::Operation operation = lutlib::default_operation(op);
     operation.enabled = enabled;
+    if (!(opacity >= 0 && opacity <= 1)) {
+        throw lutlib::Error(name + ": opacity is " + lutlib::shortest(opacity) +
+                            "; the range is 0 to 1");
+    }
+    operation.opacity = opacity;
     for (const auto& [key, value] : values) {
         const auto word = key.cast<std::string>();
         std::size_t i = 0;
@@ -121,6 +128,7 @@ py::list operators_of(const Recipe& recipe) {
         py::dict row;
         row["op"] = operation.op->name;
         row["enabled"] = operation.enabled;
+        row["opacity"] = operation.opacity;
         for (std::size_t i = 0; i < operation.values.size(); ++i) {
             const Parameter& parameter = operation.op->parameters[i];
             row[py::str(keyword_of(parameter))] = as_python(parameter, operation.values[i]);
@@ -160,12 +168,12 @@ size: nodes a side of the cube that it is baked to; 0: the base's, else 33.)")
             py::arg("text"), py::arg("file") = "recipe",
             "Of the text of a recipe's file without a base; `file` names it in errors.")
         .def("add", &add, py::arg("op"), py::kw_only(), py::arg("enabled") = true,
-             py::return_value_policy::reference_internal,
+             py::arg("opacity") = 1.0, py::return_value_policy::reference_internal,
              "Appends an operator of operators() with values by its parameters' names, '-' as '_': "
              "numbers in the parameter's unit, True or False, (r, g, b), or curves as lists of "
              "(x, y). Returns the recipe.")
         .def_property_readonly("operators", &operators_of,
-                               "A dict for each: op, enabled and every value.")
+                               "A dict for each: op, enabled, opacity and every value.")
         .def_readwrite("title", &Recipe::title)
         .def("to_json", [](const Recipe& r) { return to_json(r); })
         .def("save", &save, py::arg("path"), "Writes the file, whole or not at all.")

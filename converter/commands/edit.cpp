@@ -32,6 +32,7 @@ struct EditOptions {
     ConfigOptions config;
     SamplingOptions sampling;
     OperatorFlags operators;
+    double look_opacity = -1; ///< below 0: nobody said
     bool json = false;
 };
 
@@ -104,6 +105,9 @@ lutlib::Recipe assemble(const EditOptions& o, std::string& base) {
     }
     for (lutlib::Operation& operation : o.operators.operations()) {
         recipe.operations.push_back(std::move(operation));
+    }
+    if (o.look_opacity >= 0) {
+        recipe.opacity = o.look_opacity;
     }
     o.sampling.apply_to(recipe.bake);
     suit_light(recipe);
@@ -218,6 +222,9 @@ Run declare_edit(Verb& verb) {
     verb.add_option("--adaptation", o->adaptation,
                     "between the whites of different gamuts: " +
                         lutlib::names_of(lutlib::adaptations()) + " (default: the first)");
+    verb.add_option("--look-opacity", o->look_opacity,
+                    "how much of the whole look is taken, 0 to 1 (default: the recipe's, else 1)")
+        .takes(Takes::share);
     o->config.declare(verb);
     o->sampling.declare(verb, true);
     verb.add_flag("--json", o->json, "print the results as JSON");

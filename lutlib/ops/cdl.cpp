@@ -7,20 +7,22 @@ namespace lutlib::op {
 namespace {
 
 constexpr Parameter rgb(std::string_view name, std::string_view flag, std::string_view label,
-                        double min, double max, double neutral) {
+                        double min, double max, double neutral, const Wheel& wheel) {
     return {.name = name,
             .flag = flag,
             .label = label,
             .kind = ParameterKind::rgb,
             .min = min,
             .max = max,
-            .fallback_rgb = {neutral, neutral, neutral}};
+            .fallback_rgb = {neutral, neutral, neutral},
+            .wheel = wheel};
 }
 
 constexpr Parameter cdl_parameters[] = {
-    rgb("slope", "cdl-slope", "Slope", 0, 10, 1),
-    rgb("offset", "cdl-offset", "Offset", -10, 10, 0),
-    rgb("power", "cdl-power", "Power", 0.05, 10, 1),
+    rgb("slope", "cdl-slope", "Slope", 0, 10, 1, {.balance = 0.4, .brightness = 1}),
+    rgb("offset", "cdl-offset", "Offset", -10, 10, 0, {.balance = 0.15, .brightness = 0.3}),
+    rgb("power", "cdl-power", "Power", 0.05, 10, 1,
+        {.balance = 0.3, .brightness = 0.8, .is_inverted = true}),
     {.name = "saturation",
      .flag = "cdl-saturation",
      .label = "Saturation",

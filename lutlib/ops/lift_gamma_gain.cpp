@@ -5,7 +5,7 @@ namespace lutlib::op {
 namespace {
 
 constexpr Parameter rgb(std::string_view name, std::string_view label, double min, double max,
-                        double neutral) {
+                        double neutral, const Wheel& wheel) {
     return {.name = name,
             .flag = name,
             .label = label,
@@ -13,13 +13,14 @@ constexpr Parameter rgb(std::string_view name, std::string_view label, double mi
             .kind = ParameterKind::rgb,
             .min = min,
             .max = max,
-            .fallback_rgb = {neutral, neutral, neutral}};
+            .fallback_rgb = {neutral, neutral, neutral},
+            .wheel = wheel};
 }
 
 constexpr Parameter lift_gamma_gain_parameters[] = {
-    rgb("lift", "Lift", -0.5, 0.5, 0),
-    rgb("gamma", "Gamma", 0.1, 10, 1),
-    rgb("gain", "Gain", 0, 4, 1),
+    rgb("lift", "Lift", -0.5, 0.5, 0, {.balance = 0.15, .brightness = 0.3}),
+    rgb("gamma", "Gamma", 0.1, 10, 1, {.balance = 0.3, .brightness = 0.8}),
+    rgb("gain", "Gain", 0, 4, 1, {.balance = 0.4, .brightness = 1}),
 };
 
 Transform compile_lift_gamma_gain(const Values& values, const OpContext&) {

@@ -10,7 +10,8 @@ constexpr Parameter offset_parameters[] = {
      .unit = "code values",
      .kind = ParameterKind::rgb,
      .min = -1,
-     .max = 1},
+     .max = 1,
+     .wheel = {.balance = 0.15, .brightness = 0.3}},
 };
 
 Transform compile_offset(const Values& values, const OpContext&) {

@@ -182,7 +182,7 @@ const Op* op_named(std::string_view name) {
 }
 
 Operation default_operation(const Op& op) {
-    Operation out{&op, {}, true};
+    Operation out{.op = &op, .values = {}};
     for (const Parameter& parameter : op.parameters) {
         out.values.push_back(default_value(parameter));
     }
@@ -190,6 +190,9 @@ Operation default_operation(const Op& op) {
 }
 
 bool is_identity(const Operation& operation) {
+    if (operation.opacity == 0) {
+        return true;
+    }
     for (std::size_t i = 0; i < operation.values.size(); ++i) {
         if (!is_neutral(operation.op->parameters[i], operation.values[i])) {
             return false;

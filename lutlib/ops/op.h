@@ -56,6 +56,13 @@ struct CurveAxis {
     bool diagonal = false;
 };
 
+/// A colour wheel on which an rgb parameter is edited; see preview/editor/wheel.h.
+struct Wheel {
+    double balance = 0;       ///< BT.709's Cb and Cr at the rim; 0: the parameter has no wheel
+    double brightness = 0;    ///< luma from the default, at the ends of the ring about the wheel
+    bool is_inverted = false; ///< more of a channel makes it darker
+};
+
 struct Parameter {
     std::string_view name; ///< key in a recipe
     std::string_view flag; ///< on the command line, without dashes
@@ -66,6 +73,7 @@ struct Parameter {
     double fallback = 0;     ///< default of a number, of every channel; neutral y of a curve
     RgbD fallback_rgb{};     ///< default of an rgb parameter
     CurveAxis axis{};        ///< of a curve
+    Wheel wheel{};           ///< of an rgb parameter
     /// Of a number whose default is the recipe's, such as the code of 18 % light: where it is
     /// found, and that in words. Its default_value() is Automatic.
     double OpContext::*automatic = nullptr;
@@ -97,6 +105,9 @@ struct Op {
     /// What whoever uses these values should know, a sentence without its full stop; empty:
     /// nothing. Null: never anything.
     std::string (*note)(const Values& values, const OpContext& context) = nullptr;
+    /// Whether the result is no colour but which colours these values choose: a recipe ends there,
+    /// for operators behind would change it. Null: never.
+    bool (*is_matte)(const Values& values) = nullptr;
 };
 
 /// For Op::per_channel: with any values.
@@ -111,13 +122,17 @@ struct Operation {
     const Op* op = nullptr;
     Values values;
     bool enabled = true;
+    /// How much of the operator's result is taken, 0..1; the rest is what went in. They are mixed
+    /// in the space that the operator works in.
+    double opacity = 1;
     friend bool operator==(const Operation&, const Operation&) = default;
 };
 
 /// With every value at its default.
 Operation default_operation(const Op& op);
 
-/// Every value is its default (a neutral curve counts), so the operation does nothing.
+/// Every value is its default (a neutral curve counts) or nothing of the result is taken, so the
+/// operation does nothing.
 bool is_identity(const Operation& operation);
 
 /// Empty when `value` is of the parameter's kind, finite and within its range; otherwise what is

@@ -53,7 +53,9 @@ bool is_curve(const Recipe& recipe) {
 } // namespace
 
 bool mixes_channels(const Recipe& recipe) {
-    const bool one_gamut = recipe.output_encoding().gamut == recipe.input.gamut;
+    const bool one_gamut =
+        recipe.output_encoding().gamut == recipe.input.gamut &&
+        (recipe.opacity == 1 || without_look(recipe).input.gamut == recipe.input.gamut);
     const auto mixes = [](const Operation& operation) {
         const auto per_channel = operation.op->per_channel;
         return is_active(operation) && !(per_channel && per_channel(operation.values));

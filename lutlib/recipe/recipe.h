@@ -10,6 +10,7 @@
 //     "output": "srgb",            what the result is encoded in; default: as the input
 //     "adaptation": "bradford",    between the whites of different gamuts; or cat02
 //     "base": "look.cube",         applied first; "input" is then the encoding of its output
+//     "opacity": 0.8,              of the whole look: 0 only converts the encodings
 //     "bake": {
 //       "size": 33,                nodes per axis; default: the base's, else 33
 //       "domain": [0, 1],          numbers, or [r, g, b] each; default: the base's, else 0..1
@@ -17,7 +18,7 @@
 //       "shaper_size": 4096
 //     },
 //     "operators": [
-//       {"op": "exposure", "stops": 0.5},
+//       {"op": "exposure", "stops": 0.5, "opacity": 0.7},
 //       {"op": "hue-vs-sat", "enabled": false, "curve": [[0, 1], [120, 1.4]]}
 //     ]
 //   }
@@ -60,6 +61,9 @@ struct Recipe {
     std::shared_ptr<const Lut> base_lut;
     BakeSettings bake;
     std::vector<Operation> operations;
+    /// How much of the look is taken, 0..1. The rest is what it is without base and operators:
+    /// what it takes, converted to what it gives. They are mixed as codes of the result.
+    double opacity = 1;
 
     Encoding output_encoding() const { return output.value_or(input); }
 };
@@ -67,6 +71,9 @@ struct Recipe {
 /// What the whole look takes and gives: a base's encodings are what its file says, and a result
 /// that keeps the encoding of an unknown base is unknown.
 LookEncodings encodings_of(const Recipe& recipe);
+
+/// What remains of a recipe at opacity 0: the conversion of what the look takes to what it gives.
+Recipe without_look(const Recipe& recipe);
 
 /// What the recipe's operators are compiled for.
 OpContext context_of(const Recipe& recipe);

@@ -2,6 +2,7 @@
 #include "lutlib/json_text.h"
 #include "lutlib/limits.h"
 #include "lutlib/named.h"
+#include "lutlib/number_text.h"
 #include "lutlib/recipe/recipe.h"
 #include "lutlib/resample/resample.h"
 
@@ -146,6 +147,18 @@ Value read_value(const Node& node, ParameterKind kind) {
     return node.number();
 }
 
+double read_opacity(const Node& node) {
+    if (!node.has("opacity")) {
+        return 1;
+    }
+    const Node value = node.member("opacity");
+    const double opacity = value.number();
+    if (!(opacity >= 0 && opacity <= 1)) {
+        value.refuse("is " + shortest(opacity) + "; the range is 0 to 1");
+    }
+    return opacity;
+}
+
 Operation read_operation(const Node& node) {
     if (!node.object().has("op")) {
         node.refuse("lacks its \"op\"");
@@ -155,13 +168,14 @@ Operation read_operation(const Node& node) {
     if (!op) {
         node.member("op").refuse_name(name, name_list(ops()));
     }
-    std::vector<std::string_view> keys{"op", "enabled"};
+    std::vector<std::string_view> keys{"op", "enabled", "opacity"};
     for (const Parameter& parameter : op->parameters) {
         keys.emplace_back(parameter.name);
     }
     node.only(keys);
     Operation out = default_operation(*op);
     out.enabled = !node.has("enabled") || node.member("enabled").boolean();
+    out.opacity = read_opacity(node);
     for (std::size_t i = 0; i < op->parameters.size(); ++i) {
         const Parameter& parameter = op->parameters[i];
         const std::string key(parameter.name);
@@ -235,8 +249,9 @@ Recipe parse_recipe(std::string_view text, const std::string& file) {
         version.refuse("is " + version.value.dump() + "; this program reads version " +
                        std::to_string(schema_version));
     }
-    constexpr std::array<std::string_view, 8> keys{"schema_version", "title", "input", "output",
-                                                   "adaptation",     "base",  "bake",  "operators"};
+    constexpr std::array<std::string_view, 9> keys{"schema_version", "title",      "input",
+                                                   "output",         "adaptation", "base",
+                                                   "opacity",        "bake",       "operators"};
     root.only(keys);
     Recipe out;
     if (root.has("title")) {
@@ -255,6 +270,7 @@ Recipe parse_recipe(std::string_view text, const std::string& file) {
     if (root.has("base")) {
         out.base = root.member("base").text();
     }
+    out.opacity = read_opacity(root);
     if (root.has("bake")) {
         out.bake = read_bake(root.member("bake"));
     }

@@ -6,6 +6,9 @@
 #include "lutlib/recipe/recipe.h"
 #include "lutlib/transform.h"
 
+#include <algorithm>
+#include <array>
+
 namespace lutlib {
 namespace {
 
@@ -53,6 +56,32 @@ void append_conversion(std::vector<Transform>& stages, const Encoding& input, Sp
     }
 }
 
+void mix(std::span<RgbD> results, std::span<const RgbD> others, double opacity) {
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        results[i] = others[i] * (1 - opacity) + results[i] * opacity;
+    }
+}
+
+// As much of the change as `opacity` says, beside what `rest` makes of the same colours.
+Transform faded(const Transform& change, double opacity, const Transform& rest = {}) {
+    if (opacity == 1) {
+        return change;
+    }
+    return Transform::batch([=](std::span<RgbD> colors) {
+        constexpr std::size_t at_once = 256; // on the stack
+        std::array<RgbD, at_once> others;
+        while (!colors.empty()) {
+            const auto now = colors.first(std::min(at_once, colors.size()));
+            const auto kept = std::span(others).first(now.size());
+            std::copy(now.begin(), now.end(), kept.begin());
+            rest(kept);
+            change(now);
+            mix(now, kept, opacity);
+            colors = colors.subspan(now.size());
+        }
+    });
+}
+
 // The operators and the output's encoding.
 std::vector<Transform> stages_of(const Recipe& recipe) {
     const OpContext context = context_of(recipe);
@@ -62,7 +91,11 @@ std::vector<Transform> stages_of(const Recipe& recipe) {
         if (operation.enabled && !is_identity(operation)) {
             append_conversion(stages, recipe.input, now, operation.op->space);
             now = operation.op->space;
-            stages.push_back(operation.op->compile(operation.values, context));
+            stages.push_back(
+                faded(operation.op->compile(operation.values, context), operation.opacity));
+            if (operation.op->is_matte && operation.op->is_matte(operation.values)) {
+                break;
+            }
         }
     }
     const Encoding output = recipe.output_encoding();
@@ -95,6 +128,14 @@ LookEncodings encodings_of(const Recipe& recipe) {
     return out;
 }
 
+Recipe without_look(const Recipe& recipe) {
+    Recipe out;
+    out.input = encodings_of(recipe).input.value_or(recipe.input);
+    out.output = recipe.output_encoding();
+    out.adaptation = recipe.adaptation;
+    return out;
+}
+
 OpContext context_of(const Recipe& recipe) {
     return {.primaries = recipe.input.primaries(),
             .output = recipe.output_encoding().primaries(),
@@ -119,18 +160,20 @@ Transform Transform::of(const Recipe& recipe) {
     if (!recipe.base.empty() && !recipe.base_lut) {
         throw Error("the recipe's base '" + recipe.base + "' has not been read");
     }
-    return batch([base = recipe.base_lut, stages = stages_of(recipe)](std::span<RgbD> colors) {
-        if (base) {
-            for (RgbD& c : colors) {
-                c = evaluate_exact(*base, c);
+    const Transform whole =
+        batch([base = recipe.base_lut, stages = stages_of(recipe)](std::span<RgbD> colors) {
+            if (base) {
+                for (RgbD& c : colors) {
+                    c = evaluate_exact(*base, c);
+                }
             }
-        }
-        hold(colors);
-        for (const Transform& stage : stages) {
-            stage(colors);
             hold(colors);
-        }
-    });
+            for (const Transform& stage : stages) {
+                stage(colors);
+                hold(colors);
+            }
+        });
+    return recipe.opacity == 1 ? whole : faded(whole, recipe.opacity, of(without_look(recipe)));
 }
 
 } // namespace lutlib

@@ -70,6 +70,9 @@ std::string operation_json(const Operation& operation) {
     if (!operation.enabled) {
         fields.emplace_back("enabled", "false");
     }
+    if (operation.opacity != Operation{}.opacity) {
+        fields.emplace_back("opacity", shortest(operation.opacity));
+    }
     for (std::size_t i = 0; i < operation.values.size(); ++i) {
         const Parameter& parameter = operation.op->parameters[i];
         if (operation.values[i] != default_value(parameter)) {
@@ -113,6 +116,9 @@ std::string to_json(const Recipe& recipe) {
     }
     if (!recipe.base.empty()) {
         fields.emplace_back("base", json_text(recipe.base));
+    }
+    if (recipe.opacity != Recipe{}.opacity) {
+        fields.emplace_back("opacity", shortest(recipe.opacity));
     }
     if (recipe.bake != BakeSettings{}) {
         fields.emplace_back("bake", bake_json(recipe.bake));

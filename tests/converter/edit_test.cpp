@@ -63,6 +63,25 @@ TEST(Edit, gives_values_that_can_be_worked_out_by_hand) {
     EXPECT_EQ(color_at(out, "0", "1", "0").substr(0, 6), "0.7152");
 }
 
+TEST(Edit, takes_a_part_of_the_operator_before_it_and_of_the_whole_look) {
+    const Folder folder;
+    const std::string out = folder.path("x.cube"), recipe = folder.path("x.json");
+    run({"edit", "identity", "-o", out, "--size", "5", "--offset", "0.5", "--opacity", "0.5",
+         "--contrast", "2", "--contrast-pivot", "0", "--save-recipe", recipe});
+    EXPECT_EQ(color_at(out, "0.25", "0.5", "0"), "1 1.5 0.5\n");
+    EXPECT_EQ(json::parse(contents(recipe))["operators"][0]["opacity"], 0.5);
+    run({"edit", recipe, "-o", out, "--look-opacity", "0.5", "--save-recipe", recipe});
+    EXPECT_EQ(color_at(out, "0.25", "0.5", "0"), "0.625 1 0.25\n");
+    EXPECT_EQ(json::parse(contents(recipe))["opacity"], 0.5);
+    run({"edit", recipe, "-o", out, "--look-opacity", "1"});
+    EXPECT_EQ(color_at(out, "0.25", "0.5", "0"), "1 1.5 0.5\n");
+    const Result alone = lutconv({"edit", "identity", "-o", out, "--opacity", "0.5"});
+    EXPECT_EQ(alone.exit_code, 3);
+    EXPECT_NE(alone.err.find("--opacity belongs to the operator before it"), std::string::npos);
+    EXPECT_EQ(lutconv({"edit", "identity", "-o", out, "--offset", "1", "--opacity", "2"}).exit_code,
+              3);
+}
+
 TEST(Edit, keeps_a_recipe_with_its_base_that_bakes_to_the_same_lut) {
     const Folder folder;
     const std::string look = folder.write("a.cube", saturated_cube(9));

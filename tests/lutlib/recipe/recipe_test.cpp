@@ -15,10 +15,12 @@ Recipe full_recipe() {
     recipe.input = require_encoding("logc3/ap1");
     recipe.output = require_encoding("srgb");
     recipe.base = "some look.cube";
+    recipe.opacity = 0.8;
     recipe.bake = {48, Domain{{-.1F, 0, 0}, {4, 3.5F, 1}}, "tone", 777};
     for (const Op* op : ops()) {
         Operation operation = test::some_operation(*op, random);
         operation.enabled = recipe.operations.size() % 3 != 1;
+        operation.opacity = recipe.operations.size() % 4 == 0 ? 0.35 : 1;
         recipe.operations.push_back(operation);
         recipe.operations.push_back(default_operation(*op));
     }
@@ -35,6 +37,7 @@ TEST(Recipe, comes_back_from_json_with_every_operator_and_every_bit) {
     EXPECT_EQ(after.base, before.base);
     EXPECT_EQ(after.bake, before.bake);
     EXPECT_EQ(after.operations, before.operations);
+    EXPECT_EQ(after.opacity, before.opacity);
     EXPECT_EQ(to_json(after), text);
 }
 
@@ -97,9 +100,14 @@ const BadRecipe bad_recipes[] = {
     {"unknown_parameter",
      R"({"schema_version": 1, "operators": [{"op": "saturation", "amonut": 1}]})",
      "operators[0] has an unknown key 'amonut'; did you mean amount? There are op, enabled, "
-     "amount"},
+     "opacity, amount"},
     {"out_of_range", R"({"schema_version": 1, "operators": [{"op": "saturation", "amount": 7}]})",
      "operators[0].amount is 7; the range is 0 to 4"},
+    {"opacity_out_of_range",
+     R"({"schema_version": 1, "operators": [{"op": "saturation", "opacity": 1.5}]})",
+     "operators[0].opacity is 1.5; the range is 0 to 1"},
+    {"opacity_of_the_look_as_text", R"({"schema_version": 1, "opacity": "half"})",
+     "opacity must be a number"},
     {"channel_out_of_range",
      R"({"schema_version": 1, "operators": [{"op": "offset", "amount": [0, 3, 0]}]})",
      "operators[0].amount is 3; the range is -1 to 1"},

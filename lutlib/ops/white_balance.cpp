@@ -2,6 +2,8 @@
 //
 // The light's chromaticity lies on the Planckian locus, moved in parallel so that 6504 K is D65
 // itself, and off it by the tint, which CIE 1960 measures as Duv.
+#include "lutlib/ops/white_balance.h"
+
 #include "lutlib/number_text.h"
 #include "lutlib/ops/all.h"
 
@@ -45,25 +47,42 @@ Uv planckian(double kelvin) {
                 (1 - 2.89741816e-5 * t + 1.61456053e-7 * t2)};
 }
 
-Chromaticity light(double kelvin, double tint) {
+/// Across the locus, towards green, of length 1.
+Uv across(double kelvin) {
     const double step = kelvin * 1e-4;
     const Uv here = planckian(kelvin), hotter = planckian(kelvin + step);
-    const Uv neutral = planckian(neutral_kelvin);
-    // Across the locus, towards green.
     const double du = hotter.u - here.u, dv = hotter.v - here.v, length = std::hypot(du, dv);
-    const Uv green{dv / -length, du / length};
-    const double sign = green.v > 0 ? 1 : -1;
-    const double d65 = -2 * white_d65.x + 12 * white_d65.y + 3;
-    const double duv = sign * tint / 1000;
-    const double u = 4 * white_d65.x / d65 + here.u - neutral.u + duv * green.u;
-    const double v = 6 * white_d65.y / d65 + here.v - neutral.v + duv * green.v;
+    const double sign = du > 0 ? 1 : -1;
+    return {sign * -dv / length, sign * du / length};
+}
+
+Uv uv_of(Chromaticity c) {
+    const double d = -2 * c.x + 12 * c.y + 3;
+    return {4 * c.x / d, 6 * c.y / d};
+}
+
+/// The moved locus.
+Uv locus(double kelvin) {
+    const Uv here = planckian(kelvin), neutral = planckian(neutral_kelvin), d65 = uv_of(white_d65);
+    return {d65.u + here.u - neutral.u, d65.v + here.v - neutral.v};
+}
+
+Chromaticity light(double kelvin, double tint) {
+    const Uv on = locus(kelvin), green = across(kelvin);
+    const double duv = tint / 1000;
+    const double u = on.u + duv * green.u, v = on.v + duv * green.v;
     return {3 * u / (2 * u - 8 * v + 4), 2 * v / (2 * u - 8 * v + 4)};
+}
+
+/// To XYZ in which the primaries' white is D65.
+Matrix3 to_xyz_of(const Primaries& primaries) {
+    return adapted(primaries.white, white_d65) * rgb_to_xyz(primaries);
 }
 
 // On linear light of the primaries. Adaptation alone would make grey lighter or darker; scaled, its
 // luminance stays.
 Matrix3 balance(double kelvin, double tint, const Primaries& primaries) {
-    const Matrix3 to_xyz = adapted(primaries.white, white_d65) * rgb_to_xyz(primaries);
+    const Matrix3 to_xyz = to_xyz_of(primaries);
     const Matrix3 m = inverse(to_xyz) * adapted(light(kelvin, tint), white_d65) * to_xyz;
     const RgbD white{1, 1, 1};
     const double kept = (to_xyz * white).g / (to_xyz * (m * white)).g;
@@ -112,7 +131,53 @@ std::string note(const Values& values, const OpContext& context) {
            shortest(low ? std::ceil(within) : std::floor(within)) + " K";
 }
 
+// The temperature whose line across the moved locus goes through a chromaticity: from the best of a
+// few over mireds, in which the locus is nearly even, for far from it there are two. Beyond the
+// range the nearer of its ends.
+double kelvin_of(Uv at) {
+    const auto away = [at](double mired) {
+        const Uv on = locus(1e6 / mired);
+        return std::hypot(at.u - on.u, at.v - on.v);
+    };
+    // Along the locus, as seen from the line.
+    const auto beside = [at](double mired) {
+        const Uv on = locus(1e6 / mired), green = across(1e6 / mired);
+        return (at.u - on.u) * green.v - (at.v - on.v) * green.u;
+    };
+    const double first = 1e6 / white_balance_parameters[0].max,
+                 last = 1e6 / white_balance_parameters[0].min;
+    constexpr int tried = 32;
+    const double step = (last - first) / tried;
+    double best = first;
+    for (int i = 1; i <= tried; ++i) {
+        const double mired = first + step * i;
+        best = away(mired) < away(best) ? mired : best;
+    }
+    double low = std::max(first, best - step), high = std::min(last, best + step);
+    const bool rises = beside(high) > beside(low);
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (low + high) / 2;
+        ((beside(middle) > 0) == rises ? high : low) = middle;
+    }
+    return std::clamp(1e6 / ((low + high) / 2), white_balance_parameters[0].min,
+                      white_balance_parameters[0].max);
+}
+
 } // namespace
+
+std::optional<WhiteBalance> white_balance_of(RgbD light, const Primaries& primaries) {
+    const RgbD xyz = to_xyz_of(primaries) * light;
+    const double sum = xyz.r + xyz.g + xyz.b;
+    if (!(std::min({xyz.r, xyz.g, xyz.b}) > 0) || !std::isfinite(sum)) {
+        return std::nullopt;
+    }
+    const Uv at = uv_of({xyz.r / sum, xyz.g / sum});
+    const double kelvin = kelvin_of(at);
+    const Uv on = locus(kelvin), green = across(kelvin);
+    const double duv = (at.u - on.u) * green.u + (at.v - on.v) * green.v;
+    const Parameter& tint = white_balance_parameters[1];
+    return WhiteBalance{kelvin, std::clamp(1000 * duv, tint.min, tint.max)};
+}
 
 const Op white_balance{
     .name = "white-balance",

@@ -12,14 +12,15 @@ namespace lutlib::op {
 namespace {
 
 constexpr Parameter tone(std::string_view name, std::string_view flag, std::string_view label) {
-    return {.name = name,
-            .flag = flag,
-            .label = label,
-            .unit = "code value",
-            .kind = ParameterKind::curve,
-            .min = -1,
-            .max = 16,
-            .axis = {.label = "in", .unit = "code value", .min = -1, .max = 16, .diagonal = true}};
+    return {
+        .name = name,
+        .flag = flag,
+        .label = label,
+        .unit = "code value",
+        .kind = ParameterKind::curve,
+        .min = -1,
+        .max = 16,
+        .axis = {.label = "input", .unit = "code value", .min = -1, .max = 16, .diagonal = true}};
 }
 
 constexpr Parameter curves_parameters[] = {

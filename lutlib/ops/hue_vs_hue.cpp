@@ -4,7 +4,7 @@ namespace lutlib::op {
 namespace {
 
 constexpr Parameter hue_vs_hue_parameters[] = {
-    curve_parameter("hue-vs-hue", "Turn", "degrees", -180, 180, 0, hue_axis),
+    curve_parameter("hue-vs-hue", "Hue shift", "degrees", -180, 180, 0, hue_axis),
 };
 
 Transform compile_hue_vs_hue(const Values& values, const OpContext&) {

@@ -4,7 +4,7 @@ namespace lutlib::op {
 namespace {
 
 constexpr Parameter hue_vs_lum_parameters[] = {
-    curve_parameter("hue-vs-lum", "Factor", "factor", 0, 2, 1, hue_axis),
+    curve_parameter("hue-vs-lum", "Luminance gain", "factor", 0, 2, 1, hue_axis),
 };
 
 Transform compile_hue_vs_lum(const Values& values, const OpContext&) {

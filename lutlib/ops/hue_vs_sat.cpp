@@ -4,7 +4,7 @@ namespace lutlib::op {
 namespace {
 
 constexpr Parameter hue_vs_sat_parameters[] = {
-    curve_parameter("hue-vs-sat", "Factor", "factor", 0, 4, 1, hue_axis),
+    curve_parameter("hue-vs-sat", "Saturation gain", "factor", 0, 4, 1, hue_axis),
 };
 
 Transform compile_hue_vs_sat(const Values& values, const OpContext&) {

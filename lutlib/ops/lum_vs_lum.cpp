@@ -4,7 +4,7 @@ namespace lutlib::op {
 namespace {
 
 constexpr Parameter lum_vs_lum_parameters[] = {
-    curve_parameter("lum-vs-lum", "Factor", "factor", 0, 4, 1, luminance_axis),
+    curve_parameter("lum-vs-lum", "Luminance gain", "factor", 0, 4, 1, luminance_axis),
 };
 
 Transform compile_lum_vs_lum(const Values& values, const OpContext&) {

@@ -4,7 +4,7 @@ namespace lutlib::op {
 namespace {
 
 constexpr Parameter lum_vs_sat_parameters[] = {
-    curve_parameter("lum-vs-sat", "Factor", "factor", 0, 4, 1, luminance_axis),
+    curve_parameter("lum-vs-sat", "Saturation gain", "factor", 0, 4, 1, luminance_axis),
 };
 
 Transform compile_lum_vs_sat(const Values& values, const OpContext&) {

@@ -4,7 +4,7 @@ namespace lutlib::op {
 namespace {
 
 constexpr Parameter sat_vs_lum_parameters[] = {
-    curve_parameter("sat-vs-lum", "Factor", "factor", 0, 2, 1, saturation_axis),
+    curve_parameter("sat-vs-lum", "Luminance gain", "factor", 0, 2, 1, saturation_axis),
 };
 
 Transform compile_sat_vs_lum(const Values& values, const OpContext&) {

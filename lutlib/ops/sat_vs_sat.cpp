@@ -4,7 +4,7 @@ namespace lutlib::op {
 namespace {
 
 constexpr Parameter sat_vs_sat_parameters[] = {
-    curve_parameter("sat-vs-sat", "Factor", "factor", 0, 4, 1, saturation_axis),
+    curve_parameter("sat-vs-sat", "Saturation gain", "factor", 0, 4, 1, saturation_axis),
 };
 
 Transform compile_sat_vs_sat(const Values& values, const OpContext&) {

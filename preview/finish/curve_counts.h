@@ -30,10 +30,10 @@ inline constexpr std::array<CountedAxis, 7> counted_axes{{
     {"luminance", "", 0, 1},
     {"saturation", "", 0, 1},
     {"hue", "", 0, 360},
-    {"in", "master", 0, 1}, // luma, as the waveform has it
-    {"in", "red", 0, 1},
-    {"in", "green", 0, 1},
-    {"in", "blue", 0, 1},
+    {"input", "master", 0, 1}, // luma, as the waveform has it
+    {"input", "red", 0, 1},
+    {"input", "green", 0, 1},
+    {"input", "blue", 0, 1},
 }};
 inline constexpr std::uint32_t axis_bins = 128;
 inline constexpr std::uint32_t hue_unit = 64;

@@ -33,6 +33,7 @@ void open_look(State& state, const io::Look& look, const lutlib::LookEncodings& 
     const bool is_recipe = look.recipe() != nullptr;
     next.recipe = look.as_recipe();
     next.recipe.title = look.title();
+    next.solo.reset();
     next.saved = next.recipe;
     next.told = told_of(look);
     next.said = said;

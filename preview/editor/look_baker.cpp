@@ -13,7 +13,7 @@ namespace preview::editor {
 namespace {
 
 auto operators_of(const lutlib::Recipe& r) {
-    return std::tie(r.input, r.output, r.adaptation, r.base_lut, r.bake, r.operations);
+    return std::tie(r.input, r.output, r.adaptation, r.base_lut, r.bake, r.operations, r.opacity);
 }
 
 // A gesture's changes follow each other faster.

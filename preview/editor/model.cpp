@@ -10,7 +10,7 @@ namespace {
 
 auto values_of(const lutlib::Recipe& r) {
     return std::tie(r.title, r.input, r.output, r.adaptation, r.base, r.base_lut, r.bake,
-                    r.operations);
+                    r.operations, r.opacity);
 }
 
 auto values_of(const Orbit& o) {
@@ -20,7 +20,7 @@ auto values_of(const Orbit& o) {
 
 auto values_of(const State& s) {
     return std::tie(s.recipe_path, s.base_path, s.sides, s.versions, s.picture, s.shown, s.lights,
-                    s.surroundings, s.scopes_seen, s.cube);
+                    s.surroundings, s.scopes_seen, s.cube, s.solo);
 }
 
 } // namespace

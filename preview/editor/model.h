@@ -85,11 +85,12 @@ struct CubeChoice {
 /// Everything that undo brings back.
 struct State : PictureSettings {
     lutlib::Recipe recipe;
-    std::string recipe_path;       ///< empty: never saved
-    std::string base_path;         ///< where the recipe's base lies
-    lutlib::LookEncodings said;    ///< in place of what a LUT that was opened says
-    lutlib::Recipe saved;          ///< the recipe as its file has it: opened or saved last
-    std::vector<std::string> told; ///< what the reading of the look lost, guessed or left undone
+    std::optional<std::size_t> solo; ///< the operator that is shown alone, see solo.h
+    std::string recipe_path;         ///< empty: never saved
+    std::string base_path;           ///< where the recipe's base lies
+    lutlib::LookEncodings said;      ///< in place of what a LUT that was opened says
+    lutlib::Recipe saved;            ///< the recipe as its file has it: opened or saved last
+    std::vector<std::string> told;   ///< what the reading of the look lost, guessed or left undone
     std::array<Side, 2> sides;
     std::array<std::shared_ptr<const Version>, version_count> versions; ///< null: none
     PictureCodes picture;

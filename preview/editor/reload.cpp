@@ -31,7 +31,7 @@ bool hold_the_same(const std::shared_ptr<const Lut>& a, const std::shared_ptr<co
 /// Whatever the base is called.
 bool hold_the_same(const lutlib::Recipe& a, const lutlib::Recipe& b) {
     const auto values = [](const lutlib::Recipe& r) {
-        return std::tie(r.title, r.input, r.adaptation, r.bake, r.operations);
+        return std::tie(r.title, r.input, r.adaptation, r.bake, r.operations, r.opacity);
     };
     return values(a) == values(b) && a.output_encoding() == b.output_encoding() &&
            hold_the_same(a.base_lut, b.base_lut);

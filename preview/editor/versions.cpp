@@ -29,6 +29,7 @@ bool recall_version(State& state, std::size_t place) {
         return false;
     }
     state.recipe = version->recipe;
+    state.solo.reset();
     state.base_path = version->base_path;
     state.told = version->told;
     return true;

@@ -40,7 +40,10 @@ std::optional<Probe> probe_from(std::span<const std::byte> bytes) {
     const auto color = [&](std::size_t at) {
         return lutlib::to_double(lutlib::Rgb{values[at], values[at + 1], values[at + 2]});
     };
-    return Probe{color(0), color(4), color(8)};
+    return Probe{.before = color(0),
+                 .a = color(4),
+                 .b = color(8),
+                 .light = lutlib::to_double(lutlib::Rgb{values[3], values[7], values[11]})};
 }
 
 Codes codes_of(lutlib::RgbD color) {

@@ -19,6 +19,7 @@ struct ProbePlace {
 /// Display-encoded, and not clamped: a look in float may leave 0..1.
 struct Probe {
     lutlib::RgbD before, a, b;
+    lutlib::RgbD light; ///< scene light before the tone map, exposed; 0 where there is none
     /// Bit by bit: NaN, which a broken look may give, equals itself.
     friend bool operator==(const Probe& a, const Probe& b);
 };

@@ -2,6 +2,7 @@
 
 #include "preview/editor/commands.h"
 #include "preview/editor/reload.h"
+#include "preview/editor/solo.h"
 #include "preview/editor/versions.h"
 
 #include <algorithm>
@@ -32,6 +33,7 @@ void close_all(Ui& ui) {
     ui.errors.clear();
     ui.exported.clear();
     ui.to_replace.clear();
+    ui.pick.reset();
 }
 
 void save(Ui& ui) {
@@ -63,6 +65,17 @@ void recall(Ui& ui, std::size_t place) {
 
 void put_on_a(Ui& ui, std::size_t place) {
     say_if_none(ui, show_version(ui.history.draft(), place, 0), place);
+}
+
+/// The operator that keys are for, or an error that says how one is chosen.
+template <auto change>
+void with_chosen(Ui& ui) {
+    State& state = ui.history.draft();
+    if (ui.look.chosen && *ui.look.chosen < state.recipe.operations.size()) {
+        change(state, *ui.look.chosen);
+    } else {
+        ui.errors.emplace_back("click the heading of an operator in the panel Look first");
+    }
 }
 
 constexpr Key digits[] = {Key::digit_1, Key::digit_2, Key::digit_3, Key::digit_4, Key::digit_5,
@@ -100,7 +113,8 @@ std::vector<Action> own_actions() {
         {.help = "list of keys",
          .key = Key::f1,
          .act = [](Ui& ui) { ui.shows_help = !ui.shows_help; }},
-        {.help = "close what lies over the panels: lists, errors, questions, what was exported",
+        {.help = "close what lies over the panels: lists, errors, questions, what was exported; "
+                 "pick no colour",
          .key = Key::escape,
          .act = &close_all},
         {.help = "find anything that can be done by typing",
@@ -115,6 +129,12 @@ std::vector<Action> own_actions() {
          .act = [](Ui& ui) { ui.history.redo(); }},
         {.help = "redo", .key = Key::y, .ctrl = true, .act = [](Ui& ui) { ui.history.redo(); }},
         {.help = "save the recipe to its file", .key = Key::s, .ctrl = true, .act = &save},
+        {.help = "leave out the operator that was clicked last, or take it in again",
+         .key = Key::d,
+         .act = &with_chosen<&toggle_bypass>},
+        {.help = "show the operator that was clicked last alone, or all again",
+         .key = Key::s,
+         .act = &with_chosen<&toggle_solo>},
         {.help = "export the strip into the engine's folder (--watch-engine-folder)",
          .key = Key::e,
          .ctrl = true,

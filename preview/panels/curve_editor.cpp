@@ -1,11 +1,15 @@
-// The editor of one curve: click an empty place for a knot, drag it, press right to delete it.
-#include "lutlib/color/oklab.h"
-#include "lutlib/color/transfer.h"
-#include "preview/editor/knots.h"
-#include "preview/finish/curve_counts.h"
-#include "preview/panels/ui.h"
+#include "preview/panels/curve_editor.h"
 
+#include "lutlib/error.h"
+#include "preview/panels/curve_canvas.h"
+#include "preview/panels/eyedropper.h"
+#include "preview/panels/parameter_control.h"
+#include "preview/panels/theme.h"
+#include "preview/panels/tip.h"
+
+#include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,142 +22,35 @@ using lutlib::Knot;
 using lutlib::Knots;
 using lutlib::Parameter;
 
-// In heights of the text.
-constexpr float knot_radius = 0.36F;
-constexpr float reach = 0.72F; // from which a knot is caught
-constexpr int ribbon_steps = 72;
+constexpr float reach = 0.72F; // from which a knot is caught, in heights of the text
 
-/// A display colour of that hue, at a lightness and chroma that sRGB holds at every hue.
-ImU32 hue_color(double dial, float alpha) {
-    constexpr double lightness = 0.72, chroma = 0.12;
-    const double angle = lutlib::oklab_hue(dial) * M_PI / 180;
-    const lutlib::RgbD linear =
-        lutlib::linear_from_oklab({lightness, chroma * std::cos(angle), chroma * std::sin(angle)});
-    const auto code = [](double light) {
-        return static_cast<float>(lutlib::srgb_encode(lutlib::saturate(light)));
+/// A place that the mouse has chosen, with no more digits than it can tell apart.
+Knot rounded(const CurveView& view, const Knot& knot) {
+    const auto round_to = [](double x, double span) {
+        const double steps = std::pow(10, -std::floor(std::log10(span / 500)));
+        return std::round(x * steps) / steps;
     };
-    return ImGui::ColorConvertFloat4ToU32({code(linear.r), code(linear.g), code(linear.b), alpha});
-}
-
-/// Maps between the view and the window's pixels.
-struct Canvas {
-    CurveView view;
-    ImVec2 origin, size;
-
-    ImVec2 at(Knot knot) const {
-        return {origin.x +
-                    size.x * static_cast<float>((knot.x - view.x_min) / (view.x_max - view.x_min)),
-                origin.y +
-                    size.y * static_cast<float>((view.y_max - knot.y) / (view.y_max - view.y_min))};
-    }
-    Knot knot(ImVec2 place) const {
-        return {view.x_min +
-                    static_cast<double>((place.x - origin.x) / size.x) * (view.x_max - view.x_min),
-                view.y_max -
-                    static_cast<double>((place.y - origin.y) / size.y) * (view.y_max - view.y_min)};
-    }
-    Knot reach_share() const {
-        return {static_cast<double>(em(reach) / size.x), static_cast<double>(em(reach) / size.y)};
-    }
-};
-
-void draw_ribbon(ImDrawList& list, const Canvas& canvas) {
-    const float step = canvas.size.x / ribbon_steps;
-    for (int i = 0; i < ribbon_steps; ++i) {
-        const float left = canvas.origin.x + step * static_cast<float>(i);
-        const ImU32 from = hue_color(360.0 * i / ribbon_steps, 0.45F);
-        const ImU32 to = hue_color(360.0 * (i + 1) / ribbon_steps, 0.45F);
-        list.AddRectFilledMultiColor({left, canvas.origin.y},
-                                     {left + step, canvas.origin.y + canvas.size.y}, from, to, to,
-                                     from);
-    }
-}
-
-void draw_grid(ImDrawList& list, const Canvas& canvas) {
-    const ImU32 line = IM_COL32(255, 255, 255, 28);
-    for (int i = 1; i < 4; ++i) {
-        const float share = static_cast<float>(i) / 4;
-        const float x = canvas.origin.x + share * canvas.size.x;
-        const float y = canvas.origin.y + share * canvas.size.y;
-        list.AddLine({x, canvas.origin.y}, {x, canvas.origin.y + canvas.size.y}, line);
-        list.AddLine({canvas.origin.x, y}, {canvas.origin.x + canvas.size.x, y}, line);
-    }
-}
-
-/// How often the picture has the values of the axis, behind the curve that will act on them. The
-/// square root of the counts: rare values still show beside frequent ones.
-void draw_counts(ImDrawList& list, const Canvas& canvas, const Parameter& parameter,
-                 const std::vector<std::uint32_t>& counts) {
-    const CountedAxis* const axis = axis_for(parameter);
-    if (axis == nullptr || counts.size() != counted_axes.size() * axis_bins) {
-        return;
-    }
-    const auto row = static_cast<std::size_t>(axis - counted_axes.data());
-    const std::uint32_t* const bins = &counts[row * axis_bins];
-    // The outermost bins of an open axis hold what is clipped and would dwarf the others.
-    const std::size_t ends = parameter.axis.periodic ? 0 : 1;
-    const std::uint32_t most = *std::max_element(bins + ends, bins + axis_bins - ends);
-    if (most == 0) {
-        return;
-    }
-    const double step = (axis->max - axis->min) / axis_bins;
-    const double first = parameter.axis.periodic ? -step / 2 : 0; // bins about their hues
-    const float floor_y = canvas.origin.y + canvas.size.y;
-    const ImU32 color =
-        parameter.axis.periodic ? IM_COL32(0, 0, 0, 110) : IM_COL32(205, 205, 205, 62);
-    for (std::uint32_t i = 0; i < axis_bins; ++i) {
-        const float share =
-            std::min(std::sqrt(static_cast<float>(bins[i]) / static_cast<float>(most)), 1.0F);
-        const double x = axis->min + first + step * i;
-        const float left = canvas.at({x, 0}).x, right = canvas.at({x + step, 0}).x;
-        list.AddRectFilled({left, floor_y - 0.94F * share * canvas.size.y}, {right, floor_y},
-                           color);
-    }
-}
-
-void draw_curve(ImDrawList& list, const Canvas& canvas, const Parameter& parameter,
-                const Knots& knots) {
-    std::vector<ImVec2> points;
-    const auto steps = static_cast<int>(canvas.size.x / 2);
-    const bool neutral_diagonal = knots.empty() && parameter.axis.diagonal;
-    const lutlib::Curve curve = lutlib::curve_of(parameter, knots);
-    for (int i = 0; i <= steps; ++i) {
-        const double x =
-            canvas.view.x_min + (canvas.view.x_max - canvas.view.x_min) * i / std::max(steps, 1);
-        points.push_back(canvas.at({x, neutral_diagonal ? x : curve(x)}));
-    }
-    list.AddPolyline(points.data(), static_cast<int>(points.size()), IM_COL32(255, 255, 255, 230),
-                     0, 1.8F);
-}
-
-void draw_knots(ImDrawList& list, const Canvas& canvas, const Knots& knots,
-                std::optional<std::size_t> lit) {
-    for (std::size_t i = 0; i < knots.size(); ++i) {
-        const ImVec2 place = canvas.at(knots[i]);
-        list.AddCircleFilled(place, em(knot_radius), IM_COL32(20, 20, 24, 255));
-        list.AddCircle(place, em(knot_radius),
-                       lit == i ? IM_COL32(255, 190, 60, 255) : IM_COL32(255, 255, 255, 255), 0,
-                       1.8F);
-    }
+    return {round_to(knot.x, view.x_max - view.x_min), round_to(knot.y, view.y_max - view.y_min)};
 }
 
 /// What the mouse does to the knots: a click adds one or catches the one `under` it, to be dragged,
 /// the right button removes it. Whether anything changed.
-bool edit_knots(const Parameter& parameter, Knots& knots, const Knot& mouse, bool hovered,
-                bool active, std::optional<std::size_t>& under,
-                std::optional<std::size_t>& dragged) {
+bool edit_knots(const Parameter& parameter, Knots& knots, const Knot& mouse,
+                std::optional<std::size_t>& under, std::optional<std::size_t>& dragged) {
     bool changed = false;
-    if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    const bool is_hovered = ImGui::IsItemHovered();
+    if (is_hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         dragged = under;
         if (!dragged) {
             dragged = add_knot(parameter, knots, mouse);
             changed = true;
         }
-    } else if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right) && under) {
+    } else if (is_hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right) && under) {
         remove_knot(parameter, knots, *under);
         under.reset();
+        dragged.reset();
         changed = true;
-    } else if (active && dragged && *dragged < knots.size() &&
+    } else if (ImGui::IsItemActive() && dragged && *dragged < knots.size() &&
                ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1)) {
         move_knot(parameter, knots, *dragged, mouse);
         changed = true;
@@ -161,65 +58,194 @@ bool edit_knots(const Parameter& parameter, Knots& knots, const Knot& mouse, boo
     return changed;
 }
 
-void draw_curves(const Ui& ui, const Canvas& canvas, const Parameter& parameter, const Knots& knots,
-                 ImVec2 origin, ImVec2 corner) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(origin, corner, IM_COL32(24, 24, 24, 255));
-    list.PushClipRect(origin, corner, true);
-    if (parameter.axis.periodic) {
-        draw_ribbon(list, canvas);
+/// Which curve is edited, and which of the others are seen.
+void choose_curve(Ui& ui, CurveUse& use, std::span<const Parameter> curves,
+                  const std::string& place) {
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        if (i > 0) {
+            ImGui::SameLine();
+        }
+        ImGui::PushID(static_cast<int>(i));
+        const std::string name(curves[i].name);
+        if (ImGui::RadioButton(std::string(curves[i].label).c_str(), use.edited == i)) {
+            use.edited = i;
+            use.knot.reset();
+            use.problem.clear();
+        }
+        mark(ui, place + "." + name + ".edit");
+        tip("The curve that is edited; the others are seen beside it where they are ticked", {},
+            false);
+        bool is_seen = !use.hidden[i];
+        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        if (ImGui::Checkbox("##seen", &is_seen)) {
+            use.hidden[i] = !is_seen;
+        }
+        mark(ui, place + "." + name + ".seen");
+        tip("Seen beside the curve that is edited", {}, false);
+        ImGui::PopID();
     }
-    draw_counts(list, canvas, parameter, ui.facts.measured.axis_counts);
-    draw_grid(list, canvas);
-    draw_curve(list, canvas, parameter, knots);
-    list.PopClipRect();
+}
+
+/// The plot itself.
+bool plot(Ui& ui, CurveUse& use, std::span<const Parameter> curves, std::span<lutlib::Value> values,
+          const std::string& place) {
+    // The view that a knot is dragged in: one mouse, one drag.
+    static CurveView dragged_view;
+    const Parameter& parameter = curves[use.edited];
+    Knots& knots = std::get<Knots>(values[use.edited]);
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const float width = std::max(ImGui::GetContentRegionAvail().x, em(4));
+    const float side = std::min(width, em(26));
+    // Identity goes at 45 degrees.
+    const ImVec2 size = parameter.axis.diagonal ? ImVec2(side, side) : ImVec2(width, em(13));
+    ImGui::InvisibleButton("curve", size,
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+    mark(ui, place + "." + std::string(parameter.name));
+    ui.shows_curves = ui.shows_curves || ImGui::IsItemVisible();
+    const bool is_active = ImGui::IsItemActive(), is_hovered = ImGui::IsItemHovered();
+    if (ImGui::IsItemActivated()) {
+        use.knot.reset();
+        dragged_view = view_of(parameter, knots);
+    }
+    // A knot at either end is to be seen and caught whole.
+    const float edge = em(knot_radius);
+    const Canvas canvas{is_active ? dragged_view : view_of(parameter, knots),
+                        {origin.x + edge, origin.y + edge},
+                        {size.x - 2 * edge, size.y - 2 * edge}};
+    const Knot mouse = canvas.knot(ImGui::GetIO().MousePos);
+    std::optional<std::size_t> under;
+    if (is_hovered || is_active) {
+        under = knot_at(canvas.view, knots, mouse,
+                        {static_cast<double>(em(reach) / canvas.size.x),
+                         static_cast<double>(em(reach) / canvas.size.y)});
+    }
+    const bool changed = edit_knots(parameter, knots, rounded(canvas.view, mouse), under, use.knot);
+
+    draw_backdrop(ui, canvas, parameter);
+    ImGui::PushClipRect(origin, {origin.x + size.x, origin.y + size.y}, true);
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        if (i != use.edited && !use.hidden[i]) {
+            draw_curve(canvas, curves[i], std::get<Knots>(values[i]), false);
+        }
+    }
+    draw_curve(canvas, parameter, knots, true);
+    draw_knots(canvas, knots, under && !is_active ? under : use.knot);
+    ImGui::PopClipRect();
+    draw_axis_names(canvas, parameter);
+    ImGui::Dummy({size.x, ImGui::GetTextLineHeight()});
+    if (is_hovered || is_active) {
+        const Knot shown =
+            use.knot && *use.knot < knots.size() && is_active ? knots[*use.knot] : mouse;
+        ImGui::SetTooltip("%s %.4g, %s %.4g\nusually %s\nclick: new knot, right: delete",
+                          name_of_x(parameter).c_str(), shown.x, name_of_y(parameter).c_str(),
+                          shown.y, usual_text(parameter).c_str());
+    }
+    return changed;
+}
+
+/// The chosen knot's numbers.
+bool knot_numbers(Ui& ui, CurveUse& use, const Parameter& parameter, Knots& knots,
+                  const std::string& place) {
+    if (!use.knot || *use.knot >= knots.size()) {
+        ImGui::TextDisabled("click a knot to type its numbers");
+        return false;
+    }
+    Knot knot = knots[*use.knot];
+    const CurveView view = view_of(parameter, knots);
+    const auto field = [&](const std::string& name, double& value, double span, double min,
+                           double max, const std::string& mark_name) {
+        ImGui::SetNextItemWidth(em(8));
+        const bool changed =
+            ImGui::DragScalar(("##" + mark_name).c_str(), ImGuiDataType_Double, &value,
+                              static_cast<float>(span / 500), &min, &max, (name + " %.5g").c_str(),
+                              ImGuiSliderFlags_AlwaysClamp);
+        mark(ui, mark_name);
+        tip(name, {}, true);
+        ImGui::SameLine();
+        return changed;
+    };
+    bool changed = field(name_of_x(parameter), knot.x, view.x_max - view.x_min, parameter.axis.min,
+                         parameter.axis.max, place + ".knot.x");
+    changed |= field(name_of_y(parameter), knot.y, view.y_max - view.y_min, parameter.min,
+                     parameter.max, place + ".knot.y");
+    if (changed) {
+        move_knot(parameter, knots, *use.knot, knot);
+    }
+    if (ImGui::Button("Delete")) {
+        remove_knot(parameter, knots, *use.knot);
+        use.knot.reset();
+        changed = true;
+    }
+    mark(ui, place + ".knot.delete");
+    tip("Deletes the knot; so does the right button on it", {}, false);
+    return changed;
+}
+
+/// All knots as text, as on the command line.
+bool typed_knots(Ui& ui, CurveUse& use, const Parameter& parameter, lutlib::Value& value,
+                 const std::string& place) {
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    if (!use.is_typing && use.problem.empty()) {
+        use.typed = value_text(value);
+    }
+    const std::string hint =
+        "knots as " + name_of_x(parameter) + ":" + name_of_y(parameter) + ", ...";
+    ImGui::InputTextWithHint("##knots", hint.c_str(), &use.typed);
+    use.is_typing = ImGui::IsItemActive();
+    mark(ui, place + ".typed");
+    tip("All knots, each as " + name_of_x(parameter) + ":" + name_of_y(parameter) +
+            ", between commas; none is the neutral curve",
+        usual_text(parameter), false);
+    bool changed = false;
+    if (ImGui::IsItemDeactivatedAfterEdit()) {
+        use.problem.clear();
+        try {
+            value = use.typed.empty() ? lutlib::Value(Knots{}) : parse_value(parameter, use.typed);
+            use.knot.reset();
+            changed = true;
+        } catch (const lutlib::Error& error) {
+            use.problem = error.message();
+        }
+    }
+    if (!use.problem.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text,
+                              IM_COL32(warning_color[0], warning_color[1], warning_color[2], 255));
+        ImGui::TextWrapped("%s", use.problem.c_str());
+        ImGui::PopStyleColor();
+    }
+    return changed;
 }
 
 } // namespace
 
-bool curve_editor(Ui& ui, const Parameter& parameter, Knots& knots, const std::string& place) {
-    // The knot that is dragged, and the view it is dragged in: one mouse, one drag.
-    static std::optional<std::size_t> dragged;
-    static CurveView dragged_view;
+std::size_t add_knot_on_curve(const Parameter& parameter, Knots& knots, double x) {
+    const bool is_neutral_diagonal = knots.empty() && parameter.axis.diagonal;
+    return add_knot(parameter, knots, {x, is_neutral_diagonal ? x : curve_of(parameter, knots)(x)});
+}
 
-    ImGui::TextDisabled("%.*s against %.*s", static_cast<int>(parameter.label.size()),
-                        parameter.label.data(), static_cast<int>(parameter.axis.label.size()),
-                        parameter.axis.label.data());
-    const ImVec2 origin = ImGui::GetCursorScreenPos();
-    const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, em(4)),
-                      std::floor(ImGui::GetFontSize() * 10));
+bool curve_editor(Ui& ui, std::span<const Parameter> curves, std::span<lutlib::Value> values,
+                  const std::string& place,
+                  const std::function<void(std::size_t parameter)>& start_picking) {
+    CurveUse& use = ui.look.curves[place];
+    use.hidden.resize(curves.size());
+    use.edited = std::min(use.edited, curves.size() - 1);
     ImGui::PushID(place.c_str());
-    ImGui::InvisibleButton("curve", size,
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+    if (curves.size() > 1) {
+        choose_curve(ui, use, curves, place);
+    }
+    const Parameter& parameter = curves[use.edited];
+    const std::string name = place + "." + std::string(parameter.name);
+    bool changed = plot(ui, use, curves, values, place);
+    changed |= knot_numbers(ui, use, parameter, std::get<Knots>(values[use.edited]), name);
+    ImGui::PushID(static_cast<int>(use.edited));
+    changed |= typed_knots(ui, use, parameter, values[use.edited], name);
     ImGui::PopID();
-    mark(ui, place);
-    ui.shows_curves = ui.shows_curves || ImGui::IsItemVisible();
-    const bool active = ImGui::IsItemActive();
-    const bool hovered = ImGui::IsItemHovered();
-    if (active && ImGui::IsItemActivated()) {
-        dragged.reset();
-        dragged_view = view_of(parameter, knots);
+    if (pick_button(ui, "Pick a knot",
+                    "Click on the picture: a knot is set where its colour lies on the curve",
+                    name + ".pick")) {
+        start_picking(use.edited);
     }
-    // A knot at either end is to be seen and caught whole.
-    const Canvas canvas{active ? dragged_view : view_of(parameter, knots),
-                        {origin.x + em(knot_radius), origin.y},
-                        {size.x - 2 * em(knot_radius), size.y}};
-    const ImGuiIO& io = ImGui::GetIO();
-    const Knot mouse = canvas.knot(io.MousePos);
-    std::optional<std::size_t> under;
-    if (hovered || active) {
-        under = knot_at(canvas.view, knots, mouse, canvas.reach_share());
-    }
-
-    const bool changed = edit_knots(parameter, knots, mouse, hovered, active, under, dragged);
-
-    draw_curves(ui, canvas, parameter, knots, origin, {origin.x + size.x, origin.y + size.y});
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    draw_knots(list, canvas, knots, active ? dragged : under);
-    if (hovered || active) {
-        const Knot shown = active && dragged && *dragged < knots.size() ? knots[*dragged] : mouse;
-        ImGui::SetTooltip("%.4g : %.4g\nclick: new knot, right: delete", shown.x, shown.y);
-    }
+    ImGui::PopID();
     return changed;
 }
 

@@ -1,5 +1,5 @@
 // What a person must know of files: what could not be read again, what waits to be chosen, what was
-// exported and what that lost.
+// exported and what that lost; and that only a part of the look is shown.
 #include "preview/editor/commands.h"
 #include "preview/editor/reload.h"
 #include "preview/panels/theme.h"
@@ -50,6 +50,15 @@ void choice_of_offered(Ui& ui) {
     }
 }
 
+/// The look is not what is seen.
+void solo_notice(State& state) {
+    const auto& operations = state.recipe.operations;
+    if (state.solo && *state.solo < operations.size()) {
+        warning(std::string(operations[*state.solo].op->label) +
+                " is shown alone (S ends that); what is saved or exported is the whole look");
+    }
+}
+
 } // namespace
 
 void export_to_engine(Ui& ui) {
@@ -81,6 +90,7 @@ void notices(Ui& ui) {
     if (ui.offered) {
         choice_of_offered(ui);
     }
+    solo_notice(ui.history.draft());
     if (!ui.exported.empty()) {
         ImGui::TextWrapped("%s", ui.exported.c_str());
         mark(ui, "exported");

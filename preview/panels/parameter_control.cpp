@@ -7,9 +7,7 @@
 
 namespace preview::panels {
 
-namespace {
-
-std::string usual_of(const lutlib::Parameter& parameter, const lutlib::OpContext& context) {
+std::string usual_text(const lutlib::Parameter& parameter, const lutlib::OpContext& context) {
     const std::string unit = parameter.unit.empty() ? "" : " " + std::string(parameter.unit);
     switch (parameter.kind) {
     case lutlib::ParameterKind::number: {
@@ -28,16 +26,18 @@ std::string usual_of(const lutlib::Parameter& parameter, const lutlib::OpContext
     case lutlib::ParameterKind::curve:
         break;
     }
-    return {};
+    return parameter.axis.diagonal ? "the output is the input"
+                                   : fmt::format("{:.5g}{}", parameter.fallback, unit);
 }
-
-} // namespace
 
 bool parameter_control(Ui& ui, const lutlib::Parameter& parameter, lutlib::Value& value,
                        const std::string& place, const lutlib::OpContext& context) {
-    const std::string label =
-        std::string(parameter.label) +
-        (parameter.unit.empty() ? "" : " (" + std::string(parameter.unit) + ")");
+    const std::string name(parameter.label);
+    const std::string with_unit =
+        parameter.unit.empty() ? name : name + " (" + std::string(parameter.unit) + ")";
+    // The tip has the unit too, where there is no room for it.
+    const float room = ImGui::GetContentRegionAvail().x * 0.45F - em(0.5F);
+    const std::string& label = ImGui::CalcTextSize(with_unit.c_str()).x < room ? with_unit : name;
     bool changed = false;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x * 0.55F);
     switch (parameter.kind) {
@@ -67,10 +67,10 @@ bool parameter_control(Ui& ui, const lutlib::Parameter& parameter, lutlib::Value
         break;
     }
     case lutlib::ParameterKind::curve:
-        return curve_editor(ui, parameter, std::get<lutlib::Knots>(value), place);
+        return false; // see curve_editor.h
     }
     mark(ui, place);
-    tip({}, usual_of(parameter, context), parameter.kind != lutlib::ParameterKind::toggle);
+    tip({}, usual_text(parameter, context), parameter.kind != lutlib::ParameterKind::toggle);
     return changed;
 }
 

@@ -3,6 +3,7 @@
 #include "preview/panels/ui.h"
 #include "preview/scene/light_controls.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -11,7 +12,23 @@ namespace preview::panels {
 
 namespace {
 
-void control_row(Ui& ui, const LightControl& control, PointLight& light, const std::string& place) {
+/// As the scene has it, with the unit; nothing of a light that it has not.
+std::string usual_text(const LightControl& control, const PointLight* usual) {
+    if (usual == nullptr) {
+        return std::string(control.unit);
+    }
+    const glm::vec3 value = control.get(*usual);
+    if (control.kind == LightControl::Kind::flag) {
+        return value.x != 0 ? "on" : "off";
+    }
+    const std::string numbers = components(control.kind) == 3
+                                    ? fmt::format("{:.4g} {:.4g} {:.4g}", value.x, value.y, value.z)
+                                    : fmt::format("{:.4g}", value.x);
+    return numbers + " " + std::string(control.unit);
+}
+
+void control_row(Ui& ui, const LightControl& control, PointLight& light, const PointLight* usual,
+                 const std::string& place) {
     const std::string label(control.label);
     glm::vec3 value = control.get(light);
     bool changed = false;
@@ -40,7 +57,7 @@ void control_row(Ui& ui, const LightControl& control, PointLight& light, const s
         break;
     }
     mark(ui, place);
-    tip(control.help, {}, control.kind != LightControl::Kind::flag);
+    tip(control.help, usual_text(control, usual), control.kind != LightControl::Kind::flag);
     if (changed) {
         control.set(light, value);
     }
@@ -66,6 +83,7 @@ void scene_panel(Ui& ui) {
         if (open) {
             for (const LightControl& control : light_controls()) {
                 control_row(ui, control, lights[i],
+                            i < ui.facts.usual_lights.size() ? &ui.facts.usual_lights[i] : nullptr,
                             "light." + name + "." + std::string(control.name));
             }
         }

@@ -2,6 +2,7 @@
 
 #include "lutlib/io/reason.h"
 #include "preview/panels/actions.h"
+#include "preview/panels/eyedropper.h"
 #include "preview/panels/palette.h"
 
 #include <imgui.h>
@@ -243,6 +244,10 @@ void picture_area(Ui& ui, const Rect& area) {
     if (ImGui::IsItemHovered()) {
         ui.pointer = {static_cast<int>((io.MousePos.x - area.x) * io.DisplayFramebufferScale.x),
                       static_cast<int>((io.MousePos.y - area.y) * io.DisplayFramebufferScale.y)};
+    }
+    if (takes_mouse_for_pick(ui)) {
+        ImGui::End();
+        return;
     }
     const float line = area.x + state.split * area.width;
     const bool near_line =

@@ -6,6 +6,7 @@
 #include "preview/editor/keys.h"
 #include "preview/editor/model.h"
 #include "preview/finish/probe.h"
+#include "preview/panels/look_use.h"
 
 #include <functional>
 #include <map>
@@ -38,8 +39,10 @@ struct Measured {
 /// What the panels show and do not change.
 struct Facts {
     std::string device, input;
-    std::vector<std::string> left_out; ///< of the input, by its import
-    bool is_scene = true;              ///< there is a camera to move
+    std::vector<std::string> left_out;    ///< of the input, by its import
+    bool is_scene = true;                 ///< there is a camera to move
+    Orbit usual_orbit;                    ///< as the scene has it
+    std::vector<PointLight> usual_lights; ///< likewise
     bool has_surroundings_picture = false;
     float aspect = 0;             ///< a picture's width over its height; 0: a scene fills any area
     bool display_encoded = false; ///< there is nothing to tone map
@@ -56,6 +59,14 @@ struct Facts {
 struct KeyPress {
     Key key = Key::none;
     bool ctrl = false, shift = false;
+};
+
+/// A colour of the picture that is to be clicked, see eyedropper.h.
+struct Pick {
+    std::string words; ///< what it is for
+    std::function<void(struct Ui& ui, const Probe& probe)> use;
+    std::optional<ProbePlace> place{}; ///< where it was clicked; empty: not yet
+    int frames = 0;                    ///< since then
 };
 
 struct Ui {
@@ -83,6 +94,8 @@ struct Ui {
     bool quits = false;
     bool shows_passes = false; ///< set by the passes panel while it is seen: timings are wanted
     bool shows_curves = false; ///< set by curve editors: counts along their axes are wanted
+    LookUse look;
+    std::optional<Pick> pick;
     std::optional<ProbePlace> pointer; ///< the texel of the shown picture under the mouse
     std::array<Rect, scopes.size()> scope_places{}; ///< where scopes are seen; else empty
     FigureSize scope_figures;      ///< of those that are written over the scopes, in their pixels
@@ -124,7 +137,7 @@ void scopes_panel(Ui& ui);
 void cube_panel(Ui& ui);
 void versions_panel(Ui& ui);
 void dialogs(Ui& ui);
-/// What a person must know of files, above the panels.
+/// What a person must know of files and of what is shown, above the panels.
 void notices(Ui& ui);
 void handle_shortcuts(Ui& ui);
 /// The scopes that are seen, side by side.
@@ -133,10 +146,6 @@ void scope_strip(Ui& ui, const Rect& area);
 void status_line(Ui& ui, const Rect& area);
 /// Mouse on the picture: the split line, the camera, the colour under it.
 void picture_area(Ui& ui, const Rect& area);
-
-/// Draws a curve and lets its knots be changed; true when they were.
-bool curve_editor(Ui& ui, const lutlib::Parameter& parameter, lutlib::Knots& knots,
-                  const std::string& place);
 
 /// Texts one below the other, wrapped.
 void lines(const std::vector<std::string>& texts);

@@ -8,8 +8,6 @@
 
 #include <imgui.h>
 
-#include <type_traits>
-
 namespace preview::panels {
 
 namespace {
@@ -33,20 +31,15 @@ void choice(Ui& ui, std::string_view flag) {
     ImGui::EndCombo();
 }
 
-/// The default with its unit; none of a camera, which each scene has its own.
+/// What is usual, with its unit.
 template <class S>
-std::string usual_text(const NumberRow<S>& row) {
-    if constexpr (std::is_same_v<S, Orbit>) {
-        return {};
-    } else {
-        const S usual{};
-        return number_text(row.value(usual), row.is_own(usual) ? row.own_name : "") +
-               (row.unit.empty() ? "" : " " + std::string(row.unit));
-    }
+std::string usual_text(const NumberRow<S>& row, const S& usual) {
+    return number_text(row.value(usual), row.is_own(usual) ? row.own_name : "") +
+           (row.unit.empty() ? "" : " " + std::string(row.unit));
 }
 
 template <class S>
-void number(Ui& ui, const NumberRow<S>& row, S& settings) {
+void number(Ui& ui, const NumberRow<S>& row, S& settings, const S& usual = {}) {
     const bool has_own_range = row.slider_min < row.slider_max;
     const std::string label =
         std::string(row.label) + (row.unit.empty() ? "" : " (" + std::string(row.unit) + ")");
@@ -59,7 +52,7 @@ void number(Ui& ui, const NumberRow<S>& row, S& settings) {
         row.of(settings) = value;
     }
     mark(ui, "setting." + std::string(row.flag));
-    tip(row.help, usual_text(row));
+    tip(row.help, usual_text(row, usual));
 }
 
 void number(Ui& ui, std::string_view flag) {
@@ -232,7 +225,7 @@ void view_panel(Ui& ui) {
     if (ui.facts.is_scene) {
         ImGui::Separator();
         for (const NumberRow<Orbit>& row : camera_numbers()) {
-            number(ui, row, state.orbit);
+            number(ui, row, state.orbit, ui.facts.usual_orbit);
         }
         ImGui::Separator();
         surroundings_controls(ui, state.surroundings);

@@ -16,6 +16,7 @@ struct LightControl {
     std::string_view name;
     std::string_view label;
     std::string_view help;
+    std::string_view unit;
     Kind kind;
     float min = 0, max = 1; ///< of every component, both included
     bool logarithmic = false;

@@ -118,6 +118,8 @@ void App::follow_shown() {
     ui_.facts.input = shown->name;
     ui_.facts.left_out = shown->left_out;
     ui_.facts.is_scene = shown->scene.has_value();
+    ui_.facts.usual_orbit = shown->scene ? shown->scene->orbit : Orbit{};
+    ui_.facts.usual_lights = shown->scene ? shown->scene->lights : std::vector<PointLight>{};
     ui_.facts.has_surroundings_picture = shown->surroundings.has_value();
     ui_.facts.aspect = shown->picture ? static_cast<float>(shown->picture->size.width) /
                                             static_cast<float>(shown->picture->size.height)
@@ -141,6 +143,9 @@ void App::run() {
         const std::vector<editor::InputEvent> events = events_.input.next_frame();
         if (!events.empty() || !events_.dropped.empty() || events_.resized ||
             std::exchange(events_.moved, false)) {
+            wake();
+        }
+        if (ui_.pick && ui_.pick->place) { // waits for frames that measure it
             wake();
         }
         --frames_due_;

@@ -1,3 +1,4 @@
+#include "preview/editor/solo.h"
 #include "preview/window/app_parts.h"
 #include "preview/window/present.h"
 
@@ -9,7 +10,7 @@ namespace preview {
 
 void App::request_looks() {
     const editor::State& state = ui_.history.draft();
-    editor::LookRequest request{state.recipe, state.sides, state.picture};
+    editor::LookRequest request{shown_recipe(state), state.sides, state.picture};
     if (baking_ && editor::same(request, requested_)) {
         return;
     }

@@ -266,6 +266,7 @@ TEST_F(Window, shows_a_look_on_a_picture_of_another_encoding_that_is_found_by_ty
     EXPECT_NEAR(blue(log, 0.75), 64, 1);
 
     click("tab.Look");
+    click("look.encodings");
     click("look.picture.curve");
     type("srgb");
     click("look.picture.curve.srgb");

@@ -1,0 +1,26 @@
+// The parts of the panel Look.
+#pragma once
+
+#include "preview/panels/ui.h"
+
+namespace preview::panels {
+
+void encodings_of_look(Ui& ui);
+
+/// A page of the panel: some operators, large, whether the recipe has them already or not.
+struct LookPage {
+    std::string_view name;
+    std::string_view help;
+    std::span<const std::string_view> ops; ///< empty: the recipe's own, in their order
+};
+std::span<const LookPage> look_pages();
+
+/// The operators of a page that names some: the recipe's first of each kind, or a new one, which
+/// the recipe gets at its end as soon as it is changed.
+void page_of_operators(Ui& ui, const LookPage& page);
+
+/// How much of something is taken, 0 to 100 %; `place` is its name for mark().
+void opacity_control(Ui& ui, const char* label, const char* help, double& opacity,
+                     const std::string& place);
+
+} // namespace preview::panels

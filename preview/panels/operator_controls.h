@@ -1,0 +1,17 @@
+// The controls of one operator, as its descriptor tells: wheels, curves, colours to be picked and
+// numbers.
+#pragma once
+
+#include "preview/panels/ui.h"
+
+#include <string>
+
+namespace preview::panels {
+
+/// Of `operation`, which stands at `at` in the recipe, or will once it is changed: then `at` is the
+/// number of its operators. True when a value changed. Controls are called by `place` and the names
+/// of parameters.
+bool operator_controls(Ui& ui, lutlib::Operation& operation, std::size_t at,
+                       const std::string& place);
+
+} // namespace preview::panels

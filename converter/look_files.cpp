@@ -80,6 +80,12 @@ void tell_of(const io::Look& look) {
         complain_of(file.losses, file.name);
         complain_of_keywords(file.keywords, file.name);
     }
+    const lutlib::Op* const matte = look.recipe() ? matte_of(*look.recipe()) : nullptr;
+    if (matte != nullptr) {
+        complain(look.files().front().name,
+                 "it shows the matte of " + std::string(matte->name) +
+                     " in place of the look; take its \"matte\" out for the look");
+    }
 }
 
 void tell_unused_layout() {

@@ -78,6 +78,9 @@ Recipe without_look(const Recipe& recipe);
 /// What the recipe's operators are compiled for.
 OpContext context_of(const Recipe& recipe);
 
+/// The operator that ends the recipe with its matte, or null.
+const Op* matte_of(const Recipe& recipe);
+
 /// What whoever uses the recipe should know of its operators' values, a sentence each without its
 /// full stop.
 std::vector<std::string> notes_of(const Recipe& recipe);

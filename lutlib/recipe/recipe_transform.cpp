@@ -82,6 +82,10 @@ Transform faded(const Transform& change, double opacity, const Transform& rest =
     });
 }
 
+bool is_matte(const Operation& operation) {
+    return operation.op->is_matte && operation.op->is_matte(operation.values);
+}
+
 // The operators and the output's encoding.
 std::vector<Transform> stages_of(const Recipe& recipe) {
     const OpContext context = context_of(recipe);
@@ -93,7 +97,7 @@ std::vector<Transform> stages_of(const Recipe& recipe) {
             now = operation.op->space;
             stages.push_back(
                 faded(operation.op->compile(operation.values, context), operation.opacity));
-            if (operation.op->is_matte && operation.op->is_matte(operation.values)) {
+            if (is_matte(operation)) {
                 break;
             }
         }
@@ -141,6 +145,15 @@ OpContext context_of(const Recipe& recipe) {
             .output = recipe.output_encoding().primaries(),
             .adaptation = recipe.adaptation,
             .middle_grey = recipe.input.encode(0.18)};
+}
+
+const Op* matte_of(const Recipe& recipe) {
+    for (const Operation& operation : recipe.operations) {
+        if (operation.enabled && !is_identity(operation) && is_matte(operation)) {
+            return operation.op;
+        }
+    }
+    return nullptr;
 }
 
 std::vector<std::string> notes_of(const Recipe& recipe) {

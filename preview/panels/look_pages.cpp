@@ -46,10 +46,13 @@ void page_of_operators(Ui& ui, const LookPage& page) {
         Operation operation = is_there ? *found : default_operation(op);
         const std::string place = "page." + std::string(name);
         ImGui::PushID(place.c_str());
-        ImGui::TextDisabled("%s%s", std::string(op.label).c_str(),
-                            is_there && !operation.enabled ? " (off)" : "");
-        tip(op.help, {}, false);
-        bool changed = operator_controls(ui, operation, at, place);
+        bool changed = false;
+        ImGui::BeginDisabled(!is_there);
+        changed |= ImGui::Checkbox(std::string(op.label).c_str(), &operation.enabled);
+        ImGui::EndDisabled();
+        mark(ui, place + ".on");
+        tip(op.help, "on", false);
+        changed |= operator_controls(ui, operation, at, place);
         if (is_there && ImGui::Button("Reset")) {
             operation.values = default_operation(op).values;
             changed = true;

@@ -51,11 +51,15 @@ void choice_of_offered(Ui& ui) {
 }
 
 /// The look is not what is seen.
-void solo_notice(State& state) {
+void solo_notice(const State& state) {
     const auto& operations = state.recipe.operations;
     if (state.solo && *state.solo < operations.size()) {
         warning(std::string(operations[*state.solo].op->label) +
                 " is shown alone (S ends that); what is saved or exported is the whole look");
+    }
+    if (const lutlib::Op* const matte = matte_of(state.recipe)) {
+        warning("The matte of " + std::string(matte->label) +
+                " is shown in place of the look; untick it before the look is saved or exported");
     }
 }
 

@@ -190,8 +190,8 @@ TEST_F(WindowLook, shows_what_qualifiers_choose_as_a_matte) {
         }
     }
     EXPECT_EQ(saved()["operators"].at(0)["matte"], true);
-    const Said said = say({LUTCONV, "edit", "look.json", "-o", "m.cube"}, desktop_->folder());
-    EXPECT_NE(said.text.find("--range-matte"), std::string::npos) << said.text;
+    const Said said = say({LUTCONV, "bake", "look.json", "-o", "m.png"}, desktop_->folder());
+    EXPECT_NE(said.text.find("shows the matte of hue-range"), std::string::npos) << said.text;
     key("ctrl+z");
     screen_where([&](const Screen& now) { return now.changed(look, side) == 0; }, "the look");
 }

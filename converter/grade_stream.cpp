@@ -1,6 +1,7 @@
 #include "converter/grade_stream.h"
 
 #include "converter/grade_text.h"
+#include "converter/replaceable.h"
 #include "converter/report.h"
 #include "lutlib/error.h"
 #include "lutlib/io/png.h"
@@ -100,6 +101,7 @@ class Stream {
             std::string reason;
             std::string png;
             try {
+                require_replaceable(std::span(&route, 1));
                 graded = grade_apart(grading_, std::move(*bytes), route.to, held_, png);
             } catch (const std::exception& error) {
                 reason = io::reason_of(error);

@@ -1,6 +1,7 @@
 #include "converter/many_looks.h"
 
 #include "converter/many.h"
+#include "converter/replaceable.h"
 #include "converter/report.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
@@ -75,12 +76,16 @@ std::vector<LookRoute> routes_of_looks(std::span<const std::string> words,
 }
 
 int run_over(std::span<const LookRoute> routes, const std::function<int(const LookRoute&)>& run) {
+    const auto checked = [&run](const LookRoute& route) {
+        require_replaceable(std::span(&route.route, 1));
+        return run(route);
+    };
     if (routes.size() == 1) {
-        return run(routes.front());
+        return checked(routes.front());
     }
     int worst = ok;
     for (const LookRoute& route : routes) {
-        worst = std::max(worst, guarded(route, run));
+        worst = std::max(worst, guarded(route, checked));
     }
     return worst;
 }

@@ -29,8 +29,9 @@ std::vector<LookRoute> routes_of_looks(std::span<const std::string> words,
                                        const std::string& output,
                                        std::span<const lutlib::Engine* const> engines = {});
 
-/// Runs the verb on each; the answer is the highest ExitCode. Of several, one that fails is said on
-/// standard error and the others go on; of one, what it throws passes.
+/// Runs the verb on each whose output may be replaced (replaceable.h); the answer is the highest
+/// ExitCode. Of several, one that fails is said on standard error and the others go on; of one,
+/// what it throws passes.
 int run_over(std::span<const LookRoute> routes, const std::function<int(const LookRoute&)>& run);
 
 } // namespace converter

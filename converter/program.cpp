@@ -6,6 +6,7 @@
 #include "converter/look_files.h"
 #include "converter/quiet.h"
 #include "converter/reading_limits.h"
+#include "converter/replaceable.h"
 #include "converter/report.h"
 #include "lutlib/error.h"
 #include "lutlib/io/reason.h"
@@ -70,14 +71,28 @@ std::vector<const char*> spelled_out(int argc, const char* const* argv) {
     return out;
 }
 
-void declare(const Command& command, CLI::App& app, Verb& verb, Run& run, bool& quiet) {
-    app.final_callback([&run, chosen = command.declare(verb)] { run = chosen; });
+/// What every verb takes alike.
+struct Manners {
+    bool quiet = false, force = false;
+};
+
+void declare(const Command& command, CLI::App& app, Verb& verb, Run& run, Manners& manners) {
+    app.final_callback([&run, &verb, chosen = command.declare(verb)] {
+        run = [&verb, chosen] {
+            require_replaceable(verb);
+            return chosen();
+        };
+    });
+    if (verb.writes()) {
+        declare_force(verb, manners.force);
+    }
     if (command.reads_looks) {
         declare_layout(verb);
         declare_reading_limits(verb);
     }
     if (!command.is_answer) {
-        verb.add_flag("--quiet", quiet, "print no report; warnings and errors are still said");
+        verb.add_flag("--quiet", manners.quiet,
+                      "print no report; warnings and errors are still said");
     }
     const std::string notes = app.get_footer();
     app.footer((notes.empty() ? "" : notes + "\n\n") + "Examples:\n" +
@@ -106,13 +121,13 @@ int run_program(int given, const char* const* words) {
         "what "
         "holds the processes that read strangers' files");
     Run run;
-    bool quiet = false;
+    Manners manners;
     std::deque<Verb> verbs;
     for (const Command& command : commands()) {
         CLI::App* const verb =
             app.add_subcommand(std::string(command.name), std::string(command.help));
         if (writes_papers || is_word_of(command.name, argc, argv)) {
-            declare(command, *verb, verbs.emplace_back(*verb), run, quiet);
+            declare(command, *verb, verbs.emplace_back(*verb), run, manners);
         } // else not: some two hundred options cost a third of a small bake
     }
     app.footer("'lutconv help VERB' shows a verb's options and examples of it.");
@@ -125,7 +140,8 @@ int run_program(int given, const char* const* words) {
         return parse_and_run(
             app,
             [&] {
-                set_quiet(quiet);
+                set_quiet(manners.quiet);
+                set_force(manners.force);
                 return run();
             },
             argc, argv);

@@ -189,7 +189,7 @@ const lutlib::ResamplingMethod& MethodOption::get() const {
 }
 
 void NewLutOptions::declare(Verb& verb) {
-    verb.add_option("-o,--output", output, "the new LUT, or - for standard output").required();
+    verb.add_output("-o,--output", output, "the new LUT, or - for standard output").required();
     sampling.declare(verb, false);
     method.declare(verb);
     verb.add_option("--encoding", encoding,

@@ -208,10 +208,13 @@ nlohmann::ordered_json stiff_json(const StiffSurvey& survey) {
     return out;
 }
 
+std::string stiff_csv_head() {
+    return csv_line({"function", "of", "method", "order", "size", "p99_worst", "mean_worst",
+                     "max_worst", "p99_mean", "mean_mean", "max_mean", "bound"});
+}
+
 std::string stiff_csv(const StiffSurvey& survey) {
-    std::string out =
-        csv_line({"function", "of", "method", "order", "size", "p99_worst", "mean_worst",
-                  "max_worst", "p99_mean", "mean_mean", "max_mean", "bound"});
+    std::string out = stiff_csv_head();
     for (const StiffCurve& curve : survey.curves) {
         for (const StiffPoint& point : curve.points) {
             std::vector<std::string> words{std::string(curve.profile->name), axis_text(curve.axis),

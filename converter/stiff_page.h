@@ -12,5 +12,6 @@ namespace converter {
 std::string stiff_html(const lutlib::StiffSurvey& survey);
 nlohmann::ordered_json stiff_json(const lutlib::StiffSurvey& survey);
 std::string stiff_csv(const lutlib::StiffSurvey& survey);
+std::string stiff_csv_head(); ///< its first line
 
 } // namespace converter

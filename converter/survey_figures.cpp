@@ -97,7 +97,7 @@ nlohmann::ordered_json survey_json(const Survey& survey, const std::string& look
     return out;
 }
 
-std::string survey_csv(const Survey& survey) {
+std::string survey_csv_head() {
     std::vector<std::string> head{"size", "shaper", "storage", "lookup", "filling"};
     for (const SurveyMetric& metric : survey_metrics) {
         head.emplace_back(metric.name);
@@ -106,7 +106,11 @@ std::string survey_csv(const Survey& survey) {
                              "ns_best", "ns_emulated", "ms_1080p", "ms_4K", "on_front"}) {
         head.emplace_back(name);
     }
-    std::string out = csv_line(head);
+    return csv_line(head);
+}
+
+std::string survey_csv(const Survey& survey) {
+    std::string out = survey_csv_head();
     const std::vector<std::size_t> by = dominators_of(survey);
     for (std::size_t i = 0; i < survey.rows.size(); ++i) {
         const SurveyRow& row = survey.rows[i];

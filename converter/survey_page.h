@@ -16,6 +16,7 @@ std::string survey_html(const lutlib::Survey& survey, const std::string& look,
 nlohmann::ordered_json survey_json(const lutlib::Survey& survey, const std::string& look,
                                    const std::optional<GpuTimes>& gpu);
 std::string survey_csv(const lutlib::Survey& survey);
+std::string survey_csv_head(); ///< its first line
 
 /// One sentence.
 std::string recommendation_text(const lutlib::Survey& survey);

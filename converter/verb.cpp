@@ -88,17 +88,43 @@ VerbOption& VerbOption::capture_default_str() {
 }
 
 VerbOption Verb::add_option(const std::string& names, std::string& value, const std::string& help) {
+    return VerbOption(*app_.add_option(names, value, help));
+}
+
+VerbOption Verb::add_output(const std::string& names, std::string& value, const std::string& help,
+                            OutputName name) {
     CLI::Option* const option = app_.add_option(names, value, help);
-    if (names == "-o,--output") {
-        option->check(CLI::Validator(
-            [](const std::string& name) {
-                return name.empty()
-                           ? std::string("name the file to write, or - for standard output")
-                           : std::string();
-            },
-            ""));
-    }
+    option->check(CLI::Validator(
+        [](const std::string& path) {
+            return path.empty() ? std::string("name the file to write, or - for standard output")
+                                : std::string();
+        },
+        ""));
+    outputs_.push_back({option, &value, name});
     return VerbOption(*option);
+}
+
+std::vector<std::string> Verb::outputs() const {
+    std::vector<std::string> out;
+    for (const Output& output : outputs_) {
+        if (output.name == OutputName::is_file && !output.value->empty()) {
+            out.push_back(*output.value);
+        }
+    }
+    return out;
+}
+
+std::vector<std::string> Verb::other_values() const {
+    std::vector<std::string> out = words();
+    for (const CLI::Option* const option : app_.get_options()) {
+        const bool is_output =
+            std::any_of(outputs_.begin(), outputs_.end(),
+                        [option](const Output& output) { return output.option == option; });
+        if (!is_output) {
+            out.insert(out.end(), option->results().begin(), option->results().end());
+        }
+    }
+    return out;
 }
 
 VerbOption Verb::add_option(const std::string& names, int& value, const std::string& help) {

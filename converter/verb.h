@@ -20,6 +20,9 @@ namespace converter {
 /// What an option's value may be.
 enum class Takes { cube_size, shaper_size, picture_bits, count, above_zero, zero_or_more, share };
 
+/// What the value of an option for a file to write is.
+enum class OutputName { is_file, is_template };
+
 /// An option that has been declared; the functions return it, to be chained.
 class VerbOption {
   public:
@@ -61,6 +64,15 @@ class Verb {
                           const std::function<void(const std::string&)>& take,
                           const std::string& help);
     VerbOption add_flag(const std::string& names, bool& value, const std::string& help);
+    /// A file to write. `OutputName::is_template` where the value can stand for several: the verb
+    /// then calls require_replaceable() (replaceable.h) for each of them.
+    VerbOption add_output(const std::string& names, std::string& value, const std::string& help,
+                          OutputName name = OutputName::is_file);
+    bool writes() const { return !outputs_.empty(); }
+    /// The files to write, by their one name.
+    std::vector<std::string> outputs() const;
+    /// What else stands on the command line that was read: options' values and words.
+    std::vector<std::string> other_values() const;
     /// Whether this option stands on the command line that was read.
     bool given(std::string_view option) const;
     /// Words under the options in the help.
@@ -79,7 +91,14 @@ class Verb {
 
   private:
     CLI::App& app_;
+    struct Output {
+        const CLI::Option* option;
+        const std::string* value;
+        OutputName name;
+    };
+
     std::vector<const CLI::Option*> ordered_;
+    std::vector<Output> outputs_;
 };
 
 } // namespace converter

@@ -2,6 +2,7 @@
 
 #include "converter/command.h"
 #include "converter/many_looks.h"
+#include "converter/replaceable.h"
 #include "converter/report.h"
 #include "lutlib/error.h"
 #include "lutlib/io/cleanup.h"
@@ -193,6 +194,7 @@ class Watching {
         const std::string input = names_text(work.from);
         try {
             require_apart(at);
+            require_replaceable(work.to, {});
             const int code = work.run();
             tell_event(input + (code == ok ? " -> " + output_text(work.to)
                                            : std::string(": nothing was written")));

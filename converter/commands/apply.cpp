@@ -10,6 +10,7 @@
 #include "converter/options.h"
 #include "converter/placing.h"
 #include "converter/recipe_options.h"
+#include "converter/replaceable.h"
 #include "converter/report.h"
 #include "converter/unused.h"
 #include "converter/usage.h"
@@ -142,6 +143,8 @@ int run_apply(const ApplyOptions& o, const Verb& verb) {
                           {o.layer, o.partial},
                           o.strength,
                           o.explain};
+    const std::size_t there = o.many.resumes() ? take_out_done(routes, files_of(look)) : 0;
+    require_replaceable(routes);
     if (is_one && !routes.empty() && routes[0].from.path == io::standard_stream) {
         const GradedStream stream = grade_stream(grading, output, o.many);
         tell_unused(verb, look, stream.graded.pictures);
@@ -158,7 +161,6 @@ int run_apply(const ApplyOptions& o, const Verb& verb) {
         print_report(o, routes[0], grading, graded);
         return ok;
     }
-    const std::size_t there = o.many.resumes() ? take_out_done(routes, files_of(look)) : 0;
     GradedMany graded = grade_many(grading, routes, o.many, output.text());
     graded.there = there;
     tell_unused(verb, look, graded.pictures);
@@ -176,10 +178,11 @@ Run declare_apply(Verb& verb) {
                     "PNG, EXR or other pictures, or - for standard input; folders of them; frames, "
                     "as shot.####.exr or shot.%04d.exr")
         .required();
-    verb.add_option(
+    verb.add_output(
             "-o,--output", o->output,
             "the picture to write, or - for a PNG to standard output; of several pictures a "
-            "folder, or names with {name}, {ext}, {frame} or #### in them")
+            "folder, or names with {name}, {ext}, {frame} or #### in them",
+            OutputName::is_template)
         .required();
     verb.add_option("--depth", o->depth,
                     lutlib::names_of(io::depths()) +

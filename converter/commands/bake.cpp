@@ -7,6 +7,7 @@
 #include "converter/many_looks.h"
 #include "converter/options.h"
 #include "converter/placing.h"
+#include "converter/replaceable.h"
 #include "converter/report.h"
 #include "converter/unused.h"
 #include "converter/usage.h"
@@ -218,6 +219,7 @@ int bake_stacked(const BakeOptions& o, const Verb& verb) {
         throw lutlib::UsageError(fmt::format("--stack excludes {}", promise->option));
     }
     require_png_name(o.output_template, "bake");
+    require_replaceable(o.output_template, o.inputs);
     const lutlib::Engine& engine = stacking_engine(o, verb);
     std::vector<Bake> rows;
     std::string sources, titles, text;
@@ -320,9 +322,10 @@ Run declare_bake(Verb& verb) {
                     "LUT or recipe files, or - for standard input; folders of them; with "
                     "--ocio-config also the word identity")
         .required();
-    verb.add_option("-o,--output", o->output_template,
+    verb.add_output("-o,--output", o->output_template,
                     "the PNG, or - for standard output; of several bakes a name with {name} and "
-                    "{engine} in it")
+                    "{engine} in it",
+                    OutputName::is_template)
         .required();
     o->engines.declare(verb, "piccolo");
     verb.add_option("--size", o->size, "lattice size: nodes per axis (default: the engine's)")

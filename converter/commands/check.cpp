@@ -226,9 +226,10 @@ Run declare_check(Verb& verb) {
     verb.add_flag("--strict", o->strict, "exit with status 1 if a fault remains");
     verb.add_flag("--repair", o->repair, "repair what can be repaired and write the result to -o");
     verb.add_flag("--clamp", o->repairs.clamp, "with --repair: clamp outputs to 0..1");
-    verb.add_option("-o,--output", o->output_template,
+    verb.add_output("-o,--output", o->output_template,
                     "the repaired LUT, or - for standard output; of several a name with {name} in "
-                    "it");
+                    "it",
+                    OutputName::is_template);
     verb.add_flag("--explain", o->explain,
                   "list the parts that the look does not need; convert --explain drops them");
     verb.add_option("--tolerance", o->tolerance,

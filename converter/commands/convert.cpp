@@ -319,9 +319,10 @@ Run declare_convert(Verb& verb) {
     verb.add_option("LUTS", o->inputs,
                     "LUTs of any format or recipes, or - for standard input; folders of them")
         .required();
-    verb.add_option("-o,--output", o->output_template,
+    verb.add_output("-o,--output", o->output_template,
                     "the file to write, or - for standard output; of several looks a name with "
-                    "{name} in it")
+                    "{name} in it",
+                    OutputName::is_template)
         .required();
     verb.add_option("--from", o->from, "the input's format (default: recognised)");
     verb.add_option("--row", o->row,

@@ -210,9 +210,9 @@ Run declare_edit(Verb& verb) {
     const auto o = std::make_shared<EditOptions>();
     verb.add_option("LUT", o->input,
                     "a LUT or recipe file to edit, - for standard input, or the word identity");
-    verb.add_option("-o,--output", o->output, "the baked LUT, or - for standard output");
+    verb.add_output("-o,--output", o->output, "the baked LUT, or - for standard output");
     verb.add_option("--recipe", o->recipe, "operators to start from");
-    verb.add_option("--save-recipe", o->save_recipe, "write the operators and their base here");
+    verb.add_output("--save-recipe", o->save_recipe, "write the operators and their base here");
     verb.add_option("--title", o->title, "title of the result");
     verb.add_option("--input-encoding", o->input_encoding,
                     encoding_help("what the operators' code values are (default: what the LUT says "

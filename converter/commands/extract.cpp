@@ -3,7 +3,6 @@
 #include "converter/look_files.h"
 #include "converter/options.h"
 #include "converter/paint_picture.h"
-#include "converter/replaceable.h"
 #include "converter/report.h"
 #include "converter/result.h"
 #include "converter/usage.h"
@@ -36,7 +35,7 @@ struct ExtractOptions {
     std::string input, output, original, heat, layout, around;
     EngineOption engine;
     int size = 0, bits = 0;
-    bool denoise = false, damaged = false, force = false, json = false;
+    bool denoise = false, damaged = false, json = false;
 };
 
 struct Extracted {
@@ -323,8 +322,6 @@ int run_extract(const ExtractOptions& o) {
     } else if (o.bits) {
         throw lutlib::UsageError("--bits is for pictures: add --engine");
     }
-    require_replaceable(o.output, {o.input, o.original}, o.force);
-    require_replaceable(o.heat, {o.input, o.original}, o.force);
     const Extracted found = extract(o);
     const bool readable = found.lut.cube.has_value();
     const bool written = readable && (o.damaged || !found.whole.is_spoilt());
@@ -360,7 +357,7 @@ Run declare_extract(Verb& verb) {
                     "the graded picture of any type, with the strip in it, or - for standard "
                     "input")
         .required();
-    verb.add_option("-o,--output", o->output,
+    verb.add_output("-o,--output", o->output,
                     "a LUT file of any extension, or with --engine a PNG; - for standard output")
         .required();
     o->engine.declare(verb, "");
@@ -372,7 +369,7 @@ Run declare_extract(Verb& verb) {
     verb.add_option("--original", o->original,
                     "the screenshot before it was graded, to check the look on: dE2000 outside the "
                     "strip, and what was edited in places");
-    verb.add_option("--heat", o->heat,
+    verb.add_output("--heat", o->heat,
                     "a PNG of where the look misses the graded picture, dE2000 from 0 (blue) to "
                     "10 (yellow); needs --original");
     verb.add_option("--layout", o->layout,
@@ -382,7 +379,6 @@ Run declare_extract(Verb& verb) {
         .takes(Takes::cube_size);
     verb.add_option("--around", o->around, "X,Y: a pixel of the strip, where there are several");
     verb.add_flag("--damaged", o->damaged, "write the look of a strip that is not whole, too");
-    declare_force(verb, o->force);
     verb.add_flag("--json", o->json, "print the results as JSON");
     verb.footer("Exit code 1, and nothing written, where the strip was blurred, cropped, scaled or "
                 "edited in places.");

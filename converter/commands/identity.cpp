@@ -3,7 +3,6 @@
 #include "converter/command.h"
 #include "converter/options.h"
 #include "converter/paint_picture.h"
-#include "converter/replaceable.h"
 #include "converter/report.h"
 #include "converter/usage.h"
 #include "lutlib/bake/bake.h"
@@ -29,7 +28,6 @@ struct IdentityOptions {
     std::string output, into, place;
     EngineOption engine;
     int size = 0, bits = 0;
-    bool force = false;
 };
 
 constexpr int usual_size = 33;
@@ -163,7 +161,6 @@ int run_into(const IdentityOptions& o) {
     const lutlib::Engine& engine = engine_of(o);
     const int size = o.size ? o.size : engine.default_size;
     check_contract(engine, size, engine.default_bits);
-    require_replaceable(o.output, {o.into}, o.force);
     const PaintPicture shot = read_paint_picture(o.into);
     const std::string name = io::input_name(o.into);
     if (shot.image.holds_light || !io::info_of(shot.image.depth).integer) {
@@ -217,7 +214,7 @@ int run_into(const IdentityOptions& o) {
 
 Run declare_identity(Verb& verb) {
     const auto o = std::make_shared<IdentityOptions>();
-    verb.add_option("-o,--output", o->output,
+    verb.add_output("-o,--output", o->output,
                     "a LUT file of any extension, or - for a .cube to standard output")
         .required();
     verb.add_option("--size", o->size,
@@ -236,7 +233,6 @@ Run declare_identity(Verb& verb) {
             fmt::format(" {} ({}){}", place.name, place.help, &place == &places.back() ? "" : ",");
     }
     verb.add_option("--place", o->place, help).capture_default_str();
-    declare_force(verb, o->force);
     return [o] {
         if (!o->into.empty()) {
             return run_into(*o);

@@ -304,7 +304,7 @@ int run_invert(const InvertOptions& o, const Verb& verb) {
 Run declare_invert(Verb& verb) {
     const auto o = std::make_shared<InvertOptions>();
     verb.add_option("LUT", o->input, "a LUT or recipe file, or - for standard input").required();
-    verb.add_option("-o,--output", o->output, "the inverse, or - for standard output").required();
+    verb.add_output("-o,--output", o->output, "the inverse, or - for standard output").required();
     verb.add_option(
             "--size", o->size,
             fmt::format(

@@ -25,7 +25,7 @@ struct MatchOptions {
     std::string output, html, chart_before, chart_after, frames, before_encoding, after_encoding,
         look_input, look_output;
     int size = 0; ///< 0: the best of the usual ones
-    bool force = false, json = false;
+    bool json = false;
 };
 
 std::optional<lutlib::Encoding> named_encoding(const std::string& name, const std::string& option) {
@@ -71,18 +71,14 @@ Matched from_charts(const MatchOptions& o, const PairEncodings& encodings) {
                         o.size > 0 ? o.size : lutlib::MatchSettings{}.size);
 }
 
-void require_targets(const MatchOptions& o, const std::vector<std::string>& inputs) {
-    require_replaceable(o.output, inputs, o.force);
-    require_replaceable(o.html, inputs, o.force);
-}
-
 Matched from_pairs(const MatchOptions& o, const PairEncodings& encodings) {
     const std::vector<PairPaths> pairs = pairs_of(o.pictures, o.frames);
     std::vector<std::string> inputs;
     for (const PairPaths& pair : pairs) {
         inputs.insert(inputs.end(), {pair.before, pair.after});
     }
-    require_targets(o, inputs);
+    require_replaceable(o.output, inputs);
+    require_replaceable(o.html, inputs);
     return match_pairs(pairs, encodings, o.size > 0 ? std::optional(o.size) : std::nullopt);
 }
 
@@ -90,7 +86,6 @@ int run_match(const MatchOptions& o) {
     require_one_standard_input(o.pictures);
     const std::string shown = standard_output_of(std::array{o.output, o.html});
     const PairEncodings encodings = pair_encodings(o);
-    require_targets(o, o.pictures);
     const Matched matched = has_chart(o) ? from_charts(o, encodings) : from_pairs(o, encodings);
     const std::string page = o.html.empty() ? "" : match_html(matched, o.output);
     std::vector<lutlib::io::FileToWrite> others;
@@ -111,10 +106,10 @@ Run declare_match(Verb& verb) {
                     "BEFORE AFTER: a picture and the same once it was graded, and more such pairs; "
                     "folders and patterns of frames (shot.####.png) are paired by name and number")
         .required();
-    verb.add_option("-o,--output", o->output,
+    verb.add_output("-o,--output", o->output,
                     "a LUT file of any extension, or - for standard output")
         .required();
-    verb.add_option("--html", o->html,
+    verb.add_output("--html", o->html,
                     "a page of it too: which part of the colour cube the pictures show, and where "
                     "in them the look misses");
     verb.add_option("--size", o->size,
@@ -137,7 +132,6 @@ Run declare_match(Verb& verb) {
                     "what the look shall take (default: BEFORE's codes; srgb where that holds "
                     "light)");
     verb.add_option("--look-output", o->look_output, "what it shall give, in the same way");
-    declare_force(verb, o->force);
     verb.add_flag("--json", o->json, "print the results as JSON");
     return [o] { return run_match(*o); };
 }

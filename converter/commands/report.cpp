@@ -133,7 +133,9 @@ int run_report(const ReportOptions& o, const Verb& verb) {
                        {"--gpu-times", of_look, why_not},
                        {"--unclamped", of_look, why_not}});
     const Report report = o.suite.empty() ? report_on_look(o) : report_on_suite(o);
-    const std::string figures = json_text(report.json);
+    nlohmann::ordered_json made{{"made_by", "lutconv"}};
+    made.update(report.json);
+    const std::string figures = json_text(made);
     std::vector<io::FileToWrite> files{{o.output, report.html}};
     if (!o.json.empty()) {
         files.push_back({o.json, figures});
@@ -153,9 +155,9 @@ Run declare_report(Verb& verb) {
     verb.add_option("LOOK", o->input, "a LUT or recipe file, or - for standard input");
     verb.add_option("--suite", o->suite,
                     "instead of a look: stiff, functions that are hard for lattices");
-    verb.add_option("-o,--output", o->output, "the HTML page, or - for standard output").required();
-    verb.add_option("--json", o->json, "every figure as JSON, into this file");
-    verb.add_option("--csv", o->csv, "every figure as CSV, into this file");
+    verb.add_output("-o,--output", o->output, "the HTML page, or - for standard output").required();
+    verb.add_output("--json", o->json, "every figure as JSON, into this file");
+    verb.add_output("--csv", o->csv, "every figure as CSV, into this file");
     verb.add_option(
             "--sizes", o->sizes,
             "only these lattice sizes (default: of a look 8 16 17 25 32 33 49 64 65 and the one "

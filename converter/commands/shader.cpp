@@ -2,7 +2,6 @@
 #include "converter/command.h"
 #include "converter/inline_shader.h"
 #include "converter/options.h"
-#include "converter/replaceable.h"
 #include "converter/report.h"
 #include "converter/unused.h"
 #include "converter/usage.h"
@@ -23,7 +22,6 @@ struct ShaderOptions {
     std::string language, interpolation, output, inlined;
     int size = 0;
     double max_delta_e = 1;
-    bool force = false;
 };
 
 int run_shader(const ShaderOptions& o, const Verb& verb) {
@@ -33,7 +31,6 @@ int run_shader(const ShaderOptions& o, const Verb& verb) {
                        {"--interpolation", reads_picture, why_not},
                        {"--size", reads_picture, why_not},
                        {"--max-delta-e", !reads_picture, "only --inline has an error to keep to"}});
-    require_replaceable(o.output, {o.inlined}, o.force);
     if (!reads_picture) {
         return write_inline_shader({o.inlined, o.language, o.output, o.max_delta_e});
     }
@@ -88,9 +85,8 @@ Run declare_shader(Verb& verb) {
                     "largest dE2000 that --inline may have from the look, anywhere in its domain")
         .takes(Takes::above_zero)
         .capture_default_str();
-    verb.add_option("-o,--output", o->output, "the file to write, or - for standard output")
+    verb.add_output("-o,--output", o->output, "the file to write, or - for standard output")
         .required();
-    declare_force(verb, o->force);
     verb.footer(language_list());
     return [o, &verb] { return run_shader(*o, verb); };
 }

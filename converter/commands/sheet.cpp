@@ -47,7 +47,7 @@ struct SheetOptions {
     EngineOption engine;
     PlacingOptions placing;
     int columns = 0, width = 480;
-    bool force = false, json = false;
+    bool json = false;
 };
 
 struct Sheet {
@@ -236,11 +236,12 @@ int run_sheet(const SheetOptions& o, const Verb& verb) {
     inputs.push_back(o.picture);
     require_one_standard_input(inputs);
     require_output(o);
-    require_replaceable(o.output, inputs, o.force);
     std::vector<SheetSource> sources;
     for (const LookRoute& route : routes_of_looks(o.looks, "")) {
         sources.push_back({route.route.from.path, route.route.from.in_folder});
+        inputs.push_back(route.route.from.path);
     }
+    require_replaceable(o.output, inputs);
     const Sheet sheet = make_sheet(o, sources);
     Part adaptation{"--adaptation", false, ""};
     for (const SheetLook& look : sheet.looks) {
@@ -263,7 +264,7 @@ Run declare_sheet(Verb& verb) {
     verb.add_option("LOOKS", o->looks,
                     "LUTs of any format and recipes, or - for standard input; folders of them")
         .required();
-    verb.add_option("-o,--output", o->output,
+    verb.add_output("-o,--output", o->output,
                     "the sheet, a picture of 8 bits in sRGB, or - for a PNG to standard output")
         .required();
     o->engine.declare(verb, "");
@@ -279,7 +280,6 @@ Run declare_sheet(Verb& verb) {
                     encoding_help("what the picture's codes are") +
                         " (default: what the file says, else srgb)");
     o->placing.declare(verb);
-    declare_force(verb, o->force);
     verb.add_flag("--json", o->json, "print the results as JSON");
     verb.footer("The picture without a look comes first; under each look stand its dE2000 from "
                 "that, the mean and what 99 % of the pixels do not exceed. With --engine each look "

@@ -5,7 +5,6 @@
 #include "converter/options.h"
 #include "converter/placing.h"
 #include "converter/raster_file.h"
-#include "converter/replaceable.h"
 #include "converter/report.h"
 #include "converter/sheet.h"
 #include "converter/show_page.h"
@@ -39,7 +38,7 @@ struct ShowOptions {
     LookEncodingOptions encodings;
     InterpolationOption interpolation;
     int size = 1920;
-    bool force = false, json = false;
+    bool json = false;
 };
 
 struct OpenedLooks {
@@ -216,7 +215,6 @@ int run_show(const ShowOptions& o, const Verb& verb) {
     if (!o.output.empty() && kind.write == write_as_picture) {
         require_raster_name(o.output, "what is neither .svg nor .html");
     }
-    require_replaceable(o.output, o.looks, o.force);
     const OpenedLooks opened = open_looks(o);
     tell_unused(verb, {interpolation_part(opened.has_lattice),
                        {"--size", !o.output.empty() && kind.write != write_as_page,
@@ -245,7 +243,7 @@ Run declare_show(Verb& verb) {
                     "a LUT or recipe file, or - for standard input; or two, on the same axes")
         .required()
         .expected(1, 2);
-    verb.add_option("-o,--output", o->output,
+    verb.add_output("-o,--output", o->output,
                     "an .html page, an .svg drawing or a picture of 8 bits, such as .png; - is a "
                     "PNG to standard output");
     verb.add_option("--panels", o->panels,
@@ -254,7 +252,6 @@ Run declare_show(Verb& verb) {
         .capture_default_str();
     o->encodings.declare(verb);
     o->interpolation.declare(verb, "how LUTs are read between their nodes");
-    declare_force(verb, o->force);
     verb.add_flag("--json", o->json, "print the numbers behind the panels as JSON");
     verb.footer(panel_list());
     return [o, &verb] { return run_show(*o, verb); };

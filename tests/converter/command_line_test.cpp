@@ -16,8 +16,8 @@ TEST(CommandLine, lists_its_verbs_and_each_has_help_and_refuses_nonsense) {
         EXPECT_EQ(help.exit_code, 0) << verb;
         EXPECT_NE(help.out.find("Usage:"), std::string::npos) << verb;
         EXPECT_EQ(lutconv({verb, "--no-such-flag"}).exit_code, 3) << verb;
-        const bool only_lists = verb == "engines" || verb == "encodings" || verb == "operators" ||
-                                verb == "formats";
+        const bool only_lists =
+            verb == "engines" || verb == "encodings" || verb == "operators" || verb == "formats";
         EXPECT_EQ(lutconv({verb}).exit_code, only_lists ? 0 : 3) << verb;
     }
 }
@@ -48,7 +48,7 @@ TEST(CommandLine, exits_with_2_and_one_line_for_every_bad_file) {
         ++files;
         const Folder folder;
         const std::string out = folder.write("out.png", "old");
-        const Result result = lutconv({"bake", entry.path().string(), "-o", out});
+        const Result result = lutconv({"bake", entry.path().string(), "-o", out, "--force"});
         EXPECT_EQ(result.exit_code, 2) << entry.path();
         EXPECT_NE(result.err.find(entry.path().filename().string()), std::string::npos);
         EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;

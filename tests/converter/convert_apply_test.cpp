@@ -275,7 +275,7 @@ TEST(Apply, leaves_the_old_picture_when_the_input_is_bad) {
     const std::string look = folder.write("a.cube", saturated_cube(5));
     const std::string old = folder.write("old.exr", "old");
     const std::string bad = folder.write("bad.exr", "bad");
-    const Result result = lutconv({"apply", look, bad, "-o", old});
+    const Result result = lutconv({"apply", look, bad, "-o", old, "--force"});
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_NE(result.err.find("bad.exr"), std::string::npos) << result.err;
     EXPECT_EQ(contents(old), "old");

@@ -122,7 +122,8 @@ TEST(Edit, writes_the_lut_and_the_recipe_or_neither) {
     const std::string look = folder.write("a.cube", saturated_cube(5)),
                       recipe = folder.write("r.json", "as it was"), lut = folder.path("x.cube");
     const auto edited = [&](const std::string& to, const std::string& recipe_to) {
-        return lutconv({"edit", look, "--exposure", "1", "-o", to, "--save-recipe", recipe_to});
+        return lutconv(
+            {"edit", look, "--exposure", "1", "-o", to, "--save-recipe", recipe_to, "--force"});
     };
     for (const std::string& to : {folder.path("none/x.cube"), folder.path("x.unknown"),
                                   std::string("/dev/full"), folder.path(".")}) {

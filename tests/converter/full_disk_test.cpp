@@ -54,9 +54,9 @@ TEST(FullDisk, under_one_of_two_outputs_keeps_the_other_as_it_was) {
     const Folder folder;
     const std::string look = folder.write("look.cube", saturated_cube(5));
     const std::string kept = folder.write("kept", "kept");
-    expect_full({"edit", look, "--save-recipe", kept}, folder, "x.cube");
+    expect_full({"edit", look, "--save-recipe", kept, "--force"}, folder, "x.cube");
     EXPECT_EQ(contents(kept), "kept");
-    expect_full({"report", look, "--sizes", "2", "--json", kept}, folder, "x.html");
+    expect_full({"report", look, "--sizes", "2", "--json", kept, "--force"}, folder, "x.html");
     EXPECT_EQ(contents(kept), "kept");
 }
 

@@ -27,7 +27,7 @@ TEST(OddNames, that_are_no_utf8_do_not_break_json) {
              {"resample", look, "-o", out},
              {"compare", look, out},
              {"check", look},
-             {"apply", look, picture, "-o", picture},
+             {"apply", look, picture, "-o", folder.path("\xe9\xe9.png")},
              {"sheet", picture, look, "-o", folder.path("s.png")}}) {
         std::vector<std::string> words = arguments;
         words.emplace_back("--json");

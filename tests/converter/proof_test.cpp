@@ -99,7 +99,7 @@ class Unnamed : public testing::Test {
     const std::string picture = folder.path("strip.png");
 
     PngImage baked(const std::vector<std::string>& options) const {
-        std::vector<std::string> words{"bake", look, "-o", picture};
+        std::vector<std::string> words{"bake", look, "-o", picture, "--force"};
         words.insert(words.end(), options.begin(), options.end());
         EXPECT_EQ(lutconv(words).exit_code, 0);
         PngImage image = lutlib::io::read_png(contents(picture), "strip.png");

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -41,57 +43,133 @@ class Replaceable : public testing::Test {
         EXPECT_EQ(
             lutconv_in_process({"identity", "--engine", "unity", "-o", in("graded.png")}).exit_code,
             0);
+        std::filesystem::create_directory(in("looks"));
+        folder_.write("looks/after.cube", saturated_cube(5));
     }
     std::string in(const std::string& name) const { return folder_.path(name); }
 
     Folder folder_;
 };
 
-TEST_F(Replaceable, own_files_are_written_again_and_others_with_force_alone) {
-    struct Case {
-        std::vector<std::string> words;
-        std::string output;
-    };
-    const std::vector<Case> cases{
-        {{"match", in("before.png"), in("after.png"), "--size", "9"}, "made.cube"},
-        {{"match", in("before.png"), in("after.png"), "--size", "9"}, "made.spi3d"},
-        {{"match", in("before.png"), in("after.png"), "--size", "9"}, "made.3dl"},
-        {{"extract", in("graded.png")}, "extracted.cube"},
-        {{"identity", "--engine", "unreal", "--into", in("before.png")}, "for_grading.png"},
-        {{"show", in("look.cube"), "--panels", "curves"}, "show.png"},
-        {{"show", in("look.cube"), "--panels", "curves"}, "show.svg"},
-        {{"show", in("look.cube"), "--panels", "curves"}, "show.html"},
-        {{"sheet", in("before.png"), in("look.cube")}, "sheet.png"},
-        {{"sheet", in("before.png"), in("look.cube")}, "sheet.tif"},
-        {{"shader", "--engine", "unreal", "--language", "glsl"}, "lut.glsl"},
-        {{"shader", "--inline", in("small.cube"), "--language", "hlsl"}, "inline.hlsl"},
-    };
-    for (const Case& test : cases) {
-        std::vector<std::string> words = test.words;
-        words.insert(words.end(), {"-o", in(test.output)});
-        const Result first = lutconv_in_process(words);
-        ASSERT_EQ(first.exit_code, 0) << test.output << first.err;
-        const Result again = lutconv_in_process(words);
-        EXPECT_EQ(again.exit_code, 0) << test.output << again.err;
-        for (const std::string& foreign :
-             {std::string(
-                  "TITLE \"Somebody's\"\nLUT_3D_SIZE 2\n0.000 0.000 0.000\n1.000 0.000 0.000\n"
-                  "0.000 1.000 0.000\n1.000 1.000 0.000\n0.000 0.000 1.000\n1.000 0.000 "
-                  "1.000\n0.000 1.000 1.000\n1.000 1.000 1.000\n"),
-              io::write_png(small_picture(9))}) {
-            folder_.write(test.output, foreign);
-            const Result refused = lutconv_in_process(words);
-            EXPECT_EQ(refused.exit_code, 2) << test.output;
-            EXPECT_NE(refused.err.find("did not make; name another, or add --force"),
-                      std::string::npos)
-                << refused.err;
-            EXPECT_TRUE(contents(in(test.output)) == foreign) << test.output;
+// Behind a verb's words stands the option for the file.
+struct Case {
+    std::vector<std::string> words;
+    std::string output, option = "-o";
+};
+
+class EveryWritingVerb : public Replaceable {
+  protected:
+    std::map<std::string, std::vector<Case>> cases() const {
+        const std::string look = in("look.cube"), before = in("before.png"), x = in("x.cube");
+        const Case matched{{before, in("after.png"), "--size", "9"}, "made.cube"};
+        const std::vector<std::string> shown{look, "--panels", "curves"},
+            reported{look, "--sizes", "2", "3"}, mixed{look, look, "--size", "9"},
+            exposed{look, "--exposure", "0.1"};
+        const auto with = [](std::vector<std::string> words, const std::vector<std::string>& more) {
+            words.insert(words.end(), more.begin(), more.end());
+            return words;
+        };
+        return {
+            {"bake",
+             {{{look}, "bake.png"},
+              {{look, look, "--stack"}, "stack.png"},
+              {{in("looks"), "--engine", "unity"}, "{name}.bake.png"}}},
+            {"check", {{{look, "--repair", "--clamp"}, "check.cube"}}},
+            {"convert",
+             {{{look}, "convert.cube"},
+              {{look}, "convert.spi3d"},
+              {{look}, "convert.3dl"},
+              {{look}, "convert.csp"},
+              {{look}, "convert.clf"},
+              {{look}, "convert.png"},
+              {{in("graded.png"), "--strip-tags"}, "stripped.png"},
+              {{in("looks")}, "{name}.convert.cube"}}},
+            {"edit",
+             {{exposed, "edit.cube"}, {with(exposed, {"-o", x}), "recipe.json", "--save-recipe"}}},
+            {"resample", {{{look, "--size", "5"}, "resample.cube"}}},
+            {"compose", {{mixed, "compose.cube"}}},
+            {"invert", {{{look, "--size", "5"}, "invert.cube"}}},
+            {"blend", {{mixed, "blend.cube"}}},
+            {"match",
+             {matched,
+              {matched.words, "made.spi3d"},
+              {matched.words, "made.3dl"},
+              {with(matched.words, {"-o", x}), "match.html", "--html"}}},
+            {"extract",
+             {{{in("graded.png")}, "extracted.cube"},
+              {{in("graded.png"), "--engine", "unity"}, "extracted.png"}}},
+            {"apply",
+             {{{look, before}, "apply.png"},
+              {{look, before}, "apply.exr"},
+              {{look, before}, "apply.tif"},
+              {{look, before}, "apply.jpg"},
+              {{look, before, in("after.png")}, "{name}.apply.png"}}},
+            {"identity",
+             {{{"--size", "5"}, "identity.cube"},
+              {{"--engine", "unity"}, "identity.png"},
+              {{"--engine", "unreal", "--into", before}, "for_grading.png"}}},
+            {"show", {{shown, "show.png"}, {shown, "show.svg"}, {shown, "show.html"}}},
+            {"sheet", {{{before, look}, "sheet.png"}, {{before, look}, "sheet.tif"}}},
+            {"shader",
+             {{{"--engine", "unreal", "--language", "glsl"}, "lut.glsl"},
+              {{"--inline", in("small.cube"), "--language", "hlsl"}, "inline.hlsl"}}},
+            {"report",
+             {{reported, "report.html"},
+              {with(reported, {"-o", in("x.html")}), "report.json", "--json"},
+              {with(reported, {"-o", in("x.html")}), "report.csv", "--csv"}}},
+        };
+    }
+    // What the template names.
+    static std::string made_by(std::string output) {
+        const std::size_t field = output.find("{name}");
+        return field == std::string::npos ? output : output.replace(field, 6, "after");
+    }
+};
+
+TEST_F(EveryWritingVerb, takes_force_and_is_tried_here) {
+    const auto all = cases();
+    for (const std::string& verb : verbs()) {
+        const std::string help = lutconv_in_process({verb, "--help"}).out;
+        const bool writes = help.find("--output") != std::string::npos;
+        EXPECT_EQ(help.find("--force") != std::string::npos, writes) << verb;
+        EXPECT_EQ(all.contains(verb), writes) << verb;
+    }
+}
+
+TEST_F(EveryWritingVerb, replaces_own_files_and_others_with_force_alone) {
+    for (const auto& [verb, tried] : cases()) {
+        for (const Case& test : tried) {
+            SCOPED_TRACE(verb + " " + test.option + " " + test.output);
+            const std::string output = made_by(test.output);
+            std::vector<std::string> words{verb};
+            words.insert(words.end(), test.words.begin(), test.words.end());
+            words.insert(words.end(), {test.option, in(test.output)});
+            const Result first = lutconv_in_process(words);
+            ASSERT_LE(first.exit_code, 1) << first.err;
+            ASSERT_FALSE(contents(in(output)).empty());
+            const Result again = lutconv_in_process(words);
+            EXPECT_EQ(again.exit_code, first.exit_code) << again.err;
+            for (const std::string& foreign :
+                 {std::string(
+                      "TITLE \"Somebody's\"\nLUT_3D_SIZE 2\n0.000 0.000 0.000\n1.000 0.000 "
+                      "0.000\n0.000 1.000 0.000\n1.000 1.000 0.000\n0.000 0.000 1.000\n1.000 "
+                      "0.000 1.000\n0.000 1.000 1.000\n1.000 1.000 1.000\n"),
+                  std::string("{\"schema_version\":1,\"operators\":[]}"),
+                  io::write_png(small_picture(9))}) {
+                folder_.write(output, foreign);
+                const Result refused = lutconv_in_process(words);
+                EXPECT_EQ(refused.exit_code, 2);
+                EXPECT_NE(refused.err.find("did not make; name another, or add --force"),
+                          std::string::npos)
+                    << refused.err;
+                EXPECT_TRUE(contents(in(output)) == foreign);
+            }
+            words.emplace_back("--force");
+            EXPECT_EQ(lutconv_in_process(words).exit_code, first.exit_code);
+            folder_.write(output, "");
+            words.pop_back();
+            EXPECT_EQ(lutconv_in_process(words).exit_code, first.exit_code) << "over an empty file";
         }
-        words.emplace_back("--force");
-        EXPECT_EQ(lutconv_in_process(words).exit_code, 0) << test.output;
-        folder_.write(test.output, "");
-        words.pop_back();
-        EXPECT_EQ(lutconv_in_process(words).exit_code, 0) << test.output << ", which was empty";
     }
 }
 

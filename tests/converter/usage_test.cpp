@@ -131,7 +131,7 @@ TEST(UnusedOptions, are_said_on_standard_error) {
         {{"edit", cube, "-o", out, "--adaptation", "cat02"}, "--adaptation"},
         {{"bake", cube, "-o", picture, "--reference-white", "100"}, "--reference-white"},
         {{"eval", curve, "--interpolation", "nearest", "0", "0", "0"}, "--interpolation"},
-        {{"apply", cube, picture, "-o", picture, "--alpha", "straight"}, "--alpha"},
+        {{"apply", cube, picture, "-o", folder.path("a.png"), "--alpha", "straight"}, "--alpha"},
         {{"check", cube, "--tolerance", "1"}, "--tolerance"},
     };
     for (const Row& line : lines) {

@@ -119,7 +119,7 @@ std::string write_picture(const FileFormat& format, const Lut& lut, const WriteO
         }
     }
     const std::string& title = options.title.empty() ? lut.title : options.title;
-    codes.text = {{"Title", title}, {"Source", lut.provenance}};
+    codes.text = {{"Title", title}, {"Source", lut.provenance}, {"Software", "lutconv"}};
     io::append_tones(codes, *format.layout, lut.cube->size);
     io::append_encodings(codes, lut.encodings);
     return io::write_png(codes);

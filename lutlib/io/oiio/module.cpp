@@ -257,7 +257,9 @@ class Library final : public Oiio {
             own.erase_attribute("oiio:UnassociatedAlpha");
         }
         for (const auto& [key, value] : options.text) {
-            own.attribute(key, value);
+            if (own.find_attribute(key) == nullptr) {
+                own.attribute(key, value);
+            }
         }
         const bool are_several = specs.size() > 1;
         for (std::size_t i = 0; i < specs.size(); ++i) {

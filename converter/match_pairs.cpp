@@ -121,6 +121,7 @@ void convert(lutlib::Picture& picture, const lutlib::Conversion& to) {
 struct Taken {
     LonePicture picture;
     int bits = 0; ///< of a sample; 0: floats
+    bool is_lossy = false;
 };
 
 Taken take(const std::string& path, const std::optional<lutlib::Encoding>& named,
@@ -129,7 +130,8 @@ Taken take(const std::string& path, const std::optional<lutlib::Encoding>& named
     const std::optional<lutlib::Encoding> known = named ? named : encoding_of(read.image);
     const io::DepthInfo& depth = io::info_of(read.image.depth);
     Taken out{{colors_of(read.image), known.value_or(lutlib::srgb()), {}},
-              depth.integer ? 8 * static_cast<int>(io::bytes_of(depth.depth)) : 0};
+              depth.integer ? 8 * static_cast<int>(io::bytes_of(depth.depth)) : 0,
+              !read.harm.empty()};
     if (!known) {
         out.picture.remarks.push_back(
             fmt::format("{}: its encoding is not known and taken for srgb: if it is another, name "
@@ -223,6 +225,7 @@ PicturePair read_pair(const PairPaths& paths, const PairEncodings& encodings) {
     out.after = std::move(after.picture.colors);
     // Codes that were converted are no longer those of the file.
     out.bits = to == out.look.output ? after.bits : 0;
+    out.is_lossy = after.is_lossy;
     out.remarks = std::move(before.picture.remarks);
     out.remarks.insert(out.remarks.end(), after.picture.remarks.begin(),
                        after.picture.remarks.end());

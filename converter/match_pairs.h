@@ -33,6 +33,7 @@ struct PicturePair {
     lutlib::LookEncodings look; ///< both set
     lutlib::Shift shift;        ///< of the picture after, which has been moved back by it
     int bits = 0;               ///< of a sample of the picture after; 0: floats
+    bool is_lossy = false;      ///< the file of the picture after, so that pixels are not exact
     /// What was guessed, and what a lossy file does to codes, a sentence each.
     std::vector<std::string> remarks;
 };

@@ -3,11 +3,10 @@
 #include "converter/report.h"
 #include "lutlib/codes.h"
 #include "lutlib/error.h"
+#include "lutlib/match/flat_means.h"
 #include "lutlib/match/held_out.h"
 
 #include <fmt/core.h>
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -56,12 +55,17 @@ class PairReader {
 
 struct Gathered {
     std::vector<lutlib::PixelPair> learnt, held_out;
-    std::size_t left_out = 0;
+    std::vector<lutlib::PixelPair> held_back; ///< what is learnt from of the part held out
+    std::size_t pixels = 0, left_out = 0;
 };
 
 void gather(const PicturePair& pair, std::size_t most, std::span<const lutlib::Area> without,
             Gathered& to) {
     const lutlib::Picture& before = pair.before;
+    const lutlib::FlatMeans means =
+        pair.is_lossy ? flat_means(before, pair.after) : lutlib::FlatMeans{};
+    const lutlib::Picture &from = pair.is_lossy ? means.before : before,
+                          &to_learn = pair.is_lossy ? means.after : pair.after;
     std::vector<bool> is_left_out(before.pixels.size());
     for (const lutlib::Area& area : without) {
         for (int y = area.top; y < area.bottom; ++y) {
@@ -77,8 +81,13 @@ void gather(const PicturePair& pair, std::size_t most, std::span<const lutlib::A
         for (int x = 0; x < before.width; ++x, ++i) {
             to.left_out += is_left_out[i] ? 1 : 0;
             if (i % step == 0 && !is_left_out[i]) {
-                (lutlib::is_held_out(x, y) ? to.held_out : to.learnt)
-                    .push_back({before.pixels[i], pair.after.pixels[i]});
+                const bool is_held_out = lutlib::is_held_out(x, y);
+                (is_held_out ? to.held_back : to.learnt)
+                    .push_back({from.pixels[i], to_learn.pixels[i]});
+                if (is_held_out) {
+                    to.held_out.push_back({before.pixels[i], pair.after.pixels[i]});
+                }
+                ++to.pixels;
             }
         }
     }
@@ -175,19 +184,24 @@ class MatchRun {
     // A look is measured where it was not learnt from; the one that is kept has learnt from all.
     void learn() {
         Gathered pixels;
+        bool is_lossy = false;
         for (std::size_t i = 0; i < reader_.count(); ++i) {
             const PicturePair& pair = reader_.get(i);
             out_.look = pair.look;
             out_.bits = pair.bits;
+            is_lossy = is_lossy || pair.is_lossy;
             gather(pair, std::max<std::size_t>(1, most_pixels / reader_.count()), parts_[i],
                    pixels);
         }
         out_.left_out = pixels.left_out;
-        out_.pixels = pixels.learnt.size() + pixels.held_out.size();
-        lutlib::MatchSettings settings{size_.value_or(usual_sizes.front()), out_.bits};
+        out_.pixels = pixels.pixels;
+        // Means lie between codes.
+        constexpr int bits_of_means = 16;
+        lutlib::MatchSettings settings{size_.value_or(usual_sizes.front()),
+                                       is_lossy && out_.bits ? bits_of_means : out_.bits};
         if (pixels.held_out.empty() || pixels.learnt.empty()) {
-            pixels.learnt.insert(pixels.learnt.end(), pixels.held_out.begin(),
-                                 pixels.held_out.end());
+            pixels.learnt.insert(pixels.learnt.end(), pixels.held_back.begin(),
+                                 pixels.held_back.end());
             out_.match = match_look(pixels.learnt, settings);
             explain(images(out_.match, pixels.learnt));
             return;
@@ -195,7 +209,7 @@ class MatchRun {
         const lutlib::Match first = best_of_sizes(pixels, settings);
         settings.size = first.cube.size;
         measure_held_out(images(first, pixels.held_out));
-        pixels.learnt.insert(pixels.learnt.end(), pixels.held_out.begin(), pixels.held_out.end());
+        pixels.learnt.insert(pixels.learnt.end(), pixels.held_back.begin(), pixels.held_back.end());
         out_.match = match_look(std::move(pixels.learnt), settings, &first);
     }
 
@@ -228,11 +242,12 @@ class MatchRun {
         }
         std::array<lutlib::Match, usual_sizes.size()> matches;
         std::array<double, usual_sizes.size()> off{};
-        tbb::parallel_for(std::size_t{0}, usual_sizes.size(), [&](std::size_t i) {
-            matches[i] = match_look(pixels.learnt, {usual_sizes[i], settings.bits});
+        for (std::size_t i = 0; i < usual_sizes.size(); ++i) {
+            matches[i] = match_look(pixels.learnt, {usual_sizes[i], settings.bits},
+                                    i > 0 ? &matches.front() : nullptr);
             const Images made = images(matches[i], pixels.held_out);
             off[i] = errors_of(made.look, made.after, viewing()).mean;
-        });
+        }
         const std::ptrdiff_t best = std::min_element(off.begin(), off.end()) - off.begin();
         size_ = usual_sizes[static_cast<std::size_t>(best)];
         return std::move(matches[static_cast<std::size_t>(best)]);

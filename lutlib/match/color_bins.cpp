@@ -7,8 +7,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 namespace lutlib {
@@ -54,25 +54,61 @@ Clipped clipped_of(Rgb after, bool codes_end) {
     return out;
 }
 
-auto key_of(Rgb c) {
-    return std::tuple(c.r, c.g, c.b);
+// A pixel and what it is sorted by, which costs less than to find that anew for each comparison.
+struct Keyed {
+    std::array<std::uint64_t, 4> key;
+    PixelPair pixel;
+};
+
+// The bits of finite floats, two zeros as one, rising with them: those below 0 are counted down.
+std::uint64_t rising_bits(float x) {
+    constexpr std::uint32_t sign = 0x80000000U;
+    const auto bits = std::bit_cast<std::uint32_t>(x + 0.0F);
+    return bits & sign ? ~bits : bits | sign;
 }
 
-// Of pixels, each within its bin: those of one colour, and of one set of clipped channels,
-// together.
-void sort_bin(std::span<PixelPair> pixels, bool codes_end) {
-    const auto key = [codes_end](const PixelPair& pixel) {
-        return std::tuple(clipped_of(pixel.after, codes_end), key_of(pixel.before),
-                          key_of(pixel.after));
-    };
-    std::sort(pixels.begin(), pixels.end(),
-              [&](const PixelPair& a, const PixelPair& b) { return key(a) < key(b); });
+// By the clipped channels and the tetrahedron.
+std::uint64_t group_key(const PixelPair& pixel, bool codes_end, int nodes) {
+    std::uint64_t out = 0;
+    for (const std::int8_t of_channel : clipped_of(pixel.after, codes_end)) {
+        out = 3 * out + static_cast<std::uint64_t>(of_channel + 1);
+    }
+    Rgb beyond; // the node before it
+    for (std::size_t c = 0; nodes > 0 && c < 3; ++c) {
+        const float place = pixel.before[c] * static_cast<float>(nodes - 1);
+        beyond[c] = place - std::min(std::floor(place), static_cast<float>(nodes - 2));
+    }
+    return 8 * out + (beyond.r > beyond.g ? 4 : 0) + (beyond.g > beyond.b ? 2 : 0) +
+           (beyond.r > beyond.b ? 1 : 0);
+}
+
+// By its group, then the colour before and the one after.
+Keyed keyed(const PixelPair& pixel, std::uint64_t group) {
+    constexpr unsigned half = 32;
+    const Rgb before = pixel.before, after = pixel.after;
+    return {{group << half | rising_bits(before.r),
+             rising_bits(before.g) << half | rising_bits(before.b),
+             rising_bits(after.r) << half | rising_bits(after.g), rising_bits(after.b)},
+            pixel};
+}
+
+// Of pixels, each within its bin: those of one group, and of one colour, together.
+void sort_bin(std::span<PixelPair> pixels, bool codes_end, int nodes, std::vector<Keyed>& room) {
+    room.clear();
+    for (const PixelPair& pixel : pixels) {
+        room.push_back(keyed(pixel, group_key(pixel, codes_end, nodes)));
+    }
+    std::sort(room.begin(), room.end(),
+              [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
+    std::transform(room.begin(), room.end(), pixels.begin(),
+                   [](const Keyed& one) { return one.pixel; });
 }
 
 // What is used again for each bin that a thread works on.
 struct Scratch {
     std::vector<RgbD> off; ///< of each entry, from the look
     std::vector<std::pair<double, std::size_t>> channel;
+    std::vector<Keyed> keyed;
 };
 
 template <class Entries>
@@ -139,7 +175,7 @@ class Mean {
 
 } // namespace
 
-ColorBins::ColorBins(std::vector<PixelPair> pixels, int side, bool codes_end) {
+ColorBins::ColorBins(std::vector<PixelPair> pixels, int side, bool codes_end, int nodes) {
     std::erase_if(pixels, [](const PixelPair& pixel) { return !is_finite(pixel); });
     const auto n = static_cast<std::size_t>(side);
     std::vector<std::uint32_t> bins(pixels.size());
@@ -167,18 +203,18 @@ ColorBins::ColorBins(std::vector<PixelPair> pixels, int side, bool codes_end) {
         sorted[next[bins[i]]++] = pixels[i];
     }
     pixels_ = pixels.size();
-    for_each_bin(first.size() - 1, [&](std::size_t i, Scratch&) {
-        sort_bin(std::span(sorted).subspan(first[i], first[i + 1] - first[i]), codes_end);
+    for_each_bin(first.size() - 1, [&](std::size_t i, Scratch& scratch) {
+        sort_bin(std::span(sorted).subspan(first[i], first[i + 1] - first[i]), codes_end, nodes,
+                 scratch.keyed);
     });
     for (std::size_t b = 0; b + 1 < first.size(); ++b) {
         bins_.push_back({entries_.size(), groups_.size()});
         for (std::size_t i = first[b]; i < first[b + 1]; ++i) {
             const PixelPair& pixel = sorted[i];
-            const Clipped clipped = clipped_of(pixel.after, codes_end);
-            const bool is_new =
-                groups_.size() == bins_.back().group || groups_.back().clipped != clipped;
+            const std::uint64_t key = group_key(pixel, codes_end, nodes);
+            const bool is_new = groups_.size() == bins_.back().group || groups_.back().key != key;
             if (is_new) {
-                groups_.push_back({entries_.size(), clipped});
+                groups_.push_back({entries_.size(), clipped_of(pixel.after, codes_end), key});
             }
             if (is_new || entries_.back().before != pixel.before ||
                 entries_.back().after != pixel.after) {

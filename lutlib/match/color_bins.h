@@ -52,12 +52,15 @@ class ColorBins {
     /// The bins are cubes, `side` of them along each axis of 0..1, with `side` in 1..256. What a
     /// lattice over 0..1 reads is held to that before the grade; after it, to the largest half
     /// float. Pixels with a channel that is not finite are left out. `codes_end`: after the grade
-    /// 0 and 1 stand for all that is beyond them, too.
-    ColorBins(std::vector<PixelPair> pixels, int side, bool codes_end = false);
+    /// 0 and 1 stand for all that is beyond them, too. `nodes`: along each axis of the lattice that
+    /// shall learn from them; 0: there is none.
+    ColorBins(std::vector<PixelPair> pixels, int side, bool codes_end = false, int nodes = 0);
 
     std::size_t pixels() const { return pixels_; }
     /// Colours that stand for their pixels: one a bin, and one more for each other set of channels
-    /// that are clipped in it.
+    /// that are clipped in it, and each other tetrahedron of the lattice: within one the lattice is
+    /// linear, so that the mean of what it gives is what it gives for the mean, however sharply it
+    /// bends from one to the next.
     std::size_t size() const { return groups_.size(); }
 
     /// Their means, with the number of their pixels as weight.
@@ -86,6 +89,7 @@ class ColorBins {
     struct Group {
         std::size_t end; ///< of its entries, which begin where the group before it ends
         Clipped clipped;
+        std::uint64_t key; ///< the same for what belongs together
     };
     // Of a bin, its entries and groups.
     struct Bin {

@@ -14,6 +14,9 @@ namespace {
 constexpr double least_support = 1e-3;
 // Of the width of the lattice, where nodes beside the greys no longer follow them.
 constexpr double reach = 0.25;
+// A fall that its pixels say: beyond so many standard deviations of their mean, in any case from
+// the larger of these on, and never below the smaller.
+constexpr double certain = 3, least_fall = 0.5 / 255, largest_chance = 2 / 255.0;
 
 // By how much each node of the diagonal has to move.
 std::vector<double> moves(const Lut3D& cube, std::span<const double> support, std::size_t channel) {
@@ -35,17 +38,17 @@ std::vector<double> moves(const Lut3D& cube, std::span<const double> support, st
 
 } // namespace
 
-std::array<bool, 3> make_greys_rise(Lut3D& cube, std::span<const double> support, double limit) {
+std::array<bool, 3> make_greys_rise(Lut3D& cube, std::span<const double> support, double noise) {
     std::array<bool, 3> out{};
     for (std::size_t channel = 0; channel < 3; ++channel) {
         const std::vector<double> move = moves(cube, support, channel);
-        double most = 0;
         for (int i = 0; i < cube.size; ++i) {
-            if (support[cube.index(i, i, i)] > 0) {
-                most = std::max(most, std::abs(move[static_cast<std::size_t>(i)]));
-            }
+            const double pixels = support[cube.index(i, i, i)];
+            out[channel] =
+                out[channel] || (pixels > 0 && std::abs(move[static_cast<std::size_t>(i)]) >
+                                                   std::clamp(certain * noise / std::sqrt(pixels),
+                                                              least_fall, largest_chance));
         }
-        out[channel] = most > limit;
         if (out[channel]) {
             continue;
         }

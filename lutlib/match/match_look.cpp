@@ -28,7 +28,6 @@ constexpr double noisy = 2 * usual_noise;
 constexpr std::size_t foretold = 4;
 // Pixels, and colours, are doubted from so many deviations on, and never within so many codes.
 constexpr double pixel_doubt = 6, color_doubt = 6, never_doubted = 4 / 255.0;
-constexpr double greys_limit = 2 / 255.0;
 // To what share lattices are solved.
 constexpr double rough = 1e-3, fine = 2e-4;
 
@@ -79,18 +78,29 @@ std::vector<ColorPair> coarsened(std::span<const ColorPair> pairs, int side) {
     return out;
 }
 
+Lut3D of_size(const Lut3D& cube, int size) {
+    if (cube.size == size) {
+        return cube;
+    }
+    Lut3D out = identity_cube(size);
+    for (Rgb& node : out.nodes) {
+        node = to_float(evaluate_exact(cube, to_double(node), Interpolation::tetrahedral));
+    }
+    return out;
+}
+
 class Learning {
   public:
     Learning(std::vector<PixelPair> pixels, const MatchSettings& settings)
         : bins_(std::move(pixels), std::min(bins_a_cell * (settings.size - 1), most_bins),
-                settings.bits > 0),
+                settings.bits > 0, settings.size),
           size_(settings.size),
           least_noise_(settings.bits ? rounding_noise / ((1 << settings.bits) - 1) : 0),
           noise_(usual_noise), trust_(bins_.size(), 1) {}
 
     Match run(const Match* start) {
         if (start) {
-            lut_.cube = start->cube;
+            lut_.cube = of_size(start->cube, size_);
             out_.smoothness = start->smoothness;
         } else {
             fit(bins_.means(), {stiff, stiff, stiff}, 0, rough);
@@ -112,7 +122,7 @@ class Learning {
         for (double& support : out_.support) {
             support /= of_one;
         }
-        out_.greys_fall = make_greys_rise(out_.cube, out_.support, greys_limit);
+        out_.greys_fall = make_greys_rise(out_.cube, out_.support, noise_);
         return std::move(out_);
     }
 
@@ -133,12 +143,16 @@ class Learning {
         return out;
     }
 
-    // What the base leaves over.
+    // What the base leaves over, as the lattice shows it: straight between its nodes.
     std::vector<ColorPair> residuals(const std::vector<ColorPair>& means) {
         std::vector<ColorPair> pairs = weighed(means, noise_, trust_);
         out_.base = fitted_base(coarsened(pairs, size_));
+        for (std::size_t k = 0; k < base_.nodes.size(); ++k) {
+            base_.nodes[k] = to_float(out_.base(to_double(identity_.nodes[k])));
+        }
         for (ColorPair& pair : pairs) {
-            pair.after = pair.after - out_.base(pair.before);
+            pair.after =
+                pair.after - evaluate_exact(base_, pair.before, Interpolation::tetrahedral);
         }
         return pairs;
     }
@@ -181,16 +195,15 @@ class Learning {
         const std::vector<ColorPair> pairs = residuals(means);
         std::vector<RgbD> start;
         for (std::size_t k = 0; lut_.cube && k < lut_.cube->nodes.size(); ++k) {
-            start.push_back(to_double(lut_.cube->nodes[k]) -
-                            out_.base(to_double(identity_.nodes[k])));
+            start.push_back(to_double(lut_.cube->nodes[k]) - to_double(base_.nodes[k]));
         }
         ResidualLattice residual =
             residual_lattice(pairs, size_, {smoothness, kink, precision, start});
         out_.support = std::move(residual.support);
-        out_.cube = identity_;
+        out_.cube = base_;
         for (std::size_t k = 0; k < out_.cube.nodes.size(); ++k) {
             Rgb& node = out_.cube.nodes[k];
-            node = to_float(out_.base(to_double(node)) + residual.nodes[k]);
+            node = to_float(to_double(node) + residual.nodes[k]);
         }
         lut_.cube = out_.cube;
     }
@@ -217,7 +230,7 @@ class Learning {
 
     ColorBins bins_;
     int size_;
-    Lut3D identity_ = identity_cube(size_);
+    Lut3D identity_ = identity_cube(size_), base_ = identity_;
     double least_noise_, noise_;
     std::vector<double> trust_; ///< of each bin, 0..1
     Lut lut_;

@@ -31,7 +31,7 @@ struct Match {
 };
 
 /// Along the greys, what no pixel says rises as the base does. `start`, learnt from most of these
-/// pixels with the same settings, saves two thirds of the time. Throws Error where no pixel is
+/// pixels, saves two thirds of the time; it may have another size. Throws Error where no pixel is
 /// finite, and for a size outside limits.h.
 Match match_look(std::vector<PixelPair> pixels, const MatchSettings& settings = {},
                  const Match* start = nullptr);

@@ -2,6 +2,7 @@
 
 #include "lutlib/interpolation/interpolation.h"
 #include "lutlib/lut.h"
+#include "lutlib/match/symmetric_product.h"
 #include "lutlib/nodes.h"
 
 #include <tbb/blocked_range.h>
@@ -210,22 +211,14 @@ class Matrix {
     }
 
     void multiply(const NodeValues& by, NodeValues& out) const {
+        std::array<Diagonal, neighbours.size() - 1> beside;
+        for (std::size_t i = 0; i < beside.size(); ++i) {
+            beside[i] = {diagonals_[i + 1].data(), offsets_[i + 1]};
+        }
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count(), 4096),
                           [&](const tbb::blocked_range<std::size_t>& range) {
-                              double* const to = out.data();
-                              const double *const x = by.data(), *const owns = diagonals_[0].data();
-                              for (std::size_t k = range.begin(); k < range.end(); ++k) {
-                                  to[k] = owns[k] * x[k];
-                              }
-                              for (std::size_t i = 1; i < neighbours.size(); ++i) {
-                                  const double *const entries = diagonals_[i].data(),
-                                                      *const before = entries - offsets_[i],
-                                                      *const ahead = x + offsets_[i],
-                                                      *const behind = x - offsets_[i];
-                                  for (std::size_t k = range.begin(); k < range.end(); ++k) {
-                                      to[k] += entries[k] * ahead[k] + before[k] * behind[k];
-                                  }
-                              }
+                              symmetric_product(diagonals_[0].data(), beside, by.data(), out.data(),
+                                                range.begin(), range.end());
                           });
     }
 

@@ -74,6 +74,27 @@ TEST(ColorBins, channels_whose_codes_end_stand_apart_from_those_that_do_not) {
     EXPECT_EQ(off_by({1, 0, 0}, {0.5, 0.25, 0.25}, {1, -1, 0}), (RgbD{0.5, -0.25, -0.25}));
 }
 
+TEST(ColorBins, tetrahedra_of_the_lattice_stand_apart_so_that_its_results_have_exact_means) {
+    const auto bent = [](RgbD c) { return RgbD{std::max(c.r, c.g), std::min(c.g, c.b), c.b}; };
+    std::vector<PixelPair> pixels;
+    for (PixelPair pixel : picture_pairs(halved, 20000)) {
+        pixel.after = to_float(bent(to_double(pixel.before)));
+        pixels.push_back(pixel);
+    }
+    const auto off = [&bent](const std::vector<ColorPair>& means) {
+        double most = 0;
+        for (const ColorPair& mean : means) {
+            most = std::max(most, largest_magnitude(mean.after - bent(mean.before)));
+        }
+        return most;
+    };
+    const std::vector<ColorPair> apart = ColorBins(pixels, 16, false, 9).means(),
+                                 together = ColorBins(pixels, 16).means();
+    EXPECT_LT(off(apart), 1e-6);
+    EXPECT_GT(off(together), 1e-3);
+    EXPECT_GT(apart.size(), together.size());
+}
+
 TEST(ColorBins, pixels_of_one_colour_tell_no_more_than_one_of_what_rounding_took) {
     std::vector<PixelPair> pixels(1000, {{0.5F, 0.5F, 0.5F}, {0.5F, 0.5F, 0.5F}});
     pixels.push_back({{0.51F, 0.5F, 0.5F}, {0.52F, 0.5F, 0.5F}});

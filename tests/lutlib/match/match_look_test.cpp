@@ -63,6 +63,25 @@ TEST(MatchLook, saturated_colours_that_no_pixel_shows_follow_the_others) {
     EXPECT_LT(errors(match_look(seen, {usual_size, 8}), muted, unseen).max, 4);
 }
 
+TEST(MatchLook, learns_a_bend_that_lies_between_tetrahedra_to_less_than_a_code) {
+    // Straight within each tetrahedron, whatever the size of the lattice; steep, and bent at greys.
+    const auto bent = [](RgbD c) {
+        return RgbD{0.2 + 0.6 * c.r, 0.6 - 0.5 * std::abs(c.r - c.g),
+                    0.1 + 0.8 * std::max(c.g, c.b)};
+    };
+    const std::vector<PixelPair> pairs = picture_pairs(bent, 60000);
+    const Match match = match_look(pairs, {usual_size, 8});
+    double sum = 0, most = 0;
+    for (const PixelPair& pair : pairs) {
+        const RgbD before = to_double(pair.before);
+        const double off = largest_magnitude(evaluate_exact(lut_of(match), before) - bent(before));
+        sum += off;
+        most = std::max(most, off);
+    }
+    EXPECT_LT(255 * sum / static_cast<double>(pairs.size()), coarseness * 0.2);
+    EXPECT_LT(255 * most, coarseness * 2);
+}
+
 TEST(MatchLook, does_not_learn_what_a_part_of_the_pixels_says_alone) {
     const auto look = test_looks()[2].f;
     std::vector<PixelPair> pairs = picture_pairs(look, 60000);
@@ -135,7 +154,7 @@ TEST(MakeGreysRise, moves_what_falls_and_leaves_colours_far_from_it) {
     const Lut3D before = cube;
     cube.at(8, 8, 8).g = 0.4F;
     std::vector<double> support(cube.nodes.size());
-    const std::array<bool, 3> falls = make_greys_rise(cube, support, 0.01);
+    const std::array<bool, 3> falls = make_greys_rise(cube, support, 0.001);
     EXPECT_EQ(falls, (std::array<bool, 3>{false, false, false}));
     for (int i = 0; i < 16; ++i) {
         EXPECT_LE(cube.at(i, i, i).g, cube.at(i + 1, i + 1, i + 1).g + 1e-6F);
@@ -146,7 +165,7 @@ TEST(MakeGreysRise, moves_what_falls_and_leaves_colours_far_from_it) {
     cube.at(8, 8, 8).g = 0.3F;
     support.assign(support.size(), 100);
     const Lut3D said = cube;
-    EXPECT_TRUE(make_greys_rise(cube, support, 0.01)[1]);
+    EXPECT_TRUE(make_greys_rise(cube, support, 0.001)[1]);
     EXPECT_EQ(cube, said);
 }
 

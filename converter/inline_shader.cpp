@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 
 namespace converter {
 namespace {
@@ -54,7 +55,7 @@ std::string heading_of(const InlineRequest& request, const io::Look& look,
                     encoding_words(look.encodings().output), lutlib::text_of(fit.look),
                     fit.error.delta_e_2000.largest_seen ? "seen" : "over all of that",
                     fit.error.delta_e_2000.max));
-    return out + lutlib::shader_comment("This code: " + std::string(language.inline_trial) + ".");
+    return out + lutlib::shader_comment("This code: " + std::string(language.trial) + ".");
 }
 
 } // namespace
@@ -65,8 +66,12 @@ int write_inline_shader(const InlineRequest& request) {
     const io::Look look = open_look(request.look);
     const lutlib::LookEncodings encodings = look.encodings();
     const lutlib::Viewing viewing(encodings.output.value_or(lutlib::srgb()));
-    const lutlib::InlineSearch search = fit_inline(look.exact(), look.domain(), look.breaks(),
-                                                   encodings, viewing, request.max_delta_e);
+    const std::shared_ptr<const lutlib::Lut> table = look.is_table() ? look.table().lut : nullptr;
+    const bool is_shaped = table && table->shaper && table->cube;
+    const lutlib::InlineSearch search = fit_inline(
+        look.exact(), look.domain(), look.breaks(), encodings, viewing, request.max_delta_e,
+        is_shaped ? std::optional(lutlib::ShapedTable{*table, look.interpolation()})
+                  : std::nullopt);
     if (!search.found) {
         const double least = rounded_up(search.closest.error.delta_e_2000.max);
         throw lutlib::Error(
@@ -83,7 +88,7 @@ int write_inline_shader(const InlineRequest& request) {
                       "  dE2000 from the look, as colours of {}: {}\n  {}\n",
                       output_text(request.output), input_text(request.look), language.label,
                       lutlib::text_of(fit.look), lutlib::numbers_of(fit.look), io::text_of(viewing),
-                      to_text(fit.error.delta_e_2000), language.inline_trial),
+                      to_text(fit.error.delta_e_2000), language.trial),
           request.output);
     return ok;
 }

@@ -49,9 +49,9 @@ std::string array_code(const ShaderWords& words, const std::string& name, const 
     return out + "   " + line + std::string(words.list_end) + ";\n";
 }
 
-std::string domain_code(const Domain& domain) {
-    return "$const $3 LUT_MIN = " + vector_code(domain.min) +
-           ";\n$const $3 LUT_MAX = " + vector_code(domain.max) + ";\n";
+std::string domain_code(const Domain& domain, const std::string& name = "LUT") {
+    return "$const $3 " + name + "_MIN = " + vector_code(domain.min) + ";\n$const $3 " + name +
+           "_MAX = " + vector_code(domain.max) + ";\n";
 }
 
 // What is no number reads as the minimum.
@@ -75,24 +75,31 @@ $inline$3 lut_node($i3 n)
 )";
 static_assert(inline_bits == 10);
 
-std::string code_of(const InlineLattice& lattice, const ShaderWords& words) {
+std::string nodes_code(const InlineLattice& lattice, const ShaderWords& words) {
     Rgb scale;
     for (std::size_t c = 0; c < 3; ++c) {
         scale[c] = static_cast<float>(
             (lattice.size - 1) / (double{lattice.domain.max[c]} - double{lattice.domain.min[c]}));
     }
-    std::string out = "$const int LUT_SIZE = " + std::to_string(lattice.size) + ";\n" +
-                      domain_code(lattice.domain) + "$const $3 LUT_SCALE = " + vector_code(scale) +
+    std::string out = "$const int LUT_SIZE = " + std::to_string(lattice.size) +
+                      ";\n$const $3 LUT_SCALE = " + vector_code(scale) +
                       ";\n$const $3 LUT_LOW = " + vector_code(lattice.low) +
                       ";\n$const $3 LUT_STEP = " + vector_code(lattice.step) + ";\n";
     out += array_code(words, "LUT_NODES", "uint", lattice.nodes);
-    out += node_code;
-    out += held_code;
-    out += "    $3 place = (c - LUT_MIN) * LUT_SCALE;\n";
-    std::string between(interpolation_code(Interpolation::tetrahedral));
+    return out + std::string(node_code);
+}
+
+// From `place` to the end of the function.
+std::string between_nodes_code() {
+    std::string out(interpolation_code(Interpolation::tetrahedral));
     const std::array<std::pair<std::string_view, std::string>, 1> no_texture{{{"$an", "n"}}};
-    replace_words(between, no_texture);
-    return out + between + "    return found;\n}\n";
+    replace_words(out, no_texture);
+    return out + "    return found;\n}\n";
+}
+
+std::string code_of(const InlineLattice& lattice, const ShaderWords& words) {
+    return domain_code(lattice.domain) + nodes_code(lattice, words) + std::string(held_code) +
+           "    $3 place = (c - LUT_MIN) * LUT_SCALE;\n" + between_nodes_code();
 }
 
 std::string curve_code(const ShaderWords& words, const std::string& name,
@@ -138,6 +145,18 @@ std::string code_of(const InlineCurves& curves, const ShaderWords& words) {
         out += (c ? ",\n              " : "") + ("dot(" + vector_code(curves.matrix[c])) + ", t)";
     }
     return out + ");\n    return " + calls_code("after", "m") + ";\n}\n";
+}
+
+std::string code_of(const InlineShaped& look, const ShaderWords& words) {
+    std::string out = domain_code(look.domain) + domain_code(look.lattice.domain, "LUT_SHAPED");
+    for (std::size_t c = 0; c < 3; ++c) {
+        out += curve_code(words, std::string("shaper_") + channel_letters[c], look.shaper[c]);
+    }
+    return out + nodes_code(look.lattice, words) + std::string(held_code) +
+           "    $3 shaped = clamp(" + calls_code("shaper", "c") +
+           ", LUT_SHAPED_MIN, LUT_SHAPED_MAX);\n"
+           "    $3 place = (shaped - LUT_SHAPED_MIN) * LUT_SCALE;\n" +
+           between_nodes_code();
 }
 
 } // namespace

@@ -70,6 +70,14 @@ RgbD value_at(const InlineCurves& curves, RgbD color) {
     return out;
 }
 
+RgbD value_at(const InlineShaped& look, RgbD color) {
+    RgbD shaped;
+    for (std::size_t c = 0; c < 3; ++c) {
+        shaped[c] = value_at(look.shaper[c], color[c]);
+    }
+    return value_at(look.lattice, held_to(look.lattice.domain, shaped));
+}
+
 } // namespace
 
 InlineLattice inline_lattice(const Transform& look, const Domain& domain, int size) {
@@ -92,6 +100,32 @@ InlineLattice inline_lattice(const Transform& look, const Domain& domain, int si
     return out;
 }
 
+InlineShaped inline_shaped(const Lut& table, Interpolation how, int size, int most_entries) {
+    Lut shaper, cube;
+    shaper.shaper = table.shaper;
+    cube.cube = table.cube;
+    cube.interpolation = how;
+    const Domain& domain = table.shaper->domain;
+    InlineShaped out{domain, {}, inline_lattice(Transform::of(cube), table.cube->domain, size)};
+    const int entries = std::min(table.shaper->size(), most_entries);
+    for (std::size_t c = 0; c < 3; ++c) {
+        out.shaper[c] = {domain.min[c], domain.max[c], {}, false};
+    }
+    const Transform curve = Transform::of(shaper);
+    for (int i = 0; i < entries; ++i) {
+        RgbD at;
+        for (std::size_t c = 0; c < 3; ++c) {
+            at[c] = std::lerp(double{domain.min[c]}, double{domain.max[c]},
+                              static_cast<double>(i) / (entries - 1));
+        }
+        const RgbD value = curve(at);
+        for (std::size_t c = 0; c < 3; ++c) {
+            out.shaper[c].entries.push_back(static_cast<float>(value[c]));
+        }
+    }
+    return out;
+}
+
 Transform transform_of(const InlineLook& look) {
     return std::visit(
         [](const auto& form) {
@@ -105,6 +139,10 @@ std::string text_of(const InlineLook& look) {
     if (const auto* const lattice = std::get_if<InlineLattice>(&look)) {
         return std::to_string(lattice->size) + " nodes per axis, packed";
     }
+    if (const auto* const shaped = std::get_if<InlineShaped>(&look)) {
+        return "a shaper of " + std::to_string(shaped->shaper[0].entries.size()) +
+               " entries before " + text_of(shaped->lattice);
+    }
     const auto& curves = std::get<InlineCurves>(look);
     const std::string entries = std::to_string(curves.after[0].entries.size());
     return curves.mixes ? "curves of " + entries + " entries, a matrix, and curves of as many"
@@ -114,6 +152,9 @@ std::string text_of(const InlineLook& look) {
 std::size_t numbers_of(const InlineLook& look) {
     if (const auto* const lattice = std::get_if<InlineLattice>(&look)) {
         return lattice->nodes.size();
+    }
+    if (const auto* const shaped = std::get_if<InlineShaped>(&look)) {
+        return 3 * shaped->shaper[0].entries.size() + shaped->lattice.nodes.size();
     }
     const auto& curves = std::get<InlineCurves>(look);
     const std::size_t entries = 3 * curves.after[0].entries.size();

@@ -1,5 +1,6 @@
-// Looks that are small enough to stand in a shader's code: a lattice of packed nodes, or curves and
-// a matrix between them. What is evaluated here is what the code computes.
+// Looks that are small enough to stand in a shader's code: a lattice of packed nodes, which may
+// have a shaper before it, or curves and a matrix between them. What is evaluated here is what the
+// code computes.
 #pragma once
 
 #include "lutlib/color/matrix.h"
@@ -45,10 +46,20 @@ struct InlineCurves {
     std::array<InlineCurve, 3> after;
 };
 
-using InlineLook = std::variant<InlineLattice, InlineCurves>;
+/// A curve for each channel, and a lattice that reads their results, held to its own domain.
+struct InlineShaped {
+    Domain domain; ///< of the curves
+    std::array<InlineCurve, 3> shaper;
+    InlineLattice lattice;
+};
+
+using InlineLook = std::variant<InlineLattice, InlineCurves, InlineShaped>;
 
 /// Nodes of a look over a domain, each in the nearest code.
 InlineLattice inline_lattice(const Transform& look, const Domain& domain, int size);
+/// Of a table that has a shaper and a cube: the shaper in its own entries, or in `most_entries`
+/// where they are fewer; the cube, as `how` reads it, in `size` nodes a side.
+InlineShaped inline_shaped(const Lut& table, Interpolation how, int size, int most_entries);
 
 /// In double, with the constants as they stand in the code. Inputs are held to the domain, NaN
 /// reads as its minimum.

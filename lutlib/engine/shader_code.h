@@ -18,9 +18,8 @@ struct ShaderLanguage {
     std::string_view name;
     std::string_view label;
     std::string_view file; ///< what a file of it is usually called
-    /// What is known of the code: who compiles it in the tests, or that nobody does.
+    /// What is known of the code: who compiles and runs it in the tests, or that nobody does.
     std::string_view trial;
-    std::string_view inline_trial; ///< the same of code that holds the look itself
 };
 std::span<const ShaderLanguage> shader_languages();
 

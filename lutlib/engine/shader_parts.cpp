@@ -7,19 +7,14 @@ namespace {
 
 constexpr auto languages = std::to_array<ShaderLanguage>({
     {ShaderDialect::glsl, "glsl", "GLSL", "lut.glsl",
-     "compiled by glslang and run on a GPU driver in lutconv's tests",
-     "compiled by glslang in lutconv's tests"},
+     "compiled by glslang and run on a GPU driver in lutconv's tests"},
     {ShaderDialect::hlsl, "hlsl", "HLSL", "lut.hlsl",
-     "compiled by glslang's HLSL front end and run on a GPU driver in lutconv's tests",
-     "compiled by glslang's HLSL front end in lutconv's tests"},
+     "compiled by glslang's HLSL front end and run on a GPU driver in lutconv's tests"},
     {ShaderDialect::metal, "metal", "Metal", "lut.metal",
-     "the same statements as the tested GLSL; no Metal compiler has seen it",
      "the same statements as the tested GLSL; no Metal compiler has seen it"},
     {ShaderDialect::godot, "godot", "Godot shader", "lut.gdshaderinc",
-     "the same statements as the tested GLSL; Godot's own compiler has not seen it",
      "the same statements as the tested GLSL; Godot's own compiler has not seen it"},
     {ShaderDialect::reshade, "reshade", "ReShade FX", "lut.fx",
-     "the same statements as the tested HLSL; ReShade's own compiler has not seen it",
      "the same statements as the tested HLSL; ReShade's own compiler has not seen it"},
 });
 

@@ -22,8 +22,21 @@ static_assert(curve_lengths.back() == most_inline_entries &&
 
 // What to try, in order of numbers; curves with a matrix take as many as 6 nodes per axis.
 std::vector<std::function<std::vector<InlineLook>()>>
-forms_to_try(const Transform& look, const Domain& domain, const LookEncodings& encodings) {
+forms_to_try(const Transform& look, const Domain& domain, const LookEncodings& encodings,
+             const std::optional<ShapedTable>& shaped) {
     std::vector<std::function<std::vector<InlineLook>()>> out;
+    const int own_size = shaped ? shaped->table.cube->size : 0;
+    std::vector<int> sizes(lattice_sizes.begin(), lattice_sizes.end());
+    std::erase_if(sizes, [own_size](int size) { return size >= own_size; });
+    if (own_size > 0 && own_size <= most_inline_nodes) {
+        sizes.push_back(own_size);
+    }
+    for (const int size : sizes) {
+        out.push_back([shaped, size] {
+            return std::vector<InlineLook>{
+                inline_shaped(shaped->table, shaped->how, size, most_inline_entries)};
+        });
+    }
     if (keeps_channels_apart(look, domain)) {
         for (const int entries : curve_lengths) {
             out.push_back([&look, domain, entries] {
@@ -66,6 +79,14 @@ Breaks breaks_of_form(const InlineLook& look) {
         }
         return out;
     }
+    if (const auto* const shaped = std::get_if<InlineShaped>(&look)) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const InlineCurve& curve = shaped->shaper[c];
+            out.at[c] = places_of(curve.low, curve.high, curve.entries.size());
+        }
+        out.all = false; // those of the lattice lie anywhere
+        return out;
+    }
     const auto& curves = std::get<InlineCurves>(look);
     for (std::size_t c = 0; c < 3; ++c) {
         const InlineCurve& first = curves.mixes ? curves.before[c] : curves.after[c];
@@ -83,15 +104,15 @@ struct TriedForm {
 } // namespace
 
 InlineSearch fit_inline(const Transform& look, const Domain& domain, const Breaks& breaks,
-                        const LookEncodings& encodings, const Viewing& viewing,
-                        double max_delta_e) {
+                        const LookEncodings& encodings, const Viewing& viewing, double max_delta_e,
+                        const std::optional<ShapedTable>& shaped) {
     const std::vector<Rgb> few = even_samples(domain, 4000);
     const auto measured = [&](const InlineLook& form) {
         return measure(look, transform_of(form),
                        error_samples(domain, united(breaks, breaks_of_form(form))), viewing);
     };
     std::vector<TriedForm> tried;
-    for (const auto& make : forms_to_try(look, domain, encodings)) {
+    for (const auto& make : forms_to_try(look, domain, encodings, shaped)) {
         for (InlineLook& form : make()) {
             // A few colours show which forms are far off, at a hundredth of the cost.
             Difference error = compare(look, transform_of(form), few, viewing);

@@ -22,9 +22,17 @@ struct InlineSearch {
     InlineFit closest;              ///< of all that were tried
 };
 
+/// A table with a shaper and a cube, and how that is read.
+struct ShapedTable {
+    const Lut& table;
+    Interpolation how;
+};
+
 /// Tries curves, curves with a matrix, and lattices, those of few numbers first, until the largest
-/// dE2000 of one over the domain is within the bound.
+/// dE2000 of one over the domain is within the bound; before them, of a look that is a `shaped`
+/// table, its shaper with lattices of up to as many nodes as its own.
 InlineSearch fit_inline(const Transform& look, const Domain& domain, const Breaks& breaks,
-                        const LookEncodings& encodings, const Viewing& viewing, double max_delta_e);
+                        const LookEncodings& encodings, const Viewing& viewing, double max_delta_e,
+                        const std::optional<ShapedTable>& shaped = std::nullopt);
 
 } // namespace lutlib

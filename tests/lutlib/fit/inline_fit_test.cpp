@@ -139,5 +139,31 @@ TEST(FitInline, names_the_closest_where_none_is_close_enough_and_its_error_would
     EXPECT_LE(some.found->error.delta_e_2000.max, least);
 }
 
+TEST(FitInline, of_a_table_with_a_shaper_keeps_the_shaper) {
+    // Steep near 0, as a logarithm is, over a domain that no lattice of evenly spaced nodes suits.
+    Lut table;
+    table.shaper = Lut1D{{{0, 0, 0}, {16, 16, 16}}, {}};
+    for (int i = 0; i < 65; ++i) {
+        const auto value = static_cast<float>(std::log2(1 + 4 * i) / 8.2);
+        table.shaper->entries.push_back({value, value, value});
+    }
+    table.cube = identity_cube(5);
+    for (Rgb& node : table.cube->nodes) {
+        node = to_float(warm(to_double(node)));
+    }
+    const Transform look = Transform::of(table);
+    const ShapedTable shaped{table, Interpolation::tetrahedral};
+    const InlineSearch with =
+        fit_inline(look, table.domain(), no_breaks(), {}, Viewing(), 1, shaped);
+    ASSERT_TRUE(with.found);
+    ASSERT_TRUE(std::holds_alternative<InlineShaped>(with.found->look));
+    EXPECT_LE(numbers_of(with.found->look), 3U * 65 + 125);
+    // All that is lost are ten bits a node.
+    EXPECT_LT(with.found->error.absolute.max, 1.0 / 1023);
+    EXPECT_FALSE(fit_inline(look, table.domain(), no_breaks(), {}, Viewing(), 1).found);
+    const Transform form = transform_of(with.found->look);
+    EXPECT_EQ(form({not_a_number, 99, -1}), form({0, 16, 0}));
+}
+
 } // namespace
 } // namespace lutlib

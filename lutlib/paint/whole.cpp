@@ -2,6 +2,7 @@
 
 #include "lutlib/color/encoding.h"
 #include "lutlib/number_text.h"
+#include "lutlib/paint/mark_geometry.h"
 #include "lutlib/transform.h"
 
 #include <algorithm>
@@ -14,8 +15,13 @@ namespace {
 
 // Figures in codes of 8 bits. Rounding leaves 0.29 and noise that is not seen little more.
 constexpr double noisy = 0.6, uneven = 1.5;
+// Of the strip's noise, what its border has of it where nothing spared that.
+constexpr double in_border = 0.5;
 // Of a step between two cells or slices, the share that its neighbours hold.
 constexpr double mixed_at_marks = 0.02, mixed_at_folds = 0.08;
+// Lossy compression lets edges overshoot and greys differ so many times as much.
+constexpr double ringing = 3;
+constexpr double scale_seen = 0.004, degrees_seen = 0.3;
 constexpr int margin = 4; ///< pixels beside an edge that what is done to edges reaches
 
 std::string in_tenths(double value) {
@@ -98,7 +104,7 @@ Border border_of(const Picture& upright, const FoundStrip& strip) {
 // The share of a step that has wandered across it: of the mark's cells, between their outermost and
 // their inner pixels.
 double mixed_in_mark(const Picture& upright, const FoundStrip& strip) {
-    double shares = 0, steps = 0;
+    double products = 0, squares = 0;
     for (int row = 0; row < 2; ++row) {
         const MarkRow cells = mark_row(strip.framed, row);
         for (int i = 1; i < mark_cells; ++i) {
@@ -110,12 +116,13 @@ double mixed_in_mark(const Picture& upright, const FoundStrip& strip) {
                 const int y = strip.mark_at->y + row * mark_cell + line;
                 const auto at = [&](int x) { return sum(upright.at(edge + x, y)); };
                 const double left = (at(-3) + at(-2)) / 2, right = (at(1) + at(2)) / 2;
-                shares += (at(-1) - left) / (right - left) + (at(0) - right) / (left - right);
-                steps += 2;
+                const double step = right - left;
+                products += step * ((at(-1) - left) - (at(0) - right)) / 2;
+                squares += step * step;
             }
         }
     }
-    return steps > 0 ? shares / steps : 0;
+    return squares > 0 ? products / squares : 0;
 }
 
 // The same at the folds of a strip's rows, against what the three pixels before lead to.
@@ -138,10 +145,31 @@ double mixed_in_folds(const Picture& upright, const FoundStrip& strip) {
     return squares > 0 ? products / squares : 0;
 }
 
-void judge_edges(const Picture& upright, const FoundStrip& strip, Wholeness& out) {
+// Of a mark whose edges are soft, whether that is because they lie elsewhere.
+bool judge_geometry(const Picture& upright, const FoundStrip& strip, Wholeness& out) {
+    const std::optional<MarkGeometry> now = mark_geometry(upright, strip);
+    const bool is_scaled = now && std::abs(now->scale - 1) > scale_seen,
+               is_turned = now && std::abs(now->degrees) > degrees_seen;
+    if (is_scaled) {
+        out.harms.push_back({"scaled", "the picture was scaled to " + in_tenths(100 * now->scale) +
+                                           " % since the strip was placed; export it in its own "
+                                           "size"});
+    }
+    if (is_turned) {
+        out.harms.push_back({"turned", "the picture was turned by " +
+                                           in_tenths(std::abs(now->degrees)) +
+                                           " degrees since the strip was placed; turn a copy "
+                                           "without the strip, or by quarters"});
+    }
+    return is_scaled || is_turned;
+}
+
+// `rings`: edges and greys are off by what lossy compression leaves.
+void judge_edges(const Picture& upright, const FoundStrip& strip, bool rings, Wholeness& out) {
     const bool marked = strip.mark_at.has_value();
     const double mixed = marked ? mixed_in_mark(upright, strip) : mixed_in_folds(upright, strip);
-    if (std::abs(mixed) < (marked ? mixed_at_marks : mixed_at_folds)) {
+    if (std::abs(mixed) < (marked ? mixed_at_marks : mixed_at_folds) * (rings ? ringing : 1) ||
+        (marked && judge_geometry(upright, strip, out))) {
         return;
     }
     const std::string where = marked ? "the mark" : "the strip's slices";
@@ -180,13 +208,8 @@ void judge_alpha(const FoundStrip& strip, const std::vector<float>& alpha, int w
     }
 }
 
-void judge_border(const Picture& upright, const FoundStrip& strip, Wholeness& out) {
-    if (!strip.mark_at) {
-        return;
-    }
-    const Border border = border_of(upright, strip);
-    out.border_noise = border.noise;
-    if (border.spread > uneven + border.noise / 2) {
+void judge_border(const Border& border, bool rings, Wholeness& out) {
+    if (border.spread > uneven * (rings ? ringing : 1) + border.noise / 2) {
         out.harms.push_back(
             {"uneven", "the border around the strip, one grey when it was placed, differs by " +
                            codes(border.spread) +
@@ -207,15 +230,15 @@ void judge_noise(const std::string& lossy, Wholeness& out) {
     if (out.noise < noisy) {
         return;
     }
-    const bool in_border = out.border_noise.value_or(out.noise) > 0.5 * out.noise;
+    const bool lies_there = out.border_noise.value_or(out.noise) > in_border * out.noise;
     out.harms.push_back(
-        {in_border ? "noise" : "ringing",
-         in_border ? "noise of about " + codes(out.noise) +
-                         " lies over the strip, as dithering, grain or a lossy file leaves it; "
-                         "leave grain out, or add --denoise"
-                   : "the strip is off by about " + codes(out.noise) +
-                         " and its border is not, as lossy compression leaves it; save lossless "
-                         "files all the way, or add --denoise",
+        {lies_there ? "noise" : "ringing",
+         lies_there ? "noise of about " + codes(out.noise) +
+                          " lies over the strip, as dithering, grain or a lossy file leaves it; "
+                          "leave grain out, or add --denoise"
+                    : "the strip is off by about " + codes(out.noise) +
+                          " and its border is not, as lossy compression leaves it; save lossless "
+                          "files all the way, or add --denoise",
          false});
 }
 
@@ -279,8 +302,15 @@ Wholeness wholeness_of(const Picture& upright, const FoundStrip& strip,
     }
     out.noise = noise_of(lattice_in(upright, strip));
     judge_alpha(strip, alpha, upright.width, out);
-    judge_edges(upright, strip, out);
-    judge_border(upright, strip, out);
+    const Border border = strip.mark_at ? border_of(upright, strip) : Border{};
+    if (strip.mark_at) {
+        out.border_noise = border.noise;
+    }
+    const bool rings =
+        !lossy.empty() ||
+        (out.noise >= noisy && out.border_noise.value_or(out.noise) <= in_border * out.noise);
+    judge_edges(upright, strip, rings, out);
+    judge_border(border, rings, out);
     judge_noise(lossy, out);
     return out;
 }

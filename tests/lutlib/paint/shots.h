@@ -155,4 +155,33 @@ inline double off_from(const Lut3D& cube, const Transform& look) {
     return 255 * most;
 }
 
+/// Scaled and turned clockwise about its middle, by straight lines between pixels; what lay beyond
+/// it is grey.
+inline Picture resampled(const Picture& picture, double scale, double degrees) {
+    Picture out{
+        static_cast<int>(picture.width * scale), static_cast<int>(picture.height * scale), {}};
+    const double turn = degrees / 57.29577951308232, c = std::cos(turn) / scale,
+                 s = std::sin(turn) / scale;
+    const auto pixel = [&picture](int x, int y) {
+        return x >= 0 && y >= 0 && x < picture.width && y < picture.height ? picture.at(x, y)
+                                                                           : Rgb{0.5F, 0.5F, 0.5F};
+    };
+    for (int y = 0; y < out.height; ++y) {
+        for (int x = 0; x < out.width; ++x) {
+            const double u = x + 0.5 - out.width / 2.0, v = y + 0.5 - out.height / 2.0;
+            const double from_x = c * u + s * v + picture.width / 2.0 - 0.5,
+                         from_y = c * v - s * u + picture.height / 2.0 - 0.5;
+            const int left = static_cast<int>(std::floor(from_x)),
+                      top = static_cast<int>(std::floor(from_y));
+            const auto across = static_cast<float>(from_x - left),
+                       down = static_cast<float>(from_y - top);
+            const Rgb above = (1 - across) * pixel(left, top) + across * pixel(left + 1, top),
+                      below =
+                          (1 - across) * pixel(left, top + 1) + across * pixel(left + 1, top + 1);
+            out.pixels.push_back((1 - down) * above + down * below);
+        }
+    }
+    return out;
+}
+
 } // namespace lutlib

@@ -65,6 +65,40 @@ TEST(Wholeness, names_blurring_and_sharpening) {
     }
 }
 
+TEST(Wholeness, tells_scaling_and_turning_of_soft_pictures_from_blurring) {
+    struct Case {
+        double scale, degrees;
+        float blur;
+        const char *names, *figure;
+    };
+    for (const Case& one :
+         {Case{0.98, 0, 0, "scaled", "98.0 %"}, Case{1.02, 0, 0.15F, "scaled", "102.0 %"},
+          Case{1, 1.5, 0, "turned", "1.5 degrees"}, Case{1, -0.7, 0.15F, "turned", "0.7 degrees"},
+          Case{0.97, 1, 0, "scaled", "97 %"},
+          Case{1, 0, 0.3F, "blurred", "lies on its other side"}}) {
+        const Picture soft = one.blur > 0 ? blurred(graded_shot(), one.blur) : graded_shot();
+        const Wholeness whole = of(in_codes(resampled(soft, one.scale, one.degrees)));
+        std::string geometry;
+        for (const Harm& harm : whole.harms) {
+            if (harm.spoils && harm.name != "uneven") {
+                geometry += (geometry.empty() ? "" : " ") + harm.name;
+            }
+        }
+        EXPECT_EQ(geometry, one.names) << one.scale << ' ' << one.degrees;
+        ASSERT_FALSE(whole.harms.empty());
+        EXPECT_NE(whole.harms[0].words.find(one.figure), std::string::npos) << whole.harms[0].words;
+    }
+}
+
+TEST(Wholeness, takes_edges_that_overshoot_for_sharpening_unless_the_file_is_lossy) {
+    const Picture picture = blurred(graded_shot(), -0.08F);
+    EXPECT_NE(names(of(picture)).find("sharpened"), std::string::npos) << names(of(picture));
+    const FoundStrip strip = find_strips(picture).at(0);
+    const Wholeness lossy = wholeness_of(picture, strip, {}, "it compresses with losses");
+    EXPECT_EQ(names(lossy), "lossy");
+    EXPECT_FALSE(lossy.is_spoilt());
+}
+
 TEST(Wholeness, names_what_lies_unevenly_over_the_border) {
     Picture shot = graded_shot();
     for (int y = 0; y < shot.height; ++y) {

@@ -25,6 +25,7 @@ lutpreview --b strip.png --engine piccolo --headless --size 1280x720 -o split.pn
 lutpreview photo.exr --a look.cube --b strip.png --engine unreal --compare diff --headless -o x.png
 lutpreview night --effect glitch --frames 0-47 --headless -o frame.####.png
 lutpreview check model.glb --json
+lutpreview report -o report.html --budget-ms 1
 )";
 
 /// Throws lutlib::Error.

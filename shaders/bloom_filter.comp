@@ -2,12 +2,14 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "common/sanitise.glsl"
+#include "common/stored.glsl"
 #include "common/bloom.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(constant_id = 0) const int tap_count = 1;
 layout(constant_id = 1) const bool prefilter = false;
 layout(constant_id = 2) const bool karis = false; // groups of four taps
 layout(constant_id = 3) const bool has_own = false;
+layout(constant_id = 4) const int stored = 0;
 
 layout(binding = 0) uniform sampler2D source;
 layout(binding = 1) uniform sampler2D own; // as large as the target
@@ -58,5 +60,5 @@ void main() {
     if (has_own) {
         sum += texelFetch(own, at, 0).rgb * push.keep;
     }
-    imageStore(target, at, vec4(round_to_half(min(sum, half_max)), 1.0));
+    imageStore(target, at, vec4(as_stored(sum, stored), 1.0));
 }

@@ -3,9 +3,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "common/sanitise.glsl"
+#include "common/stored.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(constant_id = 0) const int tap_count = 1;
 layout(constant_id = 1) const bool along_x = true;
+layout(constant_id = 2) const int stored = 0;
 
 layout(binding = 0) uniform sampler2D source;
 layout(binding = 1) uniform Taps { vec4 taps[32]; };
@@ -28,5 +30,5 @@ void main() {
                 textureLod(source, centre - offset, 0.0).rgb) *
                taps[i].z;
     }
-    imageStore(target, at, vec4(round_to_half(min(sum, half_max)), 1.0));
+    imageStore(target, at, vec4(as_stored(sum, stored), 1.0));
 }

@@ -5,9 +5,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "common/sanitise.glsl"
+#include "common/stored.glsl"
 #include "common/bloom.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(constant_id = 0) const bool prefilter = false;
+layout(constant_id = 1) const int stored = 0;
 
 layout(binding = 0) uniform sampler2D source;
 layout(binding = 1) uniform Weights { vec4 rows[4]; };
@@ -49,5 +51,5 @@ void main() {
             sum += vec3(unpackHalf2x16(texel.x), unpackHalf2x16(texel.y).x) * rows[y][x];
         }
     }
-    imageStore(target, at, vec4(round_to_half(min(sum, half_max)), 1.0));
+    imageStore(target, at, vec4(as_stored(sum, stored), 1.0));
 }

@@ -7,11 +7,12 @@
 #include "common/disc.glsl"
 #include "common/sanitise.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
+layout(constant_id = 0) const int rings = 3;
 layout(binding = 0) uniform sampler2D rest;
 layout(binding = 1) uniform sampler2D near;
 layout(binding = 2) uniform sampler2D near_radii;
 layout(binding = 3) uniform sampler2D tiles;
-layout(binding = 4) uniform Disc { vec4 points[disc_points]; }; // x, y, distance
+layout(binding = 4) uniform Disc { vec4 points[most_disc_points]; }; // x, y, distance
 layout(binding = 5) writeonly uniform image2D rest_blurred; // and radius; -1: nothing is known
 layout(binding = 6) writeonly uniform image2D near_blurred; // and opacity
 layout(binding = 7) writeonly uniform image2D reaches;      // of each group
@@ -19,12 +20,24 @@ layout(push_constant) uniform Push {
     float largest; // radius, in halved texels
 } push;
 
+const int disc_points = 1 + 4 * rings * (rings + 1);
+
 shared uint group_reach;
 
 ivec2 last;
 
 ivec2 place_of(ivec2 at, float reach, int i) {
     return clamp(at + ivec2(floor(points[i].xy * reach + 0.5)), ivec2(0), last);
+}
+
+/// The sum of covered() over the points of a disc of radius `reach`.
+float covered_points(float radius, float reach) {
+    float sum = covered(radius, 0.0);
+    for (int ring = 1; ring <= rings; ++ring) {
+        float apart = float(2 * ring) / float(2 * rings + 1);
+        sum += float(8 * ring) * covered(radius, apart * reach);
+    }
+    return sum;
 }
 
 /// The farthest that anything before the focus reaches into the group's texels.

@@ -59,6 +59,19 @@ void decode_floats(std::vector<float>& out, std::span<const std::byte> bytes) {
     append<float>(out, bytes, [](std::vector<float>& to, float word) { to.push_back(word); });
 }
 
+/// Small unsigned floats of 5 bits of exponent: halves without a sign and with less mantissa.
+void decode_packed(std::vector<float>& out, std::span<const std::byte> bytes) {
+    append<std::uint32_t>(out, bytes, [](std::vector<float>& to, std::uint32_t word) {
+        const auto from = [](std::uint32_t bits) {
+            return lutlib::float_from_half(static_cast<std::uint16_t>(bits));
+        };
+        to.push_back(from((word & 2047U) << 4U));
+        to.push_back(from((word >> 11U & 2047U) << 4U));
+        to.push_back(from((word >> 22U & 1023U) << 5U));
+        to.push_back(1);
+    });
+}
+
 constexpr Decoding decodings[] = {
     {4, decode_bytes},  // rgba8
     {4, decode_tens},   // rgb10a2
@@ -69,6 +82,7 @@ constexpr Decoding decodings[] = {
     {1, nullptr},       // r32ui: numbers of materials, packed
     {4, decode_floats}, // rgba32f
     {1, decode_floats}, // d32
+    {4, decode_packed}, // r11g11b10f
 };
 static_assert(std::size(decodings) == std::size(formats));
 

@@ -3,13 +3,9 @@
 #include "lutlib/io/terminal.h"
 #include "preview/check/check.h"
 #include "preview/cli/check_report.h"
-#include "preview/cli/look_options.h"
-#include "preview/look/gpu_look.h"
+#include "preview/cli/studied_input.h"
 
 #include <fmt/format.h>
-
-#include <memory>
-#include <optional>
 
 namespace preview {
 
@@ -19,31 +15,15 @@ namespace {
 constexpr Size usual_check_size{192, 108};
 constexpr std::uint32_t usual_check_shadow_size = 256;
 
-/// A look as the frame's passes read it; nothing where it would change nothing.
-std::optional<GpuLook> checked_look(const gpu::Device& device, const std::string& path,
-                                    const LookUse& use) {
-    const LoadedLook look = load_look(path, use);
-    return look.skip_reason.empty() ? std::optional<GpuLook>(std::in_place, device, look.data)
-                                    : std::nullopt;
-}
-
-Situation situation_of(const Options& options, const gpu::Device& device) {
-    Situation out;
-    out.shown = std::make_shared<const Shown>(shown_of(options));
+/// With what is usual for a check where nothing else is asked for.
+Situation checked_situation(const Options& options, const gpu::Device& device) {
     Options sized = options;
     if (options.size.empty()) {
         sized.size = fmt::format("{}x{}", usual_check_size.width, usual_check_size.height);
     }
-    out.settings = settings_of(sized, out.shown->picture_size());
+    Situation out = situation_of(sized, device);
     if (out.settings.shadow_size == 0) {
         out.settings.shadow_size = usual_check_shadow_size;
-    }
-    out.settings.raster =
-        options.raster->on(device, picture_size(out.settings.output, *out.settings.compare));
-    out.lights = lights_of(options, out.shown->scene);
-    if (out.shown->scene) {
-        out.settings.orbit = orbit_of(options, *out.shown->scene);
-        out.surroundings = surroundings_of(options, *out.shown->scene);
     }
     return out;
 }
@@ -55,12 +35,9 @@ bool check_renderer(const Options& options) {
     wanted.wanted = options.device;
     wanted.validation = options.validate;
     const gpu::Device device(wanted);
-    Situation situation = situation_of(options, device);
-    const bool has_light = situation.has_light();
-    const auto look_a = checked_look(device, options.look_a, use_a(options, has_light));
-    const auto look_b = checked_look(device, options.look_b, use_b(options, has_light));
-    situation.look_a = look_a ? &*look_a : nullptr;
-    situation.look_b = look_b ? &*look_b : nullptr;
+    Situation situation = checked_situation(options, device);
+    const StudiedLooks looks(device, options, situation.has_light());
+    looks.put_into(situation);
 
     Checker checker(device, std::move(situation));
     const CheckReport report = run_check(checker, [&](const std::string& row) {

@@ -6,6 +6,7 @@
 #include "preview/effects/effect.h"
 #include "preview/frame/frame.h"
 #include "preview/frame/frame_effects.h"
+#include "preview/frame/measured.h"
 #include "preview/passes/pass.h"
 #include "preview/scene/gpu_scene.h"
 
@@ -78,18 +79,7 @@ FrameHandles declare_frame(Graph& graph, const FrameInputs& inputs, const FrameS
 
 /// The inputs with the HDR maximum measured, where the frame has one.
 FrameInputs measured(Executor& executor, FrameInputs inputs, const FrameSettings& settings) {
-    // Only bloom asks for it, and only where some light would not bloom.
-    if (settings.shows_intermediate() || settings.force_all || settings.bloom == nullptr ||
-        settings.without.has(Effect::bloom) || bloom_onset(settings.bloom_settings) <= 0 ||
-        (inputs.picture != nullptr && inputs.picture->display_encoded)) {
-        return inputs;
-    }
-    FrameSettings measuring = settings;
-    measuring.only_maximum = true;
-    Graph graph;
-    const FrameHandles handles = declare_frame(graph, inputs, measuring);
-    executor.render(graph);
-    inputs.hdr_maximum = values_of<float>(executor.read_buffer(handles.hdr_maximum)).front();
+    inputs.hdr_maximum = measured_maximum(executor, inputs, settings);
     return inputs;
 }
 

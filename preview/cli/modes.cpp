@@ -10,6 +10,7 @@
 #include "preview/cli/option_listing.h"
 #include "preview/cli/picture_file.h"
 #include "preview/cli/rendering.h"
+#include "preview/cli/report_mode.h"
 #include "preview/cli/sequence.h"
 #include "preview/frame/shown.h"
 #include "preview/look/look_file.h"
@@ -222,7 +223,7 @@ bool run(const Options& options) {
         tell(line);
     }
     if (options.study != nullptr) {
-        return check_renderer(options);
+        return options.study->writes_page ? report_renderer(options) : check_renderer(options);
     }
     if (options.list) {
         print_list();

@@ -16,11 +16,10 @@ constexpr OptionRow rows[] = {
      .help =
          "A built-in scene (--list), a model (glTF 2.0, OBJ), or a picture file, shown in place of "
          "a scene; or check, which prints how the renderer bears extreme inputs of the scene, "
-         "model "
-         "or picture after it",
+         "model or picture after it, or report, which measures what settings of its passes cost",
      .of = [](O& o) -> std::string& { return o.input; }},
     {.flag = "subject",
-     .help = "What check looks at, by default the sample",
+     .help = "What check and report look at, by default the sample",
      .of = [](O& o) -> std::string& { return o.subject; }},
     {.flag = "--a",
      .help = "Look of side A: none, or any LUT file or picture",
@@ -157,6 +156,21 @@ constexpr OptionRow rows[] = {
     {.flag = "--json",
      .help = "Timings, the probe, figures and errors as JSON",
      .of = [](O& o) -> bool& { return o.json; }},
+    {.flag = "--csv",
+     .help = "The rows of a report as CSV",
+     .of = [](O& o) -> bool& { return o.csv; }},
+    {.flag = "--budget-ms",
+     .help = "Of a report: milliseconds of a frame within which it chooses the settings of all "
+             "passes; by default what the usual settings take",
+     .of = [](O& o) -> double& { return o.budget_ms; },
+     .min = 0.001,
+     .max = 1e6},
+    {.flag = "--max-delta-e",
+     .help = "Of a report: the largest dE2000 of the finished picture, at 99 % of its pixels, with "
+             "which it chooses the fastest settings",
+     .of = [](O& o) -> double& { return o.max_delta_e; },
+     .min = 0.001,
+     .max = 100},
     {.flag = "--list",
      .help = "Print scenes, lookups, every choice and setting, effects, lights' controls, devices",
      .of = [](O& o) -> bool& { return o.list; }},

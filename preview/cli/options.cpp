@@ -20,6 +20,8 @@ constexpr std::uint32_t largest_side = 16384;
 
 constexpr Study study_rows[] = {
     {"check", "runs every pass with extreme inputs and says where numbers go bad"},
+    {"report", "measures what every pass's settings cost in error and time, and writes a page",
+     true},
 };
 
 /// Switches off a part of the frame or takes out an effect.

@@ -54,6 +54,9 @@ struct Options {
     std::string cube_view; ///< the side whose look is drawn as a cube; empty: none
     int cube_nodes = 17;
     CubeView cube;
+    bool csv = false;        ///< of a report
+    double budget_ms = -1;   ///< of a frame; negative: as the usual settings take
+    double max_delta_e = -1; ///< negative: the budget counts
     bool headless = false, explain = false, timings = false, json = false, list = false;
     bool quiet = false;   ///< no figures that were not asked for, no counts
     bool verbose = false; ///< the device, and each file that is written
@@ -84,6 +87,7 @@ bool is_given(const Options& options, const std::string& flag);
 struct Study {
     std::string_view name;
     std::string_view help;
+    bool writes_page = false; ///< into the output file
 };
 std::span<const Study> studies();
 

@@ -106,37 +106,31 @@ Rule cube_rule(const Options& options) {
     return out;
 }
 
+std::string why_no_picture(const Options& options) {
+    return fmt::format("{} writes no picture", options.study->name);
+}
+
+std::vector<std::string> report_flags() {
+    return {"--csv", "--budget-ms", "--max-delta-e"};
+}
+
 /// The options that a study, which makes no picture for anybody, does not take.
 Rule study_rule(const Options& options) {
-    return {{"--output",
-             "--depth",
-             "--cube-view",
-             "--cube-nodes",
-             "--probe",
-             "--scope",
-             "--scope-size",
-             "--scope-side",
-             "--scope-scale",
-             "--explain",
-             "--force-all",
-             "--timings",
-             "--frames",
-             "--frame-rate",
-             "--resume",
-             "--font",
-             "--watch-engine-folder",
-             "--places",
-             "--exr",
-             "--dither",
-             "--debug-view",
+    return {{"--depth",      "--cube-view",  "--cube-nodes", "--probe",
+             "--scope",      "--scope-size", "--scope-side", "--scope-scale",
+             "--explain",    "--force-all",  "--timings",    "--frames",
+             "--frame-rate", "--resume",     "--font",       "--watch-engine-folder",
+             "--places",     "--exr",        "--dither",     "--debug-view",
              "--heat-scale"},
             false,
-            fmt::format("{} writes no picture", options.study->name)};
+            why_no_picture(options)};
 }
 
 std::vector<Rule> rules_of(const Options& o) {
     if (o.study != nullptr) {
-        return {study_rule(o)};
+        return {study_rule(o),
+                {{"--output"}, o.study->writes_page, why_no_picture(o)},
+                {report_flags(), o.study->writes_page, "it is for report"}};
     }
     if (!o.cube_view.empty()) {
         return {cube_rule(o)};
@@ -155,6 +149,7 @@ std::vector<Rule> rules_of(const Options& o) {
         {{"--scope-size", "--scope-side", "--scope-scale"},
          o.frame.scope != nullptr || window,
          "no --scope is shown"},
+        {report_flags(), false, "it is for 'lutpreview report'"},
         {{"--frames"}, o.timings || is_sequence, "--timings takes it"},
         {{"--frame-rate", "--resume"}, is_sequence, "--frames names no sequence, as 0-119 does"},
         {{"--depth"}, !o.output.empty(), "no picture is written; -o names one"},

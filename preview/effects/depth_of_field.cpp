@@ -9,6 +9,10 @@
 namespace preview::effect {
 namespace {
 
+/// shaders/common/disc.glsl
+constexpr int most_rings = 6;
+constexpr std::size_t most_disc_points = 1 + 4 * most_rings * (most_rings + 1);
+
 constexpr lutlib::Parameter depth_of_field_parameters[] = {
     {.name = "strength", .flag = "strength", .label = "Strength", .fallback = 1},
     {.name = "focus",
@@ -39,6 +43,12 @@ constexpr lutlib::Parameter depth_of_field_parameters[] = {
      .min = 1,
      .max = 100,
      .fallback = 40},
+    {.name = "rings",
+     .flag = "rings",
+     .label = "Rings of points",
+     .min = 1,
+     .max = most_rings,
+     .fallback = 3},
 };
 
 /// shaders/common/lens.glsl
@@ -78,11 +88,11 @@ std::string_view idle_because(const lutlib::Values& values, const EffectDepth& d
                : "";
 }
 
-/// shaders/common/disc.glsl
-std::vector<std::array<float, 4>> disc_points() {
+/// As many as the shader has room for, of which it takes those of its rings.
+std::vector<std::array<float, 4>> disc_points(int rings) {
     std::vector<std::array<float, 4>> out{{0, 0, 0, 0}};
-    for (int ring = 1; ring <= 3; ++ring) {
-        const double radius = 2.0 / 7 * ring;
+    for (int ring = 1; ring <= rings; ++ring) {
+        const double radius = 2.0 * ring / (2 * rings + 1);
         for (int i = 0; i < 8 * ring; ++i) {
             const double turn = 2 * std::numbers::pi * (i + 0.5 * (ring % 2)) / (8 * ring);
             out.push_back({static_cast<float>(radius * std::cos(turn)),
@@ -90,6 +100,7 @@ std::vector<std::array<float, 4>> disc_points() {
                            0});
         }
     }
+    out.resize(most_disc_points);
     return out;
 }
 
@@ -116,14 +127,15 @@ Halves add_halves(Graph& graph, const EffectInput& in, const Lens& lens) {
 }
 
 /// Replaces what is to be blurred by what is.
-void blur(Graph& graph, Halves& halves, float largest) {
+void blur(Graph& graph, Halves& halves, float largest, int rings) {
     const ImageDesc desc = graph.image_desc(halves.rest), tiles = graph.image_desc(halves.tiles);
     Pass pass = graph.compute("depth-of-field blur", "depth_of_field_blur.comp");
+    pass.constants({static_cast<std::uint32_t>(rings)});
     pass.read(halves.rest);
     pass.read(halves.near);
     pass.read(halves.near_radii);
     pass.read(halves.tiles);
-    const std::vector<std::array<float, 4>> points = disc_points();
+    const std::vector<std::array<float, 4>> points = disc_points(rings);
     pass.uniform(graph.data("disc", std::as_bytes(std::span(points))));
     const ImageHandle rest = pass.write(graph.image("not before the focus, blurred", desc));
     const ImageHandle near = pass.write(graph.image("before the focus, blurred", desc));
@@ -150,7 +162,8 @@ ImageHandle add_depth_of_field(Graph& graph, const EffectInput& in, const lutlib
     lens.place_x = texel(number_at(values, 2), desc.width);
     lens.place_y = texel(number_at(values, 3), desc.height);
     Halves halves = add_halves(graph, in, lens);
-    blur(graph, halves, lens.largest);
+    const auto rings = static_cast<int>(std::lround(number_at(values, 7)));
+    blur(graph, halves, lens.largest, std::clamp(rings, 1, most_rings));
     Pass pass = graph.compute("depth-of-field", "depth_of_field.comp");
     pass.read(in.picture);
     pass.read(in.depth.image);

@@ -12,9 +12,7 @@ namespace preview {
 
 namespace {
 
-// Sigmas are given for a picture of so many lines, and follow its height: the glare of an eye is
-// an angle, and so is a pixel for a given field of view.
-constexpr float nominal_height = 1080;
+constexpr float nominal_height = bloom_nominal_height;
 
 class Planner {
   public:
@@ -120,19 +118,15 @@ float pyramid_variance(int k) {
     return (area - 1) / 4 + area / 6;
 }
 
-struct Gaussian {
-    float sigma, weight;
-};
-
 // Each Gaussian on the coarsest level on which its sigma, less what the pyramid itself adds, is
 // still so wide that samples of it sum up evenly.
 BloomPlan gaussians_plan(BloomExtent picture, const BloomSettings& settings,
-                         std::span<const Gaussian> gaussians) {
+                         std::span<const BloomGaussian> gaussians) {
     constexpr float least_sigma = 1.5F;
     Planner planner(picture, settings);
     int level = 0, image = BloomPlan::picture_image;
     const float scale = settings.radius * static_cast<float>(picture.height) / nominal_height;
-    for (const Gaussian& gaussian : gaussians) {
+    for (const BloomGaussian& gaussian : gaussians) {
         const float sigma = std::max(gaussian.sigma * scale, 0.1F);
         const auto sigma_on = [&](int k) {
             const float left = sigma * sigma - pyramid_variance(k);
@@ -151,16 +145,16 @@ BloomPlan gaussians_plan(BloomExtent picture, const BloomSettings& settings,
 // The eye's veiling glare as a sum: .8843 delta + .1 g(6.2) + .012 g(24.9) + .0027 g(81) +
 // .001 g(263). The delta is what strength leaves.
 constexpr float glare_share = 0.1157F;
+constexpr std::array<BloomGaussian, 4> glare{{{6.2F, 0.1F / glare_share},
+                                              {24.9F, 0.012F / glare_share},
+                                              {81, 0.0027F / glare_share},
+                                              {263, 0.001F / glare_share}}};
 BloomPlan glare_plan(BloomExtent picture, const BloomSettings& settings) {
-    constexpr std::array<Gaussian, 4> glare{{{6.2F, 0.1F / glare_share},
-                                             {24.9F, 0.012F / glare_share},
-                                             {81, 0.0027F / glare_share},
-                                             {263, 0.001F / glare_share}}};
     return gaussians_plan(picture, settings, glare);
 }
 
+constexpr std::array<BloomGaussian, 1> one{{{14, 1}}};
 BloomPlan gaussian_plan(BloomExtent picture, const BloomSettings& settings) {
-    constexpr std::array<Gaussian, 1> one{{{14, 1}}};
     Planner planner(picture, settings);
     const float sigma =
         one[0].sigma * settings.radius * static_cast<float>(picture.height) / nominal_height;
@@ -259,10 +253,10 @@ BloomPlan no_plan(BloomExtent, const BloomSettings&) {
 }
 
 constexpr std::array<Bloom, 5> bloom_rows{{
-    {"glare", "sum of Gaussians, the eye's veiling glare", true, glare_share, glare_plan},
+    {"glare", "sum of Gaussians, the eye's veiling glare", true, glare_share, glare_plan, glare},
     {"dual-kawase", "dual Kawase", true, 0.12F, dual_kawase_plan},
     {"jimenez", "Jimenez, 13 taps down and a tent up", false, 0.12F, jimenez_plan},
-    {"gaussian", "one separable Gaussian", true, 0.12F, gaussian_plan},
+    {"gaussian", "one separable Gaussian", true, 0.12F, gaussian_plan, one},
     {"none", "no bloom", true, 0, no_plan},
 }};
 

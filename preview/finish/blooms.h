@@ -71,12 +71,23 @@ struct BloomPlan {
     bool empty() const { return layers.empty(); }
 };
 
+/// Sigmas are given for a picture of so many lines, and follow its height: the glare of an eye is
+/// an angle, and so is a pixel for a given field of view.
+inline constexpr int bloom_nominal_height = 1080;
+
+/// A part of a kernel that is a sum of Gaussians.
+struct BloomGaussian {
+    float sigma = 0, weight = 0; ///< sigma in texels of a picture of bloom_nominal_height lines
+};
+
 struct Bloom {
     std::string_view name;
     std::string_view label;
     bool conserves_energy; ///< a picture's sum stays, away from its border
     float strength;
     BloomPlan (*plan)(BloomExtent picture, const BloomSettings& settings);
+    /// Whose sum its kernel stands for; weights sum to 1. Empty: it is what its filters make.
+    std::span<const BloomGaussian> gaussians = {};
 };
 
 std::span<const Bloom> blooms();

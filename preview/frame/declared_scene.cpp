@@ -124,6 +124,7 @@ SurroundingsHandles declare_surroundings(Graph& graph, const Surroundings& surro
     }
     SurroundingsInputs from;
     from.are_kept = !settings.force_all;
+    from.base = settings.surroundings_base;
     from.exposure = settings.exposure + inputs.scene->exposure;
     if (surroundings.kind == SurroundingsKind::picture) {
         const GpuPicture& picture = *inputs.surroundings_picture;

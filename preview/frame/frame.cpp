@@ -77,7 +77,7 @@ BloomLayers bloom_of(Graph& graph, ImageHandle hdr, const FrameInputs& inputs,
         graph.withhold("bloom", reason);
         return {};
     }
-    return add_bloom(graph, hdr, plan, Format::rgba16f, settings.reuses_light());
+    return add_bloom(graph, hdr, plan, settings.bloom_format, settings.reuses_light());
 }
 
 /// What the finishing pass is asked for; says which looks there are not.

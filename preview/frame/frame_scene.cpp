@@ -47,7 +47,7 @@ ImageHandle occlusion_of(Graph& graph, const Scene& scene, const SceneHandles& d
                          {.strength = strength,
                           .radius = settings.occlusion.radius,
                           .samples = static_cast<std::uint32_t>(
-                              std::clamp(std::lround(settings.occlusion.samples), 1L, 64L))});
+                              std::clamp(std::lround(settings.occlusion.samples), 1L, 1024L))});
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "preview/frame/rasters.h"
 #include "preview/passes/bloom.h"
 #include "preview/passes/gbuffer.h"
+#include "preview/passes/surroundings.h"
 #include "preview/passes/visibility.h"
 #include "preview/scene/scene.h"
 
@@ -33,6 +34,9 @@ struct FrameSettings : PictureSettings {
     std::uint32_t shadow_size = 0; ///< texels of a shadow map's side; 0: the scene's
     Raster raster = Raster::hardware;
     VisibilityLimits visibility; ///< of Raster::compute
+    /// How finely passes work; `lutpreview report` says what that costs and takes.
+    Format bloom_format = Format::rgba16f; ///< of its pyramid
+    Size surroundings_base = surroundings_base_size;
     /// Show this intermediate and nothing else.
     const DebugView* view = nullptr;
     /// Show what this effect has made and nothing else.

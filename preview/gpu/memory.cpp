@@ -18,9 +18,16 @@ using MemoryBits = vk::MemoryPropertyFlagBits;
 
 /// In the order of the enumeration Format.
 constexpr vk::Format vk_formats[] = {
-    vk::Format::eR8G8B8A8Unorm,     vk::Format::eA2B10G10R10UnormPack32, vk::Format::eR16G16Uint,
-    vk::Format::eR16G16B16A16Unorm, vk::Format::eR16G16B16A16Sfloat,     vk::Format::eR32Sfloat,
-    vk::Format::eR32Uint,           vk::Format::eR32G32B32A32Sfloat,     vk::Format::eD32Sfloat,
+    vk::Format::eR8G8B8A8Unorm,
+    vk::Format::eA2B10G10R10UnormPack32,
+    vk::Format::eR16G16Uint,
+    vk::Format::eR16G16B16A16Unorm,
+    vk::Format::eR16G16B16A16Sfloat,
+    vk::Format::eR32Sfloat,
+    vk::Format::eR32Uint,
+    vk::Format::eR32G32B32A32Sfloat,
+    vk::Format::eD32Sfloat,
+    vk::Format::eB10G11R11UfloatPack32,
 };
 static_assert(std::size(vk_formats) == std::size(formats));
 

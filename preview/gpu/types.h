@@ -19,6 +19,7 @@ enum class Format : std::uint8_t {
     r32ui,
     rgba32f,
     d32,
+    r11g11b10f,
 };
 
 struct FormatInfo {
@@ -34,7 +35,7 @@ inline constexpr FormatInfo formats[] = {
     {Format::rg16ui, "rg16ui", 4, false},   {Format::rgba16, "rgba16", 8, false},
     {Format::rgba16f, "rgba16f", 8, false}, {Format::r32f, "r32f", 4, false},
     {Format::r32ui, "r32ui", 4, false},     {Format::rgba32f, "rgba32f", 16, false},
-    {Format::d32, "d32", 4, true},
+    {Format::d32, "d32", 4, true},          {Format::r11g11b10f, "r11g11b10f", 4, false},
 };
 
 constexpr const FormatInfo& info(Format format) {

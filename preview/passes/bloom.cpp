@@ -27,6 +27,11 @@ BufferHandle texel_weights(Graph& graph, const std::string& name,
     return graph.data_of(name + " weights", rows);
 }
 
+/// How shaders/common/stored.glsl calls the format.
+std::uint32_t stored_as(Format work) {
+    return work == Format::rgba32f ? 1 : work == Format::r11g11b10f ? 2 : 0;
+}
+
 /// Whether bloom_halve.comp can do it: the taps are single texels of the four by four about the
 /// target's.
 bool halves_by_texels(const BloomStep& step) {
@@ -41,6 +46,7 @@ bool halves_by_texels(const BloomStep& step) {
 BloomLayers add_bloom(Graph& graph, ImageHandle hdr, const BloomPlan& plan, Format work,
                       bool are_kept) {
     BloomLayers out{plan, {}};
+    const std::uint32_t stored = stored_as(work);
     std::vector<ImageHandle> images(plan.images.size());
     const auto image = [&](int i) {
         return i == BloomPlan::picture_image ? hdr : images[static_cast<std::size_t>(i)];
@@ -59,7 +65,8 @@ BloomLayers add_bloom(Graph& graph, ImageHandle hdr, const BloomPlan& plan, Form
             image_kept_if(graph, are_kept && is_layer, name, {work, width, height},
                           "the light that blooms is the same");
 
-        const bool by_texels = !separable && halves_by_texels(step);
+        // It keeps what it has fetched in halves.
+        const bool by_texels = !separable && work != Format::rgba32f && halves_by_texels(step);
 
         Pass pass = graph.compute(name, separable   ? "bloom_gaussian.comp"
                                         : by_texels ? "bloom_halve.comp"
@@ -72,12 +79,12 @@ BloomLayers add_bloom(Graph& graph, ImageHandle hdr, const BloomPlan& plan, Form
                                : taps_block(graph, name, step.taps));
         images[static_cast<std::size_t>(step.target)] = pass.write(target);
         if (separable) {
-            pass.constants({count, step.axis == BloomStep::Axis::x});
+            pass.constants({count, step.axis == BloomStep::Axis::x, stored});
         } else if (by_texels) {
-            pass.constants({step.prefilter});
+            pass.constants({step.prefilter, stored});
             pass.push(std::array{plan.threshold, plan.knee});
         } else {
-            pass.constants({count, step.prefilter, step.karis, step.own >= 0});
+            pass.constants({count, step.prefilter, step.karis, step.own >= 0, stored});
             pass.push(std::array{step.scale, step.keep, plan.threshold, plan.knee});
         }
         pass.dispatch_over(width, height);

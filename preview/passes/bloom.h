@@ -12,7 +12,8 @@ struct [[nodiscard]] BloomLayers {
     std::array<ImageHandle, BloomPlan::max_layers> images;
 };
 
-/// `plan` is made for the picture's size. `work` is the format of the pyramid. Layers that are kept
+/// `plan` is made for the picture's size. `work` is the format of the
+/// pyramid: rgba16f, rgba32f or r11g11b10f. Layers that are kept
 /// serve further frames of the same light.
 BloomLayers add_bloom(Graph& graph, ImageHandle hdr, const BloomPlan& plan,
                       Format work = Format::rgba16f, bool are_kept = false);

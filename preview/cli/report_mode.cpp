@@ -22,7 +22,7 @@ namespace {
 
 /// Of which one is odd in both directions, so that no level of a pyramid halves evenly.
 constexpr std::array<Size, 3> gpu_sizes{{{640, 360}, {1281, 721}, {1920, 1080}}};
-constexpr std::array<Size, 3> cpu_sizes{{{64, 36}, {97, 55}, {128, 72}}};
+constexpr std::array<Size, 3> cpu_sizes{{{48, 27}, {65, 37}, {80, 45}}};
 constexpr int gpu_rounds = 25, cpu_rounds = 3;
 constexpr std::uint32_t least_side = 16;
 

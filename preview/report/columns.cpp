@@ -52,8 +52,7 @@ double milliseconds_of(const lutlib::Timing& time) {
 }
 
 std::string time_label(const RendererReport& report) {
-    return report.is_cpu ? fmt::format("ms of {}, a CPU and no GPU", report.device)
-                         : fmt::format("ms of {}", report.device);
+    return report.is_cpu ? "milliseconds of a CPU, no GPU's" : "GPU milliseconds";
 }
 
 const Row* usual_row(std::span<const Row> group) {
@@ -120,11 +119,11 @@ std::string recommendation_text(const RendererReport& report) {
     const Choice& c = *report.choice;
     return fmt::format(
         "Take {}: {}. Measured as a whole: dE2000 {:.3g} at 99 % of the pixels (mean {:.3g}), "
-        "{:.3g} {}; the usual settings: dE2000 {:.3g} (mean {:.3g}), {:.3g} ms.",
+        "{:.3g} ms{}; the usual settings: dE2000 {:.3g} (mean {:.3g}), {:.3g} ms.",
         combination_text(c, c.measured.predicted), c.why, c.measured.error.delta_e_2000.p99,
-        c.measured.error.delta_e_2000.mean, milliseconds_of(c.measured.time), time_label(report),
-        c.usual.error.delta_e_2000.p99, c.usual.error.delta_e_2000.mean,
-        milliseconds_of(c.usual.time));
+        c.measured.error.delta_e_2000.mean, milliseconds_of(c.measured.time),
+        report.is_cpu ? " of a CPU" : "", c.usual.error.delta_e_2000.p99,
+        c.usual.error.delta_e_2000.mean, milliseconds_of(c.usual.time));
 }
 
 } // namespace preview::report

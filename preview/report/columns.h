@@ -21,7 +21,7 @@ std::span<const RowMetric> row_metrics();
 std::string size_text(Size size);
 double milliseconds_of(const lutlib::Timing& time);
 
-/// "ms of NAME", which says so where that is a CPU.
+/// Of an axis: what milliseconds those are.
 std::string time_label(const RendererReport& report);
 
 /// The row whose settings are taken where nobody says otherwise; null: none of them is.

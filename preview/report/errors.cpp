@@ -57,8 +57,16 @@ Point centroid(const Image& image) {
 
 double asymmetry(const Image& image, Size centre) {
     struct Ring {
-        double sum = 0, squares = 0;
-        int count = 0;
+        double count = 0, r = 0, r2 = 0, light = 0, light2 = 0, both = 0;
+
+        /// What a straight line over the radius leaves of the squares.
+        double rest() const {
+            if (count == 0) {
+                return 0;
+            }
+            const double spread = r2 - r * r / count, along = both - r * light / count;
+            return light2 - light * light / count - (spread > 1e-9 ? along * along / spread : 0);
+        }
     };
     const int cx = static_cast<int>(centre.width), cy = static_cast<int>(centre.height);
     // Whole rings only, and texels of one ring are within half a texel of its radius.
@@ -67,19 +75,24 @@ double asymmetry(const Image& image, Size centre) {
     double all = 0;
     for (int y = cy - most; y <= cy + most; ++y) {
         for (int x = cx - most; x <= cx + most; ++x) {
-            const auto ring = static_cast<std::size_t>(std::lround(std::hypot(x - cx, y - cy)));
-            if (ring < rings.size()) {
+            const double radius = std::hypot(x - cx, y - cy);
+            const auto place = static_cast<std::size_t>(std::lround(radius));
+            if (place < rings.size()) {
                 const double light = image.at(x, y).g;
-                rings[ring].sum += light;
-                rings[ring].squares += light * light;
-                ++rings[ring].count;
+                Ring& ring = rings[place];
+                ring.count += 1;
+                ring.r += radius;
+                ring.r2 += radius * radius;
+                ring.light += light;
+                ring.light2 += light * light;
+                ring.both += radius * light;
                 all += light * light;
             }
         }
     }
     double apart = 0;
     for (const Ring& ring : rings) {
-        apart += ring.count > 0 ? ring.squares - ring.sum * ring.sum / ring.count : 0;
+        apart += ring.rest();
     }
     return all > 0 ? std::sqrt(std::max(apart, 0.0) / all) : 0;
 }
@@ -135,6 +148,24 @@ double unrest(std::span<const Image> frames, int step) {
                 varied += std::max(squares - sum * sum / count, 0.0);
                 all += squares;
             }
+        }
+    }
+    return all > 0 ? std::sqrt(varied / all) : 0;
+}
+
+double unrest_of_error(std::span<const Image> got, std::span<const Image> wanted) {
+    const auto count = static_cast<double>(got.size());
+    double varied = 0, all = 0;
+    for (std::size_t i = 0; i < got.front().pixels.size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            double sum = 0, squares = 0;
+            for (std::size_t k = 0; k < got.size(); ++k) {
+                const double is = wanted[k].pixels[i][c], error = got[k].pixels[i][c] - is;
+                sum += error;
+                squares += error * error;
+                all += is * is;
+            }
+            varied += std::max(squares - sum * sum / count, 0.0);
         }
     }
     return all > 0 ? std::sqrt(varied / all) : 0;

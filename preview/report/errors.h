@@ -14,7 +14,8 @@ namespace preview::report {
 struct PassError {
     double relative_l2 = 0; ///< |got - wanted| / |wanted| over all texels and channels
     double drift = 0;       ///< of the channel that is worst: more light in all, as a share
-    /// Of an impulse alone: how unlike the texels of a ring about it are, as an L2 share of all;
+    /// Of an impulse alone: how unlike the texels of a ring about it are but for a slope along its
+    /// radius, as an L2 share of all;
     /// and how far the middle of the light is from where it should be, in texels.
     std::optional<double> asymmetry, centroid_shift;
     /// Of a pan by whole texels: by how much a texel of the scene changes from frame to frame, as
@@ -32,6 +33,11 @@ struct PictureError {
     lutlib::ErrorStats delta_e_2000, delta_e_itp;
 };
 PictureError picture_error(const reference::Image& got, const reference::Image& wanted);
+
+/// The same of a pan that moves nothing by whole texels: how much the error of a texel changes from
+/// frame to frame, as such a share of what should be there.
+double unrest_of_error(std::span<const reference::Image> got,
+                       std::span<const reference::Image> wanted);
 
 /// As PassError::unrest: `frames[k]` has everything k * `step` texels farther to the left than
 /// `frames[0]`. What leaves the picture does not count.

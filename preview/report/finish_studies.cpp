@@ -311,7 +311,8 @@ const Study effect_study{
     .name = "effects",
     .title = "Stylised effects",
     .help = "Each by itself at this resolution. What is made of noise, cells and lines of texels "
-            "differs from one resolution to the next by its nature.",
+            "differs from one resolution to the next by its nature, and so do edges of surfaces, "
+            "which no effect smooths.",
     .reference = "The same four times as wide and high, averaged in double.",
     .none_because = no_none,
     .variants = effect_rows,

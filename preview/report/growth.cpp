@@ -11,10 +11,6 @@ namespace preview::report {
 
 namespace {
 
-bool every_pass(std::string_view) {
-    return true;
-}
-
 Situation showing(const Situation& situation, Scene scene) {
     Situation out = situation;
     out.settings.orbit = scene.orbit;
@@ -75,7 +71,7 @@ std::size_t triangles_of(const Scene& scene) {
 /// Situations and what they have of what grows.
 struct Series {
     std::string name, amount_label, passes;
-    Counts counts = every_pass;
+    Counts counts = nullptr;
     std::vector<double> amounts{};
     std::vector<Situation> situations{};
 
@@ -86,7 +82,11 @@ struct Series {
 };
 
 Series by_pixels(const Situation& situation) {
-    Series out{"pixels", "pixels", "the whole frame of the input"};
+    Series out{"pixels", "pixels", "the frame of the input, but for its maps"};
+    out.counts = [](std::string_view pass) {
+        return !pass.starts_with("shadow of ") && !pass.starts_with("surroundings") &&
+               pass != "reflectance";
+    };
     const Size size = situation.settings.output;
     for (int k = 0; k < 5; ++k) {
         const double scale = std::exp2(-0.5 * (4 - k));

@@ -146,10 +146,13 @@ std::vector<std::string> method(const RendererReport& report) {
         "differences over that of what should be there. Drift: how much more light the pass gives "
         "in "
         "all, of the channel that is worst. Of an impulse: asymmetry is what differs within rings "
-        "about it, centroid how far the middle of the light has moved, in texels. Unrest: how much "
-        "a "
-        "texel of the scene changes while a camera pans by a texel a frame, over six frames, as a "
-        "share of the mean square of its light (a root).",
+        "about it, centroid how far the middle of the light has moved, in texels. Unrest, as a "
+        "share "
+        "of the light's root mean square: how much a texel of the scene changes while a camera "
+        "pans "
+        "over the sun by a texel a frame, over six frames; of a scene how much the error of a "
+        "texel "
+        "of the picture changes while the camera turns by half a texel a frame, over four.",
         fmt::format("Look of the lookups: {}.", report.look)};
     for (const Study* const study : studies()) {
         out.push_back(

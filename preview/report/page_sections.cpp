@@ -30,13 +30,11 @@ std::string knees_section(const RendererReport& report) {
         const Row& any = group.front();
         const Row* const knee = knee_of(group, first);
         const Row* const usual = usual_row(group);
-        if (any.input == report.input) {
+        if (any.input == report.input && usual != nullptr) {
             const auto index = static_cast<std::size_t>(usual - report.rows.data());
             rows.push_back({text_cell(std::string(any.study->title)),
-                            text_cell(size_text(any.size)),
-                            text_cell(usual == nullptr ? "none of these" : usual->variant),
-                            text_cell(usual == nullptr ? ""
-                                      : is_on_front(*usual, index)
+                            text_cell(size_text(any.size)), text_cell(usual->variant),
+                            text_cell(is_on_front(*usual, index)
                                           ? "yes"
                                           : "no: " + report.rows[usual->dominated_by].variant),
                             text_cell(knee == nullptr ? "none" : knee->variant)});
@@ -84,6 +82,9 @@ std::string choice_section(const RendererReport& report) {
 }
 
 std::string savings_section(const RendererReport& report) {
+    if (report.savings.empty()) {
+        return "";
+    }
     Cells rows;
     for (const SavingRow& row : report.savings) {
         std::vector<plot::Cell> cells{text_cell(row.name)};
@@ -112,6 +113,9 @@ std::string savings_section(const RendererReport& report) {
 }
 
 std::string growth_section(const RendererReport& report) {
+    if (report.growth.empty()) {
+        return "";
+    }
     plot::Lines lines;
     lines.title = "Time against what there is, of its largest";
     lines.x_label = "share of the largest amount";
@@ -138,7 +142,7 @@ std::string growth_section(const RendererReport& report) {
                    "Time as a power of the amount, by least squares of logarithms: over all "
                    "amounts, and over the upper half, where what does not grow counts for less. 1: "
                    "twice as much takes twice as long.") +
-           svg(lines) +
+           "<div class=\"plots\">" + svg(lines) + "</div>\n" +
            plot::table_html({"of", "passes", "from, to", "ms of the first", "ms of the last",
                              "exponent", "of the upper half"},
                             rows);
@@ -168,12 +172,13 @@ std::string glare_section(const RendererReport& report) {
                            "glare within an eye. Beside the point spread function that Spencer, "
                            "Shirley, Zimmerman and Greenberg give (SIGGRAPH 1995, photopic), for "
                            "a picture {:.3g} degrees high: light within a circle differs by at "
-                           "most {:.3g} of all, at {:.3g} texels. They are nearest for a "
-                           "picture of {:.3g} degrees ({:.3g}). This error is apart from those "
+                           "most {:.3g} of all, at {:.3g} texels. Of pictures of 1 to "
+                           "150 degrees they are nearest for {:.3g} ({:.3g}). This error is apart "
+                           "from those "
                            "of the passes, which are held against the sum of Gaussians itself.",
                            glare.field_of_view, glare.largest, glare.at_radius,
                            glare.best_field_of_view, glare.best_largest)) +
-           svg(lines);
+           "<div class=\"plots\">" + svg(lines) + "</div>\n";
 }
 
 std::string left_out_section(const RendererReport& report) {

@@ -60,7 +60,11 @@ Frame frame_of(Executor& executor, const Graph& graph, const FrameHandles& handl
     };
     Frame out;
     out.finished = read(handles.output);
-    out.result = result ? read(result) : out.finished;
+    if (result) {
+        out.result = read(result);
+    } else if (looked.result == nullptr) {
+        out.result = out.finished;
+    }
     if (looked.light) {
         out.light = read(handles.hdr);
     }

@@ -16,7 +16,8 @@ RendererReport make_report(const StudyTools& tools, const Situation& situation,
     out.look = tools.look.name;
     out.is_cpu = tools.renderer.is_cpu();
     out.settings = settings;
-    for (const Study* const study : studies()) {
+    const bool is_whole = settings.only.empty();
+    for (const Study* const study : is_whole ? studies() : settings.only) {
         progress(std::string(study->title));
         const std::size_t first = out.rows.size();
         for (Row& row : rows_of(tools, *study, situation, settings, out.left_out)) {
@@ -29,6 +30,9 @@ RendererReport make_report(const StudyTools& tools, const Situation& situation,
     progress("the choice for a budget");
     out.choice = choice_of(tools, situation, settings, out.rows);
     tools.renderer.forget();
+    if (!is_whole) {
+        return out;
+    }
     progress("what leaving out saves");
     const Situation last = studied(situation, settings.sizes.back());
     const GpuLook look(tools.renderer.device(),

@@ -17,6 +17,9 @@ namespace preview::report {
 
 struct ReportSettings {
     std::vector<Size> sizes;
+    /// Those that are made, and nothing else; empty: all, what leaving out saves and how costs
+    /// grow.
+    std::vector<const Study*> only;
     int rounds = 15;                   ///< of timings
     std::optional<double> budget;      ///< seconds a frame
     std::optional<double> max_delta_e; ///< dE2000 that 99 % of the pixels do not exceed

@@ -1,6 +1,7 @@
 #include "lutlib/survey/pareto.h"
 #include "preview/report/report.h"
 #include "preview/report/test_pictures.h"
+#include "preview/scene/camera.h"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,7 @@ namespace preview::report {
 namespace {
 
 constexpr int pan_frames = 6, pan_step = 1; // texels
+constexpr int turn_frames = 4;
 
 /// One input of a study at one size.
 struct Input {
@@ -63,37 +65,67 @@ double unrest_of(const StudyTools& tools, const Study& study, const Input& input
     return unrest(frames, pan_step);
 }
 
+/// Truths by key, of each frame of a turn.
+using Truths = std::map<std::string, std::vector<Truth>>;
+
+/// Of a scene: how restless the pass's error is while the camera turns by half a texel a frame.
+double unrest_of_turn(const StudyTools& tools, const Study& study, const Input& input,
+                      const Variant& variant, std::vector<Truth>& truths) {
+    std::vector<reference::Image> got, wanted;
+    for (int k = 0; k < turn_frames; ++k) {
+        Situation base = input.situation;
+        Orbit& orbit = base.settings.orbit;
+        const auto height = static_cast<float>(base.settings.output.height);
+        orbit = turned_on_the_spot(orbit,
+                                   0.5F * static_cast<float>(k) * orbit.field_of_view / height, 0);
+        Situation varied = base;
+        variant.set(varied);
+        Frame frame = tools.renderer.render(varied, study.looked);
+        if (truths.size() == static_cast<std::size_t>(k)) {
+            truths.push_back(truth_of(tools, study, {tools, base, variant, varied, frame}));
+        }
+        got.push_back(std::move(frame.result));
+        wanted.push_back(truths[static_cast<std::size_t>(k)].result);
+    }
+    return unrest_of_error(got, wanted);
+}
+
+void add_pass_error(const StudyTools& tools, const Study& study, const Input& input,
+                    const Variant& variant, const Frame& frame, std::vector<Truth>& truths,
+                    Row& row) {
+    const bool is_impulse = input.picture != nullptr && input.picture->impulse != nullptr;
+    row.pass = pass_error(frame.result, truths.front().result,
+                          is_impulse ? input.picture->impulse(row.size) : std::nullopt);
+    if (input.picture != nullptr && input.picture->name == "sun disc") {
+        row.pass->unrest = unrest_of(tools, study, input, variant);
+    } else if (input.picture == nullptr && input.situation.has_scene() &&
+               !study.takes_test_pictures) {
+        row.pass->unrest = unrest_of_turn(tools, study, input, variant, truths);
+    }
+}
+
 void add_rows(const StudyTools& tools, const Study& study, const Input& input,
               std::span<const Variant> variants, std::vector<Row>& rows) {
-    const Size size = input.situation.settings.output;
-    std::map<std::string, Truth> truths;
+    Truths all;
     for (const Variant& variant : variants) {
         Situation varied = input.situation;
         variant.set(varied);
         const Frame frame = tools.renderer.render(varied, study.looked);
-        const std::string key =
-            study.truth_key != nullptr ? study.truth_key(varied, variant) : std::string();
-        auto truth = truths.find(key);
-        if (truth == truths.end()) {
-            truth = truths
-                        .emplace(key, truth_of(tools, study,
-                                               {tools, input.situation, variant, varied, frame}))
-                        .first;
+        std::vector<Truth>& truths =
+            all[study.truth_key != nullptr ? study.truth_key(varied, variant) : std::string()];
+        if (truths.empty()) {
+            truths.push_back(
+                truth_of(tools, study, {tools, input.situation, variant, varied, frame}));
         }
         Row row{.study = &study,
                 .input = input.name,
-                .size = size,
+                .size = input.situation.settings.output,
                 .variant = variant.name,
                 .is_usual = variant.is_usual,
                 .is_choice = variant.is_choice};
-        row.picture = picture_error(frame.finished, truth->second.finished);
+        row.picture = picture_error(frame.finished, truths.front().finished);
         if (!frame.result.pixels.empty()) {
-            const bool is_impulse = input.picture != nullptr && input.picture->impulse != nullptr;
-            row.pass = pass_error(frame.result, truth->second.result,
-                                  is_impulse ? input.picture->impulse(size) : std::nullopt);
-            if (input.picture != nullptr && input.picture->name == "sun disc") {
-                row.pass->unrest = unrest_of(tools, study, input, variant);
-            }
+            add_pass_error(tools, study, input, variant, frame, truths, row);
         }
         rows.push_back(std::move(row));
     }

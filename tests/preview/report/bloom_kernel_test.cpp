@@ -47,9 +47,11 @@ TEST(ExactGlow, is_what_each_plan_comes_to) {
                 light.at(x, y) = {4, 4, 4};
             }
         }
-        const BloomPlan plan = bloom_plan(bloom, {135, 108}, all_light);
+        BloomSettings wide = all_light;
+        wide.radius = 3; // wide enough for a pyramid
+        const BloomPlan plan = bloom_plan(bloom, {135, 108}, wide);
         Image glow = reference::bloom(plan, light);
-        const PassError error = pass_error(glow, exact_glow(bloom, all_light, light));
+        const PassError error = pass_error(glow, exact_glow(bloom, wide, light));
         EXPECT_LT(error.relative_l2, bloom.conserves_energy ? 0.12 : 0.4) << bloom.name;
         if (bloom.conserves_energy) {
             EXPECT_NEAR(error.drift, 0, 0.02) << bloom.name;

@@ -92,6 +92,15 @@ TEST(Unrest, is_none_of_what_only_moves) {
     }
 }
 
+TEST(UnrestOfError, is_none_of_an_error_that_stays) {
+    const Image wanted = filled(5, 4, {1, 2, 3});
+    const Image off = filled(5, 4, {1.5, 2, 3});
+    const std::vector<Image> truth{wanted, wanted}, stays{off, off}, comes{wanted, off};
+    EXPECT_EQ(unrest_of_error(stays, truth), 0);
+    // Half of the error on either side of its mean, in both frames.
+    EXPECT_NEAR(unrest_of_error(comes, truth), std::sqrt(2 * 0.25 * 0.25 / (2 * 14)), 1e-12);
+}
+
 TEST(Averaged, is_the_mean_of_each_square) {
     Image large(6, 4);
     for (int y = 0; y < 4; ++y) {

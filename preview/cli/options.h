@@ -55,6 +55,7 @@ struct Options {
     int cube_nodes = 17;
     CubeView cube;
     bool csv = false;        ///< of a report
+    std::string passes;      ///< of a report, with commas between them; empty: all
     double budget_ms = -1;   ///< of a frame; negative: as the usual settings take
     double max_delta_e = -1; ///< negative: the budget counts
     bool headless = false, explain = false, timings = false, json = false, list = false;

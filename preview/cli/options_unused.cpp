@@ -111,7 +111,7 @@ std::string why_no_picture(const Options& options) {
 }
 
 std::vector<std::string> report_flags() {
-    return {"--csv", "--budget-ms", "--max-delta-e"};
+    return {"--csv", "--passes", "--budget-ms", "--max-delta-e"};
 }
 
 /// The options that a study, which makes no picture for anybody, does not take.

@@ -5,6 +5,7 @@
 #include "lutlib/io/look.h"
 #include "lutlib/io/output_names.h"
 #include "lutlib/io/terminal.h"
+#include "lutlib/named.h"
 #include "preview/cli/studied_input.h"
 #include "preview/report/columns.h"
 #include "preview/report/figures.h"
@@ -42,6 +43,26 @@ std::vector<Size> sizes_of(const Options& options, bool is_cpu) {
             out.push_back(size);
             at = end + 1;
         }
+    }
+    return out;
+}
+
+/// Those that --passes names.
+std::vector<const report::Study*> passes_of(const Options& options) {
+    struct Named {
+        std::string_view name;
+        const report::Study* study;
+    };
+    std::vector<Named> rows;
+    for (const report::Study* const study : report::studies()) {
+        rows.push_back({study->name, study});
+    }
+    std::vector<const report::Study*> out;
+    for (std::size_t at = 0; !options.passes.empty() && at <= options.passes.size();) {
+        const std::size_t end = std::min(options.passes.find(',', at), options.passes.size());
+        out.push_back(
+            lutlib::require_named(rows, "pass", options.passes.substr(at, end - at)).study);
+        at = end + 1;
     }
     return out;
 }
@@ -138,6 +159,7 @@ bool report_renderer(const Options& options) {
     const report::StudyTools tools{renderer, look_of(options)};
     report::ReportSettings settings;
     settings.sizes = sizes_of(options, renderer.is_cpu());
+    settings.only = passes_of(options);
     settings.rounds = renderer.is_cpu() ? cpu_rounds : gpu_rounds;
     if (options.budget_ms > 0) {
         settings.budget = options.budget_ms * 1e-3;

@@ -261,7 +261,7 @@ StudiedLook usual_studied_look() {
 }
 
 const Study depth_of_field_study{
-    .name = "depth of field",
+    .name = "depth-of-field",
     .title = "Depth of field",
     .help = "The points of a texel's circle that are gathered, at half the resolution; 49 where "
             "nobody asks for others.",

@@ -254,7 +254,7 @@ const Study shadow_study{
     .converge = converge_shadows};
 
 const Study area_light_study{
-    .name = "area lights",
+    .name = "area-lights",
     .title = "Area lights",
     .help = "Balls, rods and rings by their closed form, and as so many points each.",
     .reference = "Each light as 1024 points.",

@@ -40,6 +40,11 @@ TEST(Options, that_a_study_does_not_take_are_said) {
     EXPECT_EQ(parsed("check --timings --frames 3").unused.size(), 2U);
     EXPECT_TRUE(parsed("check night --b look.cube --size 64x36 --json --effect vignette --quiet")
                     .unused.empty());
+    EXPECT_EQ(parsed("check --csv --budget-ms 1").unused.size(), 2U);
+    EXPECT_EQ(parsed("--headless -o x.png --max-delta-e 1 --passes bloom").unused.size(), 2U);
+    EXPECT_TRUE(
+        parsed("report night -o x.html --csv --json --budget-ms 1 --passes bloom").unused.empty());
+    EXPECT_EQ(parsed("report -o x.html --debug-view normal").unused.size(), 1U);
 }
 
 TEST(Options, that_another_option_takes_the_part_of_are_said) {

@@ -74,6 +74,35 @@ int status_of(const std::string& arguments) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+TEST(Report, refuses_what_says_two_things_or_nothing) {
+    const auto refused = [](const std::string& arguments) {
+        return lutpreview("report plain --size 32x18 " + arguments + " 2>&1");
+    };
+    EXPECT_NE(refused("").find("report needs -o FILE"), std::string::npos);
+    EXPECT_NE(refused("--json --csv").find("report needs -o FILE"), std::string::npos);
+    EXPECT_NE(refused("-o x.json --json").find("let it end in .html"), std::string::npos);
+    EXPECT_NE(refused("-o x.html --budget-ms 1 --max-delta-e 1").find("drop one of them"),
+              std::string::npos);
+    EXPECT_NE(refused("-o x.html --passes blom").find("did you mean bloom?"), std::string::npos);
+    EXPECT_NE(lutpreview("report plain --size 8x8 -o x.html 2>&1").find("at least 16x16"),
+              std::string::npos);
+}
+
+TEST(Report, writes_its_page_and_figures) {
+    const std::string stem = testing::TempDir() + "program_report";
+    const std::string run = "report plain --passes lookups,surfaces --size 32x18 ";
+    const std::string text = lutpreview(run + "-o " + stem + ".html --json --csv 2>/dev/null");
+    EXPECT_NE(text.find("tetrahedral"), std::string::npos) << text;
+    for (const char* const ending : {".html", ".json", ".csv"}) {
+        std::ifstream file(stem + ending);
+        const std::string bytes((std::istreambuf_iterator<char>(file)), {});
+        EXPECT_NE(bytes.find("tetrahedral"), std::string::npos) << ending;
+        std::remove((stem + ending).c_str());
+    }
+    const std::string csv = lutpreview(run + "--csv 2>/dev/null");
+    EXPECT_TRUE(csv.starts_with("study,input,width,height,variant,")) << csv;
+}
+
 TEST(Check, prints_what_it_finds_and_says_by_its_exit_code_whether_all_holds) {
     const std::string small = "check chart --size 16x9 --without shadows ";
     const auto report = nlohmann::json::parse(lutpreview(small + "--json 2>/dev/null"));

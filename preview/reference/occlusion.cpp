@@ -136,28 +136,33 @@ double shares_plane(const SeenSurfaces& seen, const OcclusionModel& model, int x
     return std::max(1 - away / (0.1 * model.radius), 0.0);
 }
 
+/// Of one pixel; `bits` are its offsets.
+double occlusion_at(const SeenSurfaces& seen, const OcclusionModel& model, int x, int y,
+                    const std::array<std::uint32_t, 3>& bits) {
+    const glm::dvec3 position = seen.position(x, y);
+    const Frame frame = frame_about(seen.normal[seen.index(x, y)]);
+    int hidden = 0;
+    for (int i = 0; i < model.samples; ++i) {
+        const double share = (i + unit_of(bits[0])) / model.samples;
+        const double turn = fraction(i * golden + unit_of(bits[1]));
+        const double reach =
+            fraction(unit_of(reversed(static_cast<std::uint32_t>(i))) + unit_of(bits[2]));
+        const glm::dvec3 point =
+            position + model.radius * reach * reach * frame.direction(share, turn);
+        hidden += is_hidden(seen, model.radius, position, frame.normal, point) ? 1 : 0;
+    }
+    return std::max(1 - model.strength * hidden / model.samples, 0.0);
+}
+
 Cells occlusion_of_cells(const SeenSurfaces& seen, const OcclusionModel& model) {
     Cells out(seen);
     for (int y = 0; y < out.height; ++y) {
         for (int x = 0; x < out.width; ++x) {
-            if (!seen.shows(2 * x, 2 * y)) {
-                continue;
+            if (seen.shows(2 * x, 2 * y)) {
+                out.at(x, y) = occlusion_at(seen, model, 2 * x, 2 * y,
+                                            pcg3d({static_cast<std::uint32_t>(x & 3),
+                                                   static_cast<std::uint32_t>(y & 3), 0}));
             }
-            const auto bits =
-                pcg3d({static_cast<std::uint32_t>(x & 3), static_cast<std::uint32_t>(y & 3), 0});
-            const glm::dvec3 position = seen.position(2 * x, 2 * y);
-            const Frame frame = frame_about(seen.normal[seen.index(2 * x, 2 * y)]);
-            int hidden = 0;
-            for (int i = 0; i < model.samples; ++i) {
-                const double share = (i + unit_of(bits[0])) / model.samples;
-                const double turn = fraction(i * golden + unit_of(bits[1]));
-                const double reach =
-                    fraction(unit_of(reversed(static_cast<std::uint32_t>(i))) + unit_of(bits[2]));
-                const glm::dvec3 point =
-                    position + model.radius * reach * reach * frame.direction(share, turn);
-                hidden += is_hidden(seen, model.radius, position, frame.normal, point) ? 1 : 0;
-            }
-            out.at(x, y) = std::max(1 - model.strength * hidden / model.samples, 0.0);
         }
     }
     return out;
@@ -212,6 +217,20 @@ std::vector<double> occlusion(const SeenSurfaces& seen, const OcclusionModel& mo
                 }
             }
             out[seen.index(x, y)] = sum / total;
+        }
+    }
+    return out;
+}
+
+std::vector<double> occlusion_of_every_pixel(const SeenSurfaces& seen,
+                                             const OcclusionModel& model) {
+    constexpr std::array<std::uint32_t, 3> middle{0x80000000U, 0x80000000U, 0x80000000U};
+    std::vector<double> out(seen.depth.size(), 1);
+    for (int y = 0; y < seen.height; ++y) {
+        for (int x = 0; x < seen.width; ++x) {
+            if (seen.shows(x, y)) {
+                out[seen.index(x, y)] = occlusion_at(seen, model, x, y, middle);
+            }
         }
     }
     return out;

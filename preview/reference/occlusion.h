@@ -37,6 +37,10 @@ struct OcclusionModel {
 /// What is left of the light from the surroundings at each pixel.
 std::vector<double> occlusion(const SeenSurfaces& seen, const OcclusionModel& model);
 
+/// The same before it is made for one pixel of two by two, blurred and enlarged: of each pixel by
+/// itself, without offsets that differ from pixel to pixel.
+std::vector<double> occlusion_of_every_pixel(const SeenSurfaces& seen, const OcclusionModel& model);
+
 /// By rays in cosine-weighted directions: a hit at distance d < radius hides 1 - sqrt(d / radius),
 /// which is what points at radius u^2 along the ray come to. `hit` gives the distance along a unit
 /// direction.

@@ -78,6 +78,23 @@ TEST_F(ProbeTest, tells_the_tone_mapped_color_before_the_looks) {
     }
 }
 
+TEST_F(ProbeTest, tells_the_exposed_light_before_the_tone_map_and_none_without_one) {
+    const std::vector<Rgb> colors = finite_colors();
+    FinishSettings settings;
+    settings.exposure = -1;
+    for (const auto& [at, probe] : probed(colors, nullptr, settings)) {
+        EXPECT_EQ(probe.light, (RgbD{0, 0, 0})) << at;
+    }
+    settings.tonemap = tonemap_named("agx");
+    for (const auto& [at, probe] : probed(colors, nullptr, settings)) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            // Half of it is exact; what half floats cannot hold is cut off.
+            const auto light = static_cast<double>(colors[at][c]) / 2;
+            EXPECT_EQ(probe.light[c], std::clamp(light, 0.0, 65504.0)) << at;
+        }
+    }
+}
+
 class EveryLookupProbed : public ProbeTest, public testing::WithParamInterface<const GpuLookup*> {};
 
 TEST_P(EveryLookupProbed, tells_what_the_finishing_pass_makes_of_the_texel) {
@@ -107,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(Table, EveryLookupProbed, testing::ValuesIn(lookup_rows
                          [](const auto& row) { return support::test_name(row.param->name); });
 
 TEST(ProbedTest, print_codes_values_and_differences_in_words_and_as_json) {
-    const Probe probe{{0.5, 0.25, 1}, {0.5, 0.25, 1}, {0.6, -0.1, NAN}};
+    const Probe probe{{0.5, 0.25, 1}, {0.5, 0.25, 1}, {0.6, -0.1, NAN}, {}};
     EXPECT_EQ(probe, Probe(probe));
     const ProbeDifferences differences = differences_of(probe);
     EXPECT_EQ(differences.before_a, 0);

@@ -154,7 +154,7 @@ bool knot_numbers(Ui& ui, CurveUse& use, const Parameter& parameter, Knots& knot
     const CurveView view = view_of(parameter, knots);
     const auto field = [&](const std::string& name, double& value, double span, double min,
                            double max, const std::string& mark_name) {
-        ImGui::SetNextItemWidth(em(8));
+        ImGui::SetNextItemWidth(ImGui::GetContentRegionMax().x * 0.4F);
         const bool changed =
             ImGui::DragScalar(("##" + mark_name).c_str(), ImGuiDataType_Double, &value,
                               static_cast<float>(span / 500), &min, &max, (name + " %.5g").c_str(),
@@ -220,7 +220,8 @@ bool typed_knots(Ui& ui, CurveUse& use, const Parameter& parameter, lutlib::Valu
 
 std::size_t add_knot_on_curve(const Parameter& parameter, Knots& knots, double x) {
     const bool is_neutral_diagonal = knots.empty() && parameter.axis.diagonal;
-    return add_knot(parameter, knots, {x, is_neutral_diagonal ? x : curve_of(parameter, knots)(x)});
+    const double y = is_neutral_diagonal ? x : curve_of(parameter, knots)(x);
+    return add_knot(parameter, knots, rounded(view_of(parameter, knots), {x, y}));
 }
 
 bool curve_editor(Ui& ui, std::span<const Parameter> curves, std::span<lutlib::Value> values,

@@ -10,13 +10,14 @@
 namespace preview::panels {
 
 /// Of those of the parameters that are curves, which share their axes. A click sets a knot, which
-/// can be dragged; the right button deletes one. `owner` adds a knot for a picked colour: it gets
-/// the number of the parameter among `parameters`. True when a curve changed.
+/// can be dragged; the right button deletes one. `start_picking` gets a colour for a knot: of the
+/// parameter of that number. True when a curve changed.
 bool curve_editor(Ui& ui, std::span<const lutlib::Parameter> parameters,
                   std::span<lutlib::Value> values, const std::string& place,
                   const std::function<void(std::size_t parameter)>& start_picking);
 
-/// A knot on the curve as it is, at that place of its axis; its number.
+/// A knot on the curve as it is, at that place of its axis, in as many digits as the mouse gives;
+/// its number.
 std::size_t add_knot_on_curve(const lutlib::Parameter& parameter, lutlib::Knots& knots, double x);
 
 } // namespace preview::panels

@@ -268,12 +268,14 @@ Graded grade_file(const Grading& grading, const std::string& picture, const std:
             fmt::format("only {:.1f} % of the picture is in its file; the rest was taken as black",
                         100 * report.share));
     }
-    const io::ImageWriteOptions options{
-        .depth = depth,
-        .alpha = stored.alpha,
-        .text = {{"Source", io::input_name(picture)}, {"Software", "lutconv"}},
-        .keep = source.get(),
-        .keep_color = keeps_encoding(place)};
+    const io::ImageWriteOptions options{.depth = depth,
+                                        .alpha = stored.alpha,
+                                        // The last is for files that keep another program's name.
+                                        .text = {{"Source", io::input_name(picture)},
+                                                 {"Software", "lutconv"},
+                                                 {"GradedWith", "lutconv"}},
+                                        .keep = source.get(),
+                                        .keep_color = keeps_encoding(place)};
     if (stays_samples(grading, place, stored, output, depth)) {
         grade_as_samples(grading, stored, output, report);
         report.lost = io::write_samples(output, std::move(stored), options);

@@ -1,4 +1,5 @@
 // Nothing that lutconv did not make is written over without --force.
+#include "lutlib/io/image.h"
 #include "lutlib/io/png.h"
 #include "tests/converter/run_program.h"
 
@@ -43,6 +44,8 @@ class Replaceable : public testing::Test {
         EXPECT_EQ(
             lutconv_in_process({"identity", "--engine", "unity", "-o", in("graded.png")}).exit_code,
             0);
+        io::write_image(in("plate.exr"), io::read_image(in("before.png")),
+                        {.depth = io::Depth::half, .text = {{"Software", "Another"}}});
         std::filesystem::create_directory(in("looks"));
         folder_.write("looks/after.cube", saturated_cube(5));
     }
@@ -103,6 +106,7 @@ class EveryWritingVerb : public Replaceable {
               {{look, before}, "apply.exr"},
               {{look, before}, "apply.tif"},
               {{look, before}, "apply.jpg"},
+              {{look, in("plate.exr")}, "graded.exr"},
               {{look, before, in("after.png")}, "{name}.apply.png"}}},
             {"identity",
              {{{"--size", "5"}, "identity.cube"},

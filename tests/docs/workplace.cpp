@@ -62,7 +62,7 @@ std::string square_glb() {
 std::string stacked(const std::string& png, int count) {
     lutlib::io::PngImage image = lutlib::io::read_png(png, "strip.png");
     const std::vector<std::uint16_t> one = image.samples;
-    image.text.clear();
+    image.text = {{"Software", "lutconv"}}; // as bake --stack makes it
     for (int i = 1; i < count; ++i) {
         image.samples.insert(image.samples.end(), one.begin(), one.end());
     }

@@ -60,6 +60,25 @@ class Plane {
 
 } // namespace
 
+namespace {
+
+/// The next length without prime factors above 7, of which transforms are fast.
+int fast_length(int length) {
+    for (;; ++length) {
+        int rest = length;
+        for (const int factor : {2, 3, 5, 7}) {
+            while (rest % factor == 0) {
+                rest /= factor;
+            }
+        }
+        if (rest == 1) {
+            return length;
+        }
+    }
+}
+
+} // namespace
+
 double gaussian(double dx, double dy, double sigma) {
     return std::exp(-(dx * dx + dy * dy) / (2 * sigma * sigma)) /
            (2 * std::numbers::pi * sigma * sigma);
@@ -68,7 +87,8 @@ double gaussian(double dx, double dy, double sigma) {
 Image convolved(const Image& picture, int margin,
                 const std::function<double(double, double)>& kernel) {
     // The picture with its margins, and once more the kernel's reach of zeros.
-    const int width = picture.width + 4 * margin, height = picture.height + 4 * margin;
+    const int width = fast_length(picture.width + 4 * margin),
+              height = fast_length(picture.height + 4 * margin);
     Plane filter(width, height), plane(width, height);
     filter.clear();
     double total = 0;

@@ -3,9 +3,15 @@
 #include "preview/reference/bloom.h"
 #include "preview/reference/convolution.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <string_view>
+#include <utility>
 
 namespace preview::report {
 
@@ -24,48 +30,69 @@ struct SampledKernel {
     }
 };
 
+/// Texels of the picture that one of a plan's coarsest image spans.
+int coarsest_texel(const BloomPlan& plan, int width) {
+    int out = 1;
+    for (const BloomExtent& image : plan.images) {
+        out = std::max(out, (width + image.width - 1) / image.width);
+    }
+    return out;
+}
+
 /// Level by level a pyramid sees an impulse otherwise; 4x4 places, spread over its largest texel,
-/// stand for all of them. A picture twice as large at half the radius has the same pyramid.
-SampledKernel response(const Bloom& bloom, const BloomSettings& settings, int width, int height) {
-    constexpr int places = 4;
-    BloomSettings linear{1, 0, 0, settings.radius / 2};
-    BloomPlan plan = bloom_plan(bloom, {2 * width, 2 * height}, linear);
-    int coarsest = 1;
+/// stand for all of them. What a method does to an impulse depends on how often it halves alone, so
+/// that a picture serves that is so many times as large as that texel.
+SampledKernel response(const Bloom& bloom, float radius, int height, int texel) {
+    constexpr int places = 4, texels_across = 16, least = 64, most = 1024;
+    const int side = std::clamp(texels_across * texel, least, most);
+    const BloomSettings linear{1, 0, 0,
+                               radius * static_cast<float>(height) / static_cast<float>(side)};
+    BloomPlan plan = bloom_plan(bloom, {side, side}, linear);
     for (BloomStep& step : plan.steps) {
         step.karis = false;
-        const int across = plan.images[static_cast<std::size_t>(step.target)].width;
-        coarsest = std::max(coarsest, (2 * width + across - 1) / across);
     }
+    std::array<Image, std::size_t{places} * places> seen;
+    const auto shift = [&](int place) { return place * texel / places; };
+    tbb::parallel_for(0, places * places, [&](int place) {
+        Image impulse(side, side);
+        impulse.at(side / 2 + shift(place % places), side / 2 + shift(place / places)) = {1, 1, 1};
+        seen[static_cast<std::size_t>(place)] = reference::bloom(plan, impulse);
+    });
     SampledKernel out;
-    out.reach = std::min(width, height) - coarsest;
-    const int side = 2 * out.reach + 1;
-    out.values = Image(side, side);
+    out.reach = side / 2 - texel;
+    out.values = Image(2 * out.reach + 1, 2 * out.reach + 1);
     const double share = 1.0 / (places * places);
     for (int place = 0; place < places * places; ++place) {
-        const int x = width + place % places * coarsest / places,
-                  y = height + place / places * coarsest / places;
-        Image impulse(2 * width, 2 * height);
-        impulse.at(x, y) = {1, 1, 1};
-        const Image seen = reference::bloom(plan, impulse);
+        const int x = side / 2 + shift(place % places), y = side / 2 + shift(place / places);
         for (int dy = -out.reach; dy <= out.reach; ++dy) {
             for (int dx = -out.reach; dx <= out.reach; ++dx) {
-                const bool is_inside =
-                    x + dx >= 0 && y + dy >= 0 && x + dx < seen.width && y + dy < seen.height;
                 RgbD& sum = out.values.at(out.reach + dx, out.reach + dy);
-                sum = sum + (is_inside ? seen.at(x + dx, y + dy) : RgbD{}) * share;
+                sum = sum + seen[static_cast<std::size_t>(place)].at(x + dx, y + dy) * share;
             }
         }
     }
     return out;
 }
 
-/// Out to where less than 1e-5 of the widest Gaussian's light is missing.
+/// Each is made once: many inputs have the same.
+const SampledKernel& kernel_of(const Bloom& bloom, const BloomSettings& settings, int width,
+                               int height) {
+    static std::map<std::pair<std::string_view, int>, SampledKernel> made;
+    const int texel = coarsest_texel(bloom_plan(bloom, {width, height}, settings), width);
+    const auto [place, is_new] = made.try_emplace({bloom.name, texel});
+    if (is_new) {
+        place->second = response(bloom, settings.radius, height, texel);
+    }
+    return place->second;
+}
+
+/// Out to where 0.2 % of the widest Gaussian's light is missing, which is the faintest of them.
 int reach_of(std::span<const BloomGaussian> gaussians, double scale) {
     double widest = 0;
     for (const BloomGaussian& one : gaussians) {
         widest = std::max(widest, static_cast<double>(one.sigma) * scale);
     }
-    return std::max(static_cast<int>(std::ceil(4.8 * widest)), 2);
+    return std::max(static_cast<int>(std::ceil(3.5 * widest)), 2);
 }
 
 } // namespace
@@ -81,7 +108,7 @@ Image exact_glow(const Bloom& bloom, const BloomSettings& settings, const Image&
     }
     Image glow;
     if (bloom.gaussians.empty()) {
-        const SampledKernel kernel = response(bloom, settings, light.width, light.height);
+        const SampledKernel& kernel = kernel_of(bloom, settings, light.width, light.height);
         glow = reference::convolved(bright, kernel.reach, std::cref(kernel));
     } else {
         const double scale =

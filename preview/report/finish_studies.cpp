@@ -273,6 +273,7 @@ const Study depth_of_field_study{
     .counts = [](std::string_view pass) { return pass.starts_with("depth-of-field"); },
     .looked = {.result = first_effect},
     .prepare = prepare_depth_of_field,
+    .is_truth_slow = true,
     .is_budgeted =
         [](const Situation& s) { return use_of(s.settings.effects, depth_of_field()) != nullptr; }};
 

@@ -301,6 +301,7 @@ const Study occlusion_study{
     .counts = [](std::string_view pass) { return pass.starts_with("ambient occlusion"); },
     .looked = {.result = [](Graph&, const FrameHandles& handles) { return handles.occlusion; }},
     .prepare = without_effects,
+    .is_truth_slow = true,
     .converge = [](Situation& s, const StudyTools&) { s.settings.occlusion.samples = 1024; }};
 
 } // namespace preview::report

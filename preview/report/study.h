@@ -73,6 +73,7 @@ struct Study {
     void (*prepare)(Situation& situation) = nullptr;
     /// Variants with the same text have the same truth; null: all have.
     std::string (*truth_key)(const Situation& varied, const Variant& variant) = nullptr;
+    bool is_truth_slow = false;       ///< that of many pixels; a turn is then made of few alone
     bool takes_test_pictures = false; ///< else the input alone
     /// Whether a budget's choice may vary it; null: it may.
     bool (*is_budgeted)(const Situation& situation) = nullptr;

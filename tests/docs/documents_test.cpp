@@ -28,6 +28,7 @@ constexpr Exception exceptions[] = {
     {"xvfb-run ", "wants a screen and ffmpeg"},
     {"ffmpeg ", "wants ffmpeg and a film"},
     {"lutpreview --b look.json ", "opens a window"},
+    {"lutpreview report -o report.html ", "takes minutes on a software device"},
     {"lutconv bake look.json -o strip.png --watch ", "goes on until somebody ends it"},
     {"lutconv bake look.json -o Assets/Luts/look.png ", "goes on until somebody ends it"},
     {"build/bin/preview_golden_tests", "renews golden pictures"},

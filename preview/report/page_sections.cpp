@@ -142,7 +142,7 @@ std::string growth_section(const RendererReport& report) {
                    "Time as a power of the amount, by least squares of logarithms: over all "
                    "amounts, and over the upper half, where what does not grow counts for less. 1: "
                    "twice as much takes twice as long.") +
-           "<div class=\"plots\">" + svg(lines) + "</div>\n" +
+           "<div class=\"panels\"><div class=\"share\">" + svg(lines) + "</div></div>\n" +
            plot::table_html({"of", "passes", "from, to", "ms of the first", "ms of the last",
                              "exponent", "of the upper half"},
                             rows);
@@ -178,7 +178,7 @@ std::string glare_section(const RendererReport& report) {
                            "of the passes, which are held against the sum of Gaussians itself.",
                            glare.field_of_view, glare.largest, glare.at_radius,
                            glare.best_field_of_view, glare.best_largest)) +
-           "<div class=\"plots\">" + svg(lines) + "</div>\n";
+           "<div class=\"panels\"><div class=\"share\">" + svg(lines) + "</div></div>\n";
 }
 
 std::string left_out_section(const RendererReport& report) {

@@ -21,6 +21,7 @@ enum class Key : std::uint8_t {
     b,
     d,
     e,
+    o,
     p,
     q,
     r,
@@ -47,7 +48,7 @@ inline constexpr std::size_t key_count = static_cast<std::size_t>(Key::count_);
 /// What stands on the key; nothing of one that no panel knows.
 constexpr std::string_view text_of(Key key) {
     constexpr std::string_view texts[key_count] = {
-        "",  "",  "F1", "F2", "F3", "F4", "F5", "F6", "Esc", "A", "B", "D", "E", "P", "Q", "R",
+        "",  "",  "F1", "F2", "F3", "F4", "F5", "F6", "Esc", "A", "B", "D", "E", "O", "P", "Q", "R",
         "S", "V", "Y",  "Z",  "1",  "2",  "3",  "4",  "5",   "6", "7", "8", "9", "0", "+", "-",
     };
     return texts[static_cast<std::size_t>(key)];

@@ -1,5 +1,6 @@
 #include "preview/editor/versions.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace preview::editor {
@@ -33,6 +34,18 @@ bool recall_version(State& state, std::size_t place) {
     state.base_path = version->base_path;
     state.told = version->told;
     return true;
+}
+
+std::size_t unsaved_versions(const State& state) {
+    return static_cast<std::size_t>(
+        std::count_if(state.versions.begin(), state.versions.end(), [&](const auto& version) {
+            return version && !same(version->recipe, state.recipe) &&
+                   !same(version->recipe, state.saved);
+        }));
+}
+
+bool has_unsaved(const State& state) {
+    return is_unsaved(state) || unsaved_versions(state) > 0;
 }
 
 bool show_version(State& state, std::size_t place, std::size_t side) {

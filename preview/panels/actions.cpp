@@ -34,18 +34,9 @@ void close_all(Ui& ui) {
     ui.exported.clear();
     ui.to_replace.clear();
     ui.pick.reset();
-}
-
-void save(Ui& ui) {
-    const std::string path = ui.history.draft().recipe_path;
-    const auto write = [&ui, path] { save_recipe(ui.history, path); };
-    if (path.empty()) {
-        ui.errors.emplace_back("the recipe has no file yet: save it under Files");
-    } else if (ui.offered || !is_file_as_saved(ui.history.draft())) {
-        attempt_writing(ui, path, write);
-    } else {
-        attempt(ui, write);
-    }
+    ui.asks_to_quit = false;
+    ui.file_dialog = {};
+    ui.exporting.ready.reset();
 }
 
 void store(Ui& ui, std::size_t place) {
@@ -128,6 +119,7 @@ std::vector<Action> own_actions() {
          .shift = true,
          .act = [](Ui& ui) { ui.history.redo(); }},
         {.help = "redo", .key = Key::y, .ctrl = true, .act = [](Ui& ui) { ui.history.redo(); }},
+        {.help = "open a look, picture or model", .key = Key::o, .ctrl = true, .act = &ask_to_open},
         {.help = "save the recipe to its file", .key = Key::s, .ctrl = true, .act = &save},
         {.help = "leave out the operator that was clicked last, or take it in again",
          .key = Key::d,
@@ -135,6 +127,11 @@ std::vector<Action> own_actions() {
         {.help = "show the operator that was clicked last alone, or all again",
          .key = Key::s,
          .act = &with_chosen<&toggle_solo>},
+        {.help = "save the recipe to another file",
+         .key = Key::s,
+         .ctrl = true,
+         .shift = true,
+         .act = &ask_to_save},
         {.help = "export the strip into the engine's folder (--watch-engine-folder)",
          .key = Key::e,
          .ctrl = true,
@@ -153,7 +150,7 @@ std::vector<Action> own_actions() {
          .ctrl = true,
          .shift = true,
          .act = [](Ui& ui) { ui.wants_new_screen = true; }},
-        {.help = "quit", .key = Key::q, .ctrl = true, .act = [](Ui& ui) { ui.quits = true; }},
+        {.help = "quit", .key = Key::q, .ctrl = true, .act = &ask_to_quit},
         {.help = "side A alone", .key = Key::f2, .act = [](Ui& ui) { compare_by(ui, compare_a); }},
         {.help = "side B alone", .key = Key::f3, .act = [](Ui& ui) { compare_by(ui, compare_b); }},
         {.help = "split by a line",
@@ -178,6 +175,24 @@ std::vector<Action> own_actions() {
 }
 
 } // namespace
+
+void save(Ui& ui) {
+    const State& state = ui.history.draft();
+    const std::string path = state.recipe_path;
+    if (path.empty()) {
+        ask_to_save(ui);
+        return;
+    }
+    const auto write = [&ui, path] {
+        save_recipe(ui.history, path);
+        ui.report = "saved " + path + "\n";
+    };
+    if (ui.offered || !is_file_as_saved(state)) {
+        attempt_writing(ui, path, write);
+    } else {
+        attempt(ui, write);
+    }
+}
 
 const std::vector<Action>& actions() {
     static const std::vector<Action> table = own_actions();

@@ -33,6 +33,10 @@ std::string path_or(const std::string& typed, const std::string& usual) {
 void file_panel(Ui& ui) {
     State& state = ui.history.draft();
     ImGui::TextWrapped("Open a recipe, LUT, picture or glTF model, or drop it on the window.");
+    if (ImGui::Button("Choose a file ... (Ctrl+O)")) {
+        ask_to_open(ui);
+    }
+    mark(ui, "open.choose");
     if (path_line(ui, "Open", ui.open_file, "file", "open") && !ui.open_file.empty()) {
         ui.to_open.push_back(ui.open_file);
     }
@@ -59,9 +63,11 @@ void file_panel(Ui& ui) {
     const std::string lut = look_name(state) + "-export.cube";
     if (path_line(ui, "Export LUT", ui.lut_file, lut, "export-lut")) {
         const std::string path = path_or(ui.lut_file, lut);
-        attempt_writing(ui, path,
-                        [&ui, path] { ui.report = export_lut(ui.history.draft(), path); });
+        begin_export(ui, [state, choice = ui.exporting.lut, path] {
+            return prepare_lut(state, choice, path);
+        });
     }
+    lut_controls(ui);
     ImGui::Separator();
 
     const std::vector<const GpuLookup*> engines = engine_lookups();
@@ -77,12 +83,11 @@ void file_panel(Ui& ui) {
     const std::string strip = look_name(state) + "-" + std::string(engine->name) + ".png";
     if (path_line(ui, "Export strip", ui.strip_file, strip, "export-strip")) {
         const std::string path = path_or(ui.strip_file, strip);
-        attempt_writing(ui, path, [&ui, path, engine] {
-            Side side;
-            side.engine = engine;
-            ui.report = export_strip(ui.history.draft(), side, path);
+        begin_export(ui, [state, choice = ui.exporting.strip, engine, path] {
+            return prepare_strip(state, *engine->engine, choice, path);
         });
     }
+    strip_controls(ui, *engine->engine);
     if (!ui.engine_folder.empty()) {
         if (ImGui::Button("Export into the engine's folder (Ctrl+E)")) {
             export_to_engine(ui);

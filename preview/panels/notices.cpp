@@ -63,6 +63,24 @@ void solo_notice(const State& state) {
     }
 }
 
+void choices_of_left_behind(Ui& ui) {
+    for (std::size_t i = 0; i < ui.left_behind.size(); ++i) {
+        const std::string name = "left." + std::to_string(i);
+        ImGui::PushID(name.c_str());
+        warning("A window ended before its look was saved: " + ui.left_behind[i]);
+        if (ImGui::Button("Take it up")) {
+            ui.take_left = ui.left_behind[i];
+        }
+        mark(ui, name + ".take");
+        ImGui::SameLine();
+        if (ImGui::Button("Delete it")) {
+            ui.drop_left = ui.left_behind[i];
+        }
+        mark(ui, name + ".drop");
+        ImGui::PopID();
+    }
+}
+
 } // namespace
 
 void export_to_engine(Ui& ui) {
@@ -91,6 +109,7 @@ void notices(Ui& ui) {
         warning(ui.notices[i]);
         mark(ui, "notice." + std::to_string(i));
     }
+    choices_of_left_behind(ui);
     if (ui.offered) {
         choice_of_offered(ui);
     }

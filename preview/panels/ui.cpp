@@ -171,10 +171,17 @@ void attempt_writing(Ui& ui, const std::string& path, std::function<void()> acti
     ui.replace = std::move(action);
 }
 
+bool asks_anything(const Ui& ui) {
+    return !ui.to_replace.empty() || !ui.file_dialog.title.empty() || ui.exporting.is_busy();
+}
+
 void dialogs(Ui& ui) {
     help_window(ui);
     error_window(ui);
     replace_dialog(ui);
+    file_dialog(ui);
+    export_dialog(ui);
+    closing_dialog(ui);
     palette(ui);
 }
 

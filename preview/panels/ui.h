@@ -6,6 +6,8 @@
 #include "preview/editor/keys.h"
 #include "preview/editor/model.h"
 #include "preview/finish/probe.h"
+#include "preview/panels/exporting.h"
+#include "preview/panels/file_dialog.h"
 #include "preview/panels/look_use.h"
 
 #include <functional>
@@ -80,6 +82,9 @@ struct Ui {
     /// The recipe's file as it has changed beside unsaved changes; null: there is nothing to
     /// choose.
     std::shared_ptr<const lutlib::io::Look> offered;
+    /// Files of looks that windows ended with, which nobody has taken or dropped yet.
+    std::vector<std::string> left_behind;
+    std::string take_left, drop_left; ///< chosen among them, for the program; empty: none
     std::string engine_folder; ///< where strips go at the press of a key; empty: nobody named one
     std::string exported;      ///< what went there and what that lost, till it is closed
     bool wants_new_screen = false; ///< everything on the GPU shall be made anew
@@ -89,8 +94,10 @@ struct Ui {
     std::size_t panel = 0;  ///< which one is seen
     bool shows_help = false;
     bool shows_palette = false;
-    std::string palette_text;   ///< what is typed in it
-    std::size_t palette_at = 0; ///< the row that Enter does
+    std::string palette_text;      ///< what is typed in it
+    std::size_t palette_at = 0;    ///< the row that Enter does
+    bool asks_to_quit = false;     ///< there is work that no file has
+    bool quits_when_saved = false; ///< as soon as a file has it
     bool quits = false;
     bool shows_passes = false; ///< set by the passes panel while it is seen: timings are wanted
     bool shows_curves = false; ///< set by curve editors: counts along their axes are wanted
@@ -112,8 +119,13 @@ struct Ui {
     std::map<std::string, Rect> places;
 
     std::string recipe_file, lut_file, strip_file, open_file;
-    std::string search;            ///< typed into the list that is open
-    std::size_t export_engine = 0; ///< of engine_lookups()
+    Exporting exporting;
+    std::function<void()> wake; ///< the window for a frame, from any thread
+    FileDialog file_dialog;
+    std::string last_folder;         ///< in which a file was chosen; empty: none was
+    std::vector<std::string> recent; ///< files opened or saved last, the newest first
+    std::string search;              ///< typed into the list that is open
+    std::size_t export_engine = 0;   ///< of engine_lookups()
 };
 
 /// Does `action`; what it throws becomes an error in the window, and the state is as before.
@@ -123,6 +135,13 @@ void attempt_writing(Ui& ui, const std::string& path, std::function<void()> acti
 
 /// The look's strip, for the engine of the panel Files, into the engine's folder.
 void export_to_engine(Ui& ui);
+
+/// Saves the recipe to its file; asks first where that has none, or changed since.
+void save(Ui& ui);
+/// Whether a question waits that a command has led to.
+bool asks_anything(const Ui& ui);
+/// Ends the window, or asks while there is work that no file has.
+void ask_to_quit(Ui& ui);
 
 /// Everything over the picture; returns the part of the window that is left for the picture.
 Rect draw(Ui& ui);
@@ -137,6 +156,7 @@ void scopes_panel(Ui& ui);
 void cube_panel(Ui& ui);
 void versions_panel(Ui& ui);
 void dialogs(Ui& ui);
+void closing_dialog(Ui& ui);
 /// What a person must know of files and of what is shown, above the panels.
 void notices(Ui& ui);
 void handle_shortcuts(Ui& ui);

@@ -52,7 +52,9 @@ App::App(WindowSetup setup)
     ui_.engine_folder = setup_.engine_folder;
     ui_.export_engine = export_engine_of(ui_.history.draft());
     ui_.text_scale = memory_.memory().text_scale;
+    ui_.wake = [] { glfwPostEmptyEvent(); };
     ui_.panels_width = memory_.memory().panels_width;
+    ui_.recent = memory_.memory().recent;
     gui_.emplace(window_.handle(), layout_path(), setup_.font);
     gui_->set_scale(window_.content_scale() * ui_.text_scale);
     for (const std::string& notice : {gui_->notice(), memory_.notice()}) {
@@ -65,8 +67,11 @@ App::App(WindowSetup setup)
              "when "
              "the window ends, and the panels' places are not remembered");
     }
-    for (const std::string& found : autosave_.found()) {
-        tell(found);
+    ui_.left_behind = autosave_.found();
+    for (const std::string& path : ui_.left_behind) {
+        lutlib::io::print_err("lutpreview: a window ended before its look was saved; this one "
+                              "offers it: " +
+                              lutlib::io::shown_text(path) + "\n");
     }
     at_end_of_display(
         [this] {
@@ -99,11 +104,15 @@ void App::open(const std::string& path) {
     if (!is_model_file(path)) {
         if (const auto look = lutlib::io::Look::open_if_look(path)) {
             editor::open_look(state, *look);
+            editor::remember_file(ui_.recent, path);
             return;
         }
     }
     take_shown(state, std::make_shared<const Shown>(load_shown(path, 0)));
     follow_shown();
+    if (!state.shown->files.empty()) {
+        editor::remember_file(ui_.recent, path);
+    }
 }
 
 /// Opening, undoing and redoing change what the state shows.
@@ -128,7 +137,7 @@ void App::follow_shown() {
 }
 
 void App::run() {
-    while (glfwWindowShouldClose(window_.handle()) == GLFW_FALSE && !ui_.quits) {
+    while (!ends()) {
         if (frames_due_ > 0) {
             glfwPollEvents();
         } else {
@@ -173,15 +182,19 @@ void App::run() {
 /// In the window, and on standard error for who started it from there.
 void App::tell(const std::string& notice) {
     ui_.errors.push_back(notice);
+    wake(); // nothing else may ask for a frame
     lutlib::io::print_err("lutpreview: " + lutlib::io::shown_text(notice) + "\n");
 }
 
 void App::keep_look() {
     try {
         autosave_.keep(ui_.history.draft());
+        keep_failure_.clear();
     } catch (const lutlib::Error& error) {
-        if (std::find(ui_.errors.begin(), ui_.errors.end(), error.what()) == ui_.errors.end()) {
-            ui_.errors.emplace_back(error.what());
+        const std::string reason = error.what();
+        if (reason != keep_failure_) {
+            keep_failure_ = reason;
+            tell("save the look, for it cannot be kept until then: " + reason);
         }
     }
 }
@@ -193,6 +206,7 @@ void App::keep_memory() {
     }
     now.text_scale = ui_.text_scale;
     now.panels_width = ui_.panels_width;
+    now.recent = ui_.recent;
     try {
         memory_.keep(now);
     } catch (const lutlib::Error& error) {
@@ -210,10 +224,42 @@ void App::scale_if_asked() {
 }
 
 void App::show_title() {
-    const bool is_unsaved = editor::is_unsaved(ui_.history.draft());
-    if (is_unsaved != shows_unsaved_) {
-        glfwSetWindowTitle(window_.handle(), is_unsaved ? "* lutpreview" : "lutpreview");
-        shows_unsaved_ = is_unsaved;
+    std::string title = editor::window_title(ui_.history.draft());
+    if (title != title_) {
+        glfwSetWindowTitle(window_.handle(), title.c_str());
+        title_ = std::move(title);
+    }
+}
+
+/// Who closes the window is asked as by the key, in a window that can be seen.
+bool App::ends() {
+    if (glfwWindowShouldClose(window_.handle()) == GLFW_TRUE) {
+        glfwSetWindowShouldClose(window_.handle(), GLFW_FALSE);
+        panels::ask_to_quit(ui_);
+        if (ui_.asks_to_quit) {
+            glfwRestoreWindow(window_.handle());
+            wake();
+        }
+    }
+    return ui_.quits;
+}
+
+/// What somebody has chosen of the looks that windows left behind.
+void App::take_left_behind() {
+    if (const std::string taken = std::exchange(ui_.take_left, {}); !taken.empty()) {
+        panels::attempt(ui_, [&] {
+            editor::open_kept(ui_.history.draft(), taken);
+            autosave_.adopt(taken);
+        });
+        ui_.left_behind = autosave_.found();
+    }
+    if (const std::string dropped = std::exchange(ui_.drop_left, {}); !dropped.empty()) {
+        std::error_code failed;
+        std::filesystem::remove(dropped, failed);
+        if (failed) {
+            ui_.errors.push_back("delete " + dropped + " yourself: " + failed.message());
+        }
+        ui_.left_behind = autosave_.found();
     }
 }
 
@@ -238,6 +284,7 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
     for (const std::string& path : paths) {
         panels::attempt(ui_, [&] { open(path); });
     }
+    take_left_behind();
     following_.take(ui_, [this] { follow_shown(); });
     for (const editor::InputEvent& event : events) {
         if (event.kind == editor::InputEvent::Kind::key) {

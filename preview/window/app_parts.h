@@ -43,6 +43,8 @@ class App {
     void keep_memory();
     void scale_if_asked();
     void show_title();
+    bool ends();
+    void take_left_behind();
 
     WindowSetup setup_;
     MemoryFile memory_;
@@ -62,7 +64,8 @@ class App {
     int frames_due_ = frames_after_event;
     Recovery recovery_;
     Autosave autosave_{settings_folder()};
-    bool shows_unsaved_ = false; ///< in the window's title
+    std::string title_;        ///< the window's
+    std::string keep_failure_; ///< why the look is not kept; empty: it is
 };
 
 } // namespace preview

@@ -1,5 +1,6 @@
 #include "preview/window/autosave.h"
 
+#include "lutlib/error.h"
 #include "lutlib/io/recipe_file.h"
 
 #include <fmt/format.h>
@@ -43,13 +44,28 @@ std::vector<std::string> Autosave::found() const {
     std::error_code none;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_, none)) {
         const pid_t process = process_of(entry.path().filename().string());
-        if (process > 0 && (process == ::getpid() || !is_running(process))) {
-            out.push_back(fmt::format("a window ended before its look was saved: open {} with "
-                                      "--allow-outside and save it, or delete that file",
-                                      entry.path().string()));
+        if (process > 0 && entry.path() != kept_ &&
+            (process == ::getpid() || !is_running(process))) {
+            out.push_back(entry.path().string());
         }
     }
     return out;
+}
+
+fs::path Autosave::own_path() const {
+    return folder_ / fmt::format("{}{}{}", before_number, ::getpid(), after_number);
+}
+
+void Autosave::adopt(const fs::path& left) {
+    std::error_code failed;
+    fs::rename(left, own_path(), failed);
+    if (failed) {
+        throw lutlib::Error("choose another look, for this one has been taken or deleted: " +
+                                failed.message(),
+                            {left.string(), 0, {}});
+    }
+    kept_ = own_path();
+    last_ = {};
 }
 
 void Autosave::keep(const editor::State& state) {
@@ -63,7 +79,7 @@ void Autosave::keep(const editor::State& state) {
     if (kept_ && editor::same(state.recipe, last_)) {
         return;
     }
-    const fs::path path = folder_ / fmt::format("{}{}{}", before_number, ::getpid(), after_number);
+    const fs::path path = own_path();
     lutlib::io::save_recipe(state.recipe, path.string(), state.base_path);
     kept_ = path;
     last_ = state.recipe;

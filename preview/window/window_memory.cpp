@@ -2,6 +2,7 @@
 
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
+#include "preview/editor/folder_list.h"
 #include "preview/window/settings_folder.h"
 
 #include <nlohmann/json.hpp>
@@ -15,9 +16,10 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::string_view no_memory =
-    "delete it, and the window opens as for the first time: it does not hold what a window "
-    "remembers";
+constexpr std::string_view no_memory = "the window opens as for the first time, for this is not "
+                                       "what a window remembers; it is kept as "
+                                       "window.json.broken";
+constexpr const char* broken_ending = ".broken";
 
 // Desktops and windows are smaller, and sums of two do not overflow.
 constexpr int farthest = 1 << 20;
@@ -35,6 +37,7 @@ float number(const json& from, const char* name, float usual, float least, float
 
 std::string text_of(const WindowMemory& memory) {
     json out{{"maximised", memory.is_maximised},
+             {"recent files", memory.recent},
              {"text scale", memory.text_scale},
              {"panels' width", memory.panels_width}};
     if (memory.area) {
@@ -43,7 +46,8 @@ std::string text_of(const WindowMemory& memory) {
                        {"width", memory.area->width},
                        {"height", memory.area->height}};
     }
-    return out.dump(2) + "\n";
+    // Names of files need not be UTF-8, which JSON is.
+    return out.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 WindowMemory memory_from(const std::string& text) {
@@ -55,6 +59,8 @@ WindowMemory memory_from(const std::string& text) {
                         coordinate(*area, "width", 1), coordinate(*area, "height", 1)};
         }
         out.is_maximised = all.value("maximised", out.is_maximised);
+        out.recent = all.value("recent files", out.recent);
+        out.recent.resize(std::min(out.recent.size(), editor::most_recent_files));
         out.text_scale =
             number(all, "text scale", out.text_scale, least_text_scale, most_text_scale);
         out.panels_width = number(all, "panels' width", out.panels_width, 0, most_panels_width);
@@ -73,16 +79,22 @@ MemoryFile::MemoryFile(std::string path) : path_(std::move(path)) {
     try {
         memory_ = memory_from(lutlib::io::read_file(path_, most_bytes));
     } catch (const lutlib::Error& error) {
+        is_broken_ = true;
         notice_ = error.where().file.empty() ? error.in_file(path_).what() : error.what();
     }
 }
 
 void MemoryFile::keep(const WindowMemory& memory) {
-    if (path_.empty() || memory == memory_) {
+    if (path_.empty() || (memory == memory_ && !is_broken_)) {
         return;
     }
     memory_ = memory;
     try {
+        if (is_broken_) {
+            std::error_code stays;
+            std::filesystem::rename(path_, path_ + broken_ending, stays);
+            is_broken_ = false;
+        }
         lutlib::io::write_file(path_, text_of(memory));
     } catch (const lutlib::Error&) {
         path_.clear();

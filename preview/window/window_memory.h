@@ -5,14 +5,16 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace preview {
 
 struct WindowMemory {
     std::optional<DesktopArea> area; ///< of what it draws, while it is not maximised
     bool is_maximised = false;
-    float text_scale = 1;   ///< times the desktop's
-    float panels_width = 0; ///< in heights of the text; 0: nobody has chosen one
+    float text_scale = 1;              ///< times the desktop's
+    float panels_width = 0;            ///< in heights of the text; 0: nobody has chosen one
+    std::vector<std::string> recent{}; ///< files opened or saved last, the newest first
     friend bool operator==(const WindowMemory&, const WindowMemory&) = default;
 };
 
@@ -41,6 +43,7 @@ class MemoryFile {
 
   private:
     std::string path_, notice_;
+    bool is_broken_ = false; ///< what is there is no memory
     WindowMemory memory_;
 };
 

@@ -4,6 +4,7 @@
 #include "preview/editor/commands.h"
 #include "preview/editor/knots.h"
 #include "preview/editor/look_baker.h"
+#include "preview/editor/look_export.h"
 #include "preview/effects/effect.h"
 #include "preview/look/cube_settings.h"
 #include "preview/scene/camera_settings.h"
@@ -312,7 +313,7 @@ TEST(Commands, make_an_exported_lut_the_base_of_a_new_recipe) {
     State state = initial_state();
     add_operation(state.recipe, *lutlib::op_named("exposure"));
     state.recipe.operations[0].values[0] = 0.5;
-    EXPECT_NE(export_lut(state, folder.file("look.cube")), "");
+    write(prepare_lut(state, {}, folder.file("look.cube")));
     State opened = initial_state();
     open_look(opened, lutlib::io::Look::open(folder.file("look.cube")));
     ASSERT_NE(opened.recipe.base_lut, nullptr);

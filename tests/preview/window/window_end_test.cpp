@@ -33,6 +33,13 @@ class WindowEnd : public Window {
         fs::remove(file("window.txt"));
         return out;
     }
+    std::string window_name() const {
+        std::string out =
+            say({"xdotool", "search", "--name", "lutpreview", "getwindowname"}, desktop_->folder())
+                .text;
+        out.resize(std::min(out.find('\n'), out.size()));
+        return out;
+    }
     bool verifies(const fs::path& recipe) const {
         return say({LUTCONV, "bake", recipe, "--allow-outside", "-o", "kept.png"},
                    desktop_->folder())
@@ -64,10 +71,79 @@ TEST_F(WindowEnd, by_a_kill_leaves_a_look_that_the_next_window_tells_of) {
     EXPECT_EQ(take_log(), "");
     start({"picture.ppm"});
     ASSERT_EQ(kept().size(), 1U);
-    EXPECT_NE(take_log().find("open " + kept()[0].string()), std::string::npos);
+    EXPECT_NE(take_log().find(kept()[0].string()), std::string::npos);
     EXPECT_TRUE(verifies(kept()[0]));
-    first_screen();
-    EXPECT_EQ(places().count("error.close"), 1U);
+    const fs::path left = kept()[0];
+    click("left.0.take");
+    EXPECT_EQ(places().count("left.0.take"), 0U) << "it is still offered";
+    EXPECT_EQ(window_name(), "* look.cube - lutpreview");
+    wait_until([&] { return kept().size() == 1 && kept()[0] != left; }, "the look kept here");
+    click("tab.Look");
+    place("op0.curve");
+    key("ctrl+s"); // which has no file yet, and so is offered the name of the base
+    click("file.choose");
+    wait_until([&] { return fs::exists(file("look.json")); }, "the file");
+    EXPECT_EQ(window_name(), "look.json - lutpreview");
+    EXPECT_TRUE(verifies(file("look.json")));
+    wait_until([&] { return kept().empty(); }, "nothing to keep");
+}
+
+TEST_F(WindowEnd, by_a_kill_leaves_a_look_that_a_person_may_not_want) {
+    fs::create_directories(settings());
+    std::ofstream(settings() / "unsaved-999999999.json") << "{";
+    start({"picture.ppm"});
+    EXPECT_NE(take_log().find("unsaved-999999999.json"), std::string::npos);
+    click("left.0.take"); // it cannot be read, and so it stays
+    click("error.close");
+    EXPECT_EQ(kept().size(), 1U);
+    click("left.0.drop");
+    EXPECT_TRUE(kept().empty());
+    EXPECT_EQ(places().count("left.0.take"), 0U);
+}
+
+TEST_F(WindowEnd, by_its_user_is_asked_about_while_there_is_work_that_no_file_has) {
+    start({"picture.ppm", "--b", "look.cube"});
+    EXPECT_EQ(window_name(), "look.cube - lutpreview");
+    edit();
+    EXPECT_EQ(window_name(), "* look.cube - lutpreview");
+    key("ctrl+q");
+    click("close.cancel");
+    ASSERT_TRUE(program_->is_running());
+    key("ctrl+q");
+    place("close.save");
+    key("Escape");
+    EXPECT_EQ(places().count("close.save"), 0U);
+    std::ofstream(file("look.json")) << "somebody's";
+    key("ctrl+q");
+    click("close.save");
+    click("file.choose");
+    click("replace.no");
+    ASSERT_TRUE(program_->is_running());
+    EXPECT_EQ(contents("look.json"), "somebody's");
+    key("ctrl+q");
+    click("close.save");
+    click("file.choose");
+    desktop_->xdotool(mouse_to(place("replace.yes").at(0.5, 0.5)) + Words{"click", "1"});
+    wait_until([&] { return !program_->is_running(); }, "the end", true);
+    EXPECT_EQ(program_->wait(), 0);
+    program_.reset();
+    EXPECT_TRUE(verifies(file("look.json")));
+    EXPECT_TRUE(kept().empty());
+}
+
+TEST_F(WindowEnd, by_its_user_is_asked_about_while_there_are_versions_that_no_file_has) {
+    start({"picture.ppm", "--b", "look.cube"});
+    key("ctrl+1"); // the look as its file has it
+    desktop_->xdotool({"key", "ctrl+q"});
+    wait_until([&] { return !program_->is_running(); }, "the end without a question", true);
+    start({"picture.ppm", "--b", "look.cube"});
+    edit();
+    key("ctrl+1");
+    click("tab.Look");
+    click("op0.remove");
+    EXPECT_EQ(window_name(), "look.cube - lutpreview");
+    key("ctrl+q");
+    place("close.discard");
 }
 
 TEST_F(WindowEnd, by_its_user_keeps_nothing) {

@@ -94,10 +94,17 @@ class Window : public ::testing::Test {
             desktop_->folder(), "window.txt");
         wait_until([&] { return std::filesystem::exists(file("places.txt")); }, "the first frames");
     }
-    /// As a person does: the program writes its layout and frees what it has.
+    /// As a person does, who discards what is not saved: the program writes its layout and frees
+    /// what it has.
     void quit() {
         desktop_->xdotool({"key", "ctrl+q"});
-        wait_until([&] { return !program_->is_running(); }, "the end", true);
+        const auto asks = [&] { return places().count("close.discard") > 0; };
+        wait_until([&] { return !program_->is_running() || asks(); }, "the end", true);
+        if (program_->is_running()) {
+            const Point at = place("close.discard").at(0.5, 0.5);
+            desktop_->xdotool(mouse_to(at) + Words{"mousedown", "1", "mouseup", "1"});
+            wait_until([&] { return !program_->is_running(); }, "the end", true);
+        }
         EXPECT_EQ(program_->wait(), 0);
         program_.reset();
     }
@@ -235,6 +242,15 @@ class Window : public ::testing::Test {
     bool is_as_large(int width, int height) const {
         const Area panels = place("panels");
         return panels.x + panels.width == width && panels.height == height;
+    }
+    /// Waits for what would be written; then writes it.
+    void begin_export(const std::string& button) {
+        click(button);
+        wait_until([&] { return places().count("export.write") > 0; }, "what would be written");
+    }
+    void export_by(const std::string& button) {
+        begin_export(button);
+        click("export.write");
     }
     int verify(const std::string& strip, const std::string& against) const {
         return say({LUTCONV, "verify", strip, "--against", against}, desktop_->folder()).code;

@@ -61,9 +61,13 @@ TEST(WindowPlace, has_a_size_on_a_monitor_that_its_frame_fills) {
 }
 
 TEST(WindowMemory, is_read_as_it_was_written) {
-    const WindowMemory all{DesktopArea{-12, 34, 1500, 820}, true, 1.1F, 28.5F};
+    const WindowMemory all{
+        DesktopArea{-12, 34, 1500, 820}, true, 1.1F, 28.5F, {"/a.cube", "/b \"c\".exr"}};
     EXPECT_EQ(memory_from(text_of(all)), all);
     EXPECT_EQ(memory_from(text_of({})), WindowMemory{});
+    WindowMemory bytes;
+    bytes.recent = {"/not \xff UTF-8"};
+    EXPECT_EQ(memory_from(text_of(bytes)).recent.size(), 1U);
 }
 
 TEST(WindowMemory, brings_numbers_into_their_range) {
@@ -87,7 +91,8 @@ TEST(WindowMemory, refuses_what_is_none_and_names_the_remedy) {
             memory_from(text);
             ADD_FAILURE() << text;
         } catch (const lutlib::Error& error) {
-            EXPECT_NE(std::string(error.what()).find("delete it"), std::string::npos) << text;
+            EXPECT_NE(std::string(error.what()).find("for the first time"), std::string::npos)
+                << text;
         }
     }
 }

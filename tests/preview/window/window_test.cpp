@@ -18,7 +18,7 @@ TEST_F(Window, edits_a_look_that_was_opened_undoes_and_exports_strips_that_verif
                      "the look on side B");
     EXPECT_EQ(opened.changed(plain, between(0, 0.5)), 0) << "side A shows it too";
 
-    click("export-strip");
+    export_by("export-strip");
     EXPECT_EQ(verify("look-piccolo.png", "look.cube"), 0);
 
     click("tab.Look");
@@ -54,14 +54,13 @@ TEST_F(Window, edits_a_look_that_was_opened_undoes_and_exports_strips_that_verif
     click("tab.Files");
     click("save");
     ASSERT_TRUE(fs::exists(file("look.json")));
-    click("export-strip");
-    click("replace.no");
+    begin_export("export-strip");
+    click("export.cancel");
     EXPECT_EQ(verify("look-piccolo.png", "look.cube"), 0) << "the strip was not kept";
-    click("export-strip");
+    begin_export("export-strip");
     key("Escape");
     EXPECT_EQ(verify("look-piccolo.png", "look.cube"), 0) << "the strip was not kept";
-    click("export-strip");
-    click("replace.yes");
+    export_by("export-strip");
     EXPECT_EQ(verify("look-piccolo.png", "look.cube"), 1) << "the knot is not in the strip";
     ASSERT_EQ(say({LUTCONV, "bake", "look.json", "-o", "baked.png"}, desktop_->folder()).code, 0);
     EXPECT_EQ(contents("look-piccolo.png"), contents("baked.png"));
@@ -195,7 +194,7 @@ TEST_F(Window, shows_what_is_wrong_with_a_file_and_changes_nothing_else) {
     // Nothing changed that could be undone.
     key("ctrl+z");
     screen_where(is(before), "the same picture");
-    click("export-strip");
+    export_by("export-strip");
     EXPECT_EQ(verify("look-piccolo.png", "look.cube"), 0);
 }
 

@@ -85,6 +85,19 @@ constexpr NumberRow<S> numbers[] = {
      .label = "Zebra from",
      .help = "Luma from which --view zebra has stripes, 1 is white",
      .of = [](S& s) -> float& { return s.zebra_level; }},
+    {.flag = "zoom",
+     .label = "Zoom",
+     .help = "Pixels of the output to one of the picture, 1 for 1:1; 0: all of it is seen",
+     .max = most_zoom,
+     .of = [](S& s) -> float& { return s.zoom.scale; }},
+    {.flag = "zoom-x",
+     .label = "Zoom at, across",
+     .help = "What of the picture is in the middle, of its width; for --zoom",
+     .of = [](S& s) -> float& { return s.zoom.x; }},
+    {.flag = "zoom-y",
+     .label = "Zoom at, down",
+     .help = "The same of its height",
+     .of = [](S& s) -> float& { return s.zoom.y; }},
 };
 
 constexpr ChoiceRow<S> choices[] = {
@@ -98,6 +111,15 @@ constexpr ChoiceRow<S> choices[] = {
     choice_of<S, &S::picture_view, picture_views>(
         "view", "See", "view of the picture", "Views of the picture",
         "How the finished picture is looked at, with a legend"),
+    {.flag = "magnify",
+     .label = "Magnified",
+     .kind = "way to magnify",
+     .title = "Ways to magnify",
+     .help = "How a picture fills the pixels between that --zoom makes",
+     .options = [] { return options_of(magnifiers); },
+     .chosen =
+         [](const S& s) { return static_cast<std::size_t>(s.zoom.magnifier - magnifiers.data()); },
+     .choose = [](S& s, std::size_t option) { s.zoom.magnifier = &magnifiers[option]; }},
 };
 
 } // namespace

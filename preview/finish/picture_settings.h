@@ -10,6 +10,7 @@
 #include "preview/finish/picture_views.h"
 #include "preview/finish/setting_rows.h"
 #include "preview/finish/tonemaps.h"
+#include "preview/finish/zoom.h"
 
 #include <span>
 #include <string>
@@ -36,6 +37,7 @@ struct PictureSettings {
     float heat_scale = -1; ///< dE2000 at the heat map's end; negative: the 99th percentile
     const PictureView* picture_view = picture_view_named("picture");
     float zebra_level = 0.95F; ///< luma, 0..1, from which its stripes begin
+    Zoom zoom;                 ///< which part of it is seen, and how large
     EffectSet without;         ///< parts of the frame that are switched off
     EffectUses effects;        ///< laid over it, in this order within each stage
     friend bool operator==(const PictureSettings&, const PictureSettings&) = default;

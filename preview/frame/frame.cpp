@@ -4,6 +4,7 @@
 #include "preview/effects/fusion.h"
 #include "preview/frame/frame_effects.h"
 #include "preview/frame/frame_scene.h"
+#include "preview/frame/frame_zoom.h"
 #include "preview/frame/instruments.h"
 #include "preview/look/gpu_look.h"
 #include "preview/passes/bloom_composite.h"
@@ -155,9 +156,10 @@ void finish(Graph& graph, const FrameSettings& settings, const DrawnEffects& dra
             with_effects(graph, Stage::before_look, drawn, finishing.picture, handles);
     }
     const bool is_viewed = no_view_because(settings).empty();
+    const bool is_zoomed = zooms(settings);
     const bool is_line_apart =
         fusion.is_line_apart || (is_viewed && settings.compare == &compare_split);
-    finishing.settings.has_line = !is_line_apart;
+    finishing.settings.has_marks = !is_line_apart && !is_zoomed;
     const bool rounds = settings.format == Format::rgba8 && settings.compare != &compare_difference;
     const bool dithers = settings.dithers && rounds;
     // Effects take what is not yet rounded; antialiasing alone is not worth a pass for it.
@@ -189,6 +191,9 @@ void finish(Graph& graph, const FrameSettings& settings, const DrawnEffects& dra
     } else if (rounds_apart) {
         handles.output = add_copy(graph, handles.output, Format::rgba8);
     }
+    if (is_zoomed) {
+        return; // the line is drawn over what is seen
+    }
     if (is_line_apart) {
         handles.output = add_split_line(graph, handles.output, settings.split);
     } else if (settings.compare == &compare_split) {
@@ -197,7 +202,7 @@ void finish(Graph& graph, const FrameSettings& settings, const DrawnEffects& dra
 }
 
 /// Looks at the picture as settings.picture_view does.
-void view_picture(Graph& graph, const FrameSettings& settings, FrameHandles& handles) {
+void view_picture(Graph& graph, const FrameSettings& settings, float split, FrameHandles& handles) {
     const std::string_view reason = no_view_because(settings);
     if (!reason.empty()) {
         graph.withhold("view of the picture", reason);
@@ -207,7 +212,7 @@ void view_picture(Graph& graph, const FrameSettings& settings, FrameHandles& han
         add_picture_view(graph, {handles.unrounded, handles.before_looks}, *settings.picture_view,
                          settings.zebra_level, settings.format);
     if (settings.compare == &compare_split) {
-        handles.output = add_split_line(graph, handles.output, settings.split);
+        handles.output = add_split_line(graph, handles.output, split);
     }
 }
 
@@ -251,7 +256,7 @@ void show_effect(Graph& graph, const FrameSettings& settings, FrameHandles& hand
 } // namespace
 
 FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings) {
-    const Size size = picture_size(settings.output, *settings.compare);
+    const Size size = finished_size(inputs, settings);
     FrameHandles handles;
     for (const EffectInfo& row : effects) {
         if (settings.without.has(row.effect)) {
@@ -294,8 +299,10 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
         show_effect(graph, settings, handles);
         return handles;
     }
-    add_instruments(graph, settings, finishing, handles);
-    view_picture(graph, settings, handles);
+    add_instruments(graph, settings, finishing, probe_place(inputs, settings, size), handles);
+    const float split =
+        zoom_in(graph, inputs, settings, no_view_because(settings).empty(), handles);
+    view_picture(graph, settings, split, handles);
     if (settings.scope == nullptr) {
         name_sides(graph, inputs, settings, handles);
     }

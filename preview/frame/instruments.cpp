@@ -46,7 +46,7 @@ ProbePlace before_comparison(ProbePlace place, const FrameSettings& settings, Si
 } // namespace
 
 void add_instruments(Graph& graph, const FrameSettings& settings, const Finishing& finishing,
-                     FrameHandles& handles) {
+                     std::optional<ProbePlace> probe, FrameHandles& handles) {
     add_scopes(graph, settings, handles);
     if (settings.scope != nullptr) {
         handles.output = handles.scope_pictures[index_of(*settings.scope)];
@@ -56,10 +56,10 @@ void add_instruments(Graph& graph, const FrameSettings& settings, const Finishin
                                      " to show; --explain says why");
         }
     }
-    if (settings.probe) {
-        handles.probe = add_probe(
-            graph, finishing,
-            before_comparison(*settings.probe, settings, size_of(graph, finishing.picture)));
+    if (probe) {
+        handles.probe =
+            add_probe(graph, finishing,
+                      before_comparison(*probe, settings, size_of(graph, finishing.picture)));
         graph.present(handles.probe);
     } else {
         graph.withhold("probe", "the mouse is not over the picture");

@@ -8,9 +8,10 @@
 namespace preview {
 
 /// Declares and presents what the settings ask for, of the picture handles.output and of what the
-/// finishing pass had. With FrameSettings::scope that scope becomes the output. Throws
+/// finishing pass had, whose texel `probe` is settings.probe in a picture of which all is seen or a
+/// part. With FrameSettings::scope that scope becomes the output. Throws
 /// lutlib::UsageError for one that this frame has nothing for.
 void add_instruments(Graph& graph, const FrameSettings& settings, const Finishing& finishing,
-                     FrameHandles& handles);
+                     std::optional<ProbePlace> probe, FrameHandles& handles);
 
 } // namespace preview

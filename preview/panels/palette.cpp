@@ -28,6 +28,12 @@ void add_choices(std::vector<Action>& out) {
     }
 }
 
+void add_zooms(std::vector<Action>& out) {
+    for (const ZoomStep& step : zoom_steps) {
+        add(out, "zoom: " + std::string(step.label), [&step](Ui& ui) { zoom_to(ui, step.scale); });
+    }
+}
+
 void add_switches(std::vector<Action>& out) {
     for (const PostEffect* effect : post_effects()) {
         add(out, "effect on or off: " + std::string(effect->label), [effect](Ui& ui) {
@@ -72,6 +78,7 @@ std::vector<Action> commands() {
         add(out, "panel: " + names[i], [i](Ui& ui) { ui.panel = i; });
     }
     add_choices(out);
+    add_zooms(out);
     add_switches(out);
     return out;
 }

@@ -2,7 +2,6 @@
 
 #include "lutlib/io/reason.h"
 #include "preview/panels/actions.h"
-#include "preview/panels/eyedropper.h"
 #include "preview/panels/palette.h"
 
 #include <imgui.h>
@@ -10,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <glm/trigonometric.hpp>
 #include <utility>
 
 namespace preview::panels {
@@ -42,7 +40,9 @@ constexpr const char* mouse_help[][2] = {
     {"drag the picture", "turn the camera about what it looks at"},
     {"with Shift, or the middle button", "carry both to the side"},
     {"with the right button", "turn the camera where it stands"},
-    {"wheel", "zoom"},
+    {"wheel", "the camera nearer or farther; of a picture larger or smaller pixels"},
+    {"Ctrl with the wheel", "larger or smaller pixels, of a scene too"},
+    {"drag a picture, Ctrl with a scene", "carry what is seen of it, where that is a part"},
     {"point at the picture", "its colour before and after the looks, in the line below"},
     {"drag the cube", "turn it"},
 };
@@ -208,85 +208,6 @@ void handle_shortcuts(Ui& ui) {
     if (!io.KeyCtrl && is_held(ui, Key::b)) {
         ui.held = &compare_b;
     }
-}
-
-/// The left button turns the camera about its target, the middle one or Shift carries both along,
-/// the right one turns the camera where it stands.
-void drag_camera(Orbit& orbit, const Rect& area) {
-    constexpr float degrees_per_pixel = 0.3F;
-    const ImGuiIO& io = ImGui::GetIO();
-    const ImVec2 by = io.MouseDelta;
-    if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || io.KeyShift) {
-        // What lies at the target's distance stays under the mouse.
-        const float metres_per_pixel =
-            2 * orbit.distance * std::tan(glm::radians(orbit.field_of_view) / 2) / area.height;
-        orbit.pan += metres_per_pixel * glm::vec2(-by.x, by.y);
-    } else if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
-        orbit = turned_on_the_spot(orbit, degrees_per_pixel * by.x, -degrees_per_pixel * by.y);
-    } else {
-        orbit.azimuth = std::remainder(orbit.azimuth - degrees_per_pixel * by.x, 360.0F);
-        orbit.elevation = std::clamp(orbit.elevation + degrees_per_pixel * by.y, -89.0F, 89.0F);
-    }
-}
-
-void picture_area(Ui& ui, const Rect& area) {
-    const float line_reach = em(0.6F);
-    constexpr float zoom_per_notch = 0.9F;
-    static bool moves_line = false; // one mouse, one drag
-    State& state = ui.history.draft();
-    ImGui::SetNextWindowPos({area.x, area.y});
-    ImGui::SetNextWindowSize({area.width, area.height});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    ImGui::Begin("Picture", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground |
-                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus);
-    ImGui::PopStyleVar();
-    ImGui::InvisibleButton("picture", {area.width, area.height},
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                               ImGuiButtonFlags_MouseButtonMiddle);
-    mark(ui, "picture");
-    const ImGuiIO& io = ImGui::GetIO();
-    ui.pointer.reset();
-    if (ImGui::IsItemHovered()) {
-        ui.pointer = {static_cast<int>((io.MousePos.x - area.x) * io.DisplayFramebufferScale.x),
-                      static_cast<int>((io.MousePos.y - area.y) * io.DisplayFramebufferScale.y)};
-    }
-    if (takes_mouse_for_pick(ui)) {
-        ImGui::End();
-        return;
-    }
-    const float line = area.x + state.split * area.width;
-    const bool near_line =
-        state.compare == &compare_split && std::abs(io.MousePos.x - line) < line_reach;
-    if (ImGui::IsItemActivated()) {
-        moves_line = near_line;
-    }
-    if (ImGui::IsItemActive() && moves_line) {
-        state.split = std::clamp((io.MousePos.x - area.x) / area.width, 0.0F, 1.0F);
-    } else if (ImGui::IsItemActive() && ui.facts.is_scene) {
-        drag_camera(state.orbit, area);
-    }
-    if (ImGui::IsItemHovered() && near_line) {
-        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    }
-    if (ImGui::IsItemHovered() && ui.facts.is_scene && io.MouseWheel != 0) {
-        state.orbit.distance *= std::pow(zoom_per_notch, io.MouseWheel);
-    }
-    ImGui::End();
-}
-
-/// The largest part of `area`, in its middle, that shows the picture as it is.
-Rect fitted(const Ui& ui, const Rect& area) {
-    if (ui.facts.aspect <= 0) {
-        return area;
-    }
-    const Compare* compare = ui.held != nullptr ? ui.held : ui.history.draft().compare;
-    const float aspect = ui.facts.aspect * (compare == &compare_side ? 2.0F : 1.0F);
-    const float width = std::max(std::floor(std::min(area.width, area.height * aspect)), 1.0F);
-    const float height = std::max(std::floor(std::min(area.height, area.width / aspect)), 1.0F);
-    return {area.x + std::floor((area.width - width) / 2),
-            area.y + std::floor((area.height - height) / 2), width, height};
 }
 
 /// The panels' tabs, in as many rows as it takes to show each whole.

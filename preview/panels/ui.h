@@ -46,7 +46,7 @@ struct Facts {
     Orbit usual_orbit;                    ///< as the scene has it
     std::vector<PointLight> usual_lights; ///< likewise
     bool has_surroundings_picture = false;
-    float aspect = 0;             ///< a picture's width over its height; 0: a scene fills any area
+    Size picture_size;            ///< of a picture
     bool display_encoded = false; ///< there is nothing to tone map
     double bake_milliseconds = 0;
     Measured measured;
@@ -103,7 +103,8 @@ struct Ui {
     bool shows_curves = false; ///< set by curve editors: counts along their axes are wanted
     LookUse look;
     std::optional<Pick> pick;
-    std::optional<ProbePlace> pointer; ///< the texel of the shown picture under the mouse
+    std::optional<ProbePlace> pointer; ///< the pixel of the picture's place under the mouse
+    Rect picture_place;                ///< in the last frame
     std::array<Rect, scopes.size()> scope_places{}; ///< where scopes are seen; else empty
     FigureSize scope_figures;      ///< of those that are written over the scopes, in their pixels
     const Compare* held = nullptr; ///< shown instead while a key is held
@@ -164,8 +165,13 @@ void handle_shortcuts(Ui& ui);
 void scope_strip(Ui& ui, const Rect& area);
 /// The colour under the mouse.
 void status_line(Ui& ui, const Rect& area);
-/// Mouse on the picture: the split line, the camera, the colour under it.
+/// Mouse on the picture: the split line, the camera, what is seen of it, the colour under it.
 void picture_area(Ui& ui, const Rect& area);
+/// The largest part of `area`, in its middle, that shows all of the picture as it is; all of it for
+/// a scene and for a part of a picture.
+Rect fitted(const Ui& ui, const Rect& area);
+/// So many pixels to one of the picture about the mouse, else about the middle; 0: all of it.
+void zoom_to(Ui& ui, float scale);
 
 /// Texts one below the other, wrapped.
 void lines(const std::vector<std::string>& texts);

@@ -187,6 +187,23 @@ void surroundings_controls(Ui& ui, Surroundings& surroundings) {
     }
 }
 
+/// How large the picture's pixels are seen.
+void zoom_controls(Ui& ui) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Zoom");
+    for (const ZoomStep& step : zoom_steps) {
+        ImGui::SameLine();
+        if (ImGui::RadioButton(step.label.data(), ui.history.draft().zoom.scale == step.scale)) {
+            zoom_to(ui, step.scale);
+        }
+        mark(ui, "zoom." + std::string(step.label));
+    }
+    if (ui.history.draft().zoom.scale > 0) {
+        number(ui, "zoom");
+        choice(ui, "magnify");
+    }
+}
+
 } // namespace
 
 void view_panel(Ui& ui) {
@@ -210,6 +227,7 @@ void view_panel(Ui& ui) {
         number(ui, "zebra-level");
     }
     ImGui::EndDisabled();
+    zoom_controls(ui);
     ImGui::Separator();
     ImGui::TextDisabled("%s on %s", ui.facts.input.c_str(), ui.facts.device.c_str());
     number(ui, "exposure");

@@ -126,7 +126,7 @@ void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing,
                                          shader_of(b),
                                          static_cast<std::uint32_t>(index_of(*settings.compare)),
                                          unit,
-                                         settings.has_line,
+                                         settings.has_marks,
                                          place_of(a),
                                          place_of(b)};
     constants.insert(constants.end(), own_constants.begin(), own_constants.end());

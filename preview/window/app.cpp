@@ -130,9 +130,7 @@ void App::follow_shown() {
     ui_.facts.usual_orbit = shown->scene ? shown->scene->orbit : Orbit{};
     ui_.facts.usual_lights = shown->scene ? shown->scene->lights : std::vector<PointLight>{};
     ui_.facts.has_surroundings_picture = shown->surroundings.has_value();
-    ui_.facts.aspect = shown->picture ? static_cast<float>(shown->picture->size.width) /
-                                            static_cast<float>(shown->picture->size.height)
-                                      : 0.0F;
+    ui_.facts.picture_size = shown->picture_size();
     ui_.facts.display_encoded = shown->display_encoded();
 }
 

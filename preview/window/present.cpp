@@ -1,6 +1,7 @@
 #include "preview/window/present.h"
 
 #include "preview/gpu/commands.h"
+#include "preview/passes/magnify.h"
 
 namespace preview {
 
@@ -12,8 +13,9 @@ void record_present(const vk::raii::CommandBuffer& commands, std::span<const Pla
     gpu::record(commands, gpu::image_barrier(target, color, whoever_had_it, gpu::transfer_write,
                                              vk::ImageLayout::eUndefined, layout));
     const vk::ImageSubresourceRange all(color, 0, 1, 0, 1);
-    commands.clearColorImage(target, layout, vk::ClearColorValue(std::array{0.F, 0.F, 0.F, 1.F}),
-                             all);
+    commands.clearColorImage(
+        target, layout,
+        vk::ClearColorValue(std::array{surround_code, surround_code, surround_code, 1.F}), all);
     gpu::record(commands, gpu::memory_barrier(gpu::transfer_write, gpu::transfer_write));
     const vk::ImageSubresourceLayers layers(color, 0, 0, 1);
     for (const Placed& placed : pictures) {

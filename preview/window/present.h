@@ -12,8 +12,9 @@ struct Placed {
     vk::Offset2D place; ///< of its upper left corner in the target
 };
 
-/// Clears `target` to black and copies the pictures to their places, where they must lie within it
-/// and apart. They stand in eTransferSrcOptimal; `target` is left in eTransferDstOptimal.
+/// Clears `target` to the grey that surrounds pictures (passes/magnify.h) and copies the pictures
+/// to their places, where they must lie within it and apart. They stand in eTransferSrcOptimal;
+/// `target` is left in eTransferDstOptimal.
 void record_present(const vk::raii::CommandBuffer& commands, std::span<const Placed> pictures,
                     vk::Image target);
 

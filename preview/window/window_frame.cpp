@@ -14,7 +14,7 @@ namespace {
 /// Whether both frames have the same HDR picture.
 bool same_light(const FrameSettings& a, const FrameSettings& b) {
     return std::memcmp(&a.orbit, &b.orbit, sizeof a.orbit) == 0 && a.exposure == b.exposure &&
-           a.without == b.without && a.occlusion == b.occlusion &&
+           a.without == b.without && a.occlusion == b.occlusion && a.zoom.scale == b.zoom.scale &&
            picture_size(a.output, *a.compare) == picture_size(b.output, *b.compare);
 }
 

@@ -9,7 +9,7 @@
 
 struct Shown {
     float split; // of the width, 0..1
-    bool has_line;
+    bool has_marks; // the split line, the heat map's scale
     float heat_scale; // dE2000
     bool rounds;      // the target has 8 bits
 };
@@ -40,7 +40,7 @@ bool is_left_of_line(ivec2 at, ivec2 size, float split) {
 
 void show_split(writeonly image2D target, ivec2 at, ivec2 size, Sides sides, Shown how) {
     vec3 side = is_left_of_line(at, size, how.split) ? sides.a : sides.b;
-    bool is_line = how.has_line && on_line(at.x, size, how.split);
+    bool is_line = how.has_marks && on_line(at.x, size, how.split);
     store(target, at, is_line ? vec3(1.0) : side, how);
 }
 
@@ -53,6 +53,6 @@ void show_side(writeonly image2D target, ivec2 at, ivec2 size, Sides sides, Show
 void show_difference(writeonly image2D target, ivec2 at, ivec2 size, Sides sides, Shown how) {
     float difference = delta_e_2000(saturate(sides.a), saturate(sides.b));
     count_difference(difference);
-    vec3 color = with_scale(heat(difference / how.heat_scale), at, size, how.heat_scale);
-    store(target, at, color, how);
+    vec3 color = heat(difference / how.heat_scale);
+    store(target, at, how.has_marks ? with_scale(color, at, size, how.heat_scale) : color, how);
 }

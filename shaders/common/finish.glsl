@@ -17,7 +17,7 @@ layout(constant_id = 4) const int lookup_a = 0;
 layout(constant_id = 5) const int lookup_b = 0;
 layout(constant_id = 6) const int compare = 0;
 layout(constant_id = 7) const bool unit_picture = false; // its format holds 0..1 only
-layout(constant_id = 8) const bool has_line = true;      // else shaders/split_line.comp draws it
+layout(constant_id = 8) const bool has_marks = true; // split line, scale; else a later pass draws them
 layout(constant_id = 9) const int place_a = 0;           // bits of common/look_conversion.glsl
 layout(constant_id = 10) const int place_b = 0;
 

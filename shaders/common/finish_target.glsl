@@ -34,5 +34,5 @@ void store_texel(ivec2 at, ivec2 size, Stages texel) {
     if (needs_b(compare, is_left)) {
         sides.b = graded_b(texel);
     }
-    show(compare, target, at, size, sides, Shown(push.split, has_line, push.heat_scale, rounds));
+    show(compare, target, at, size, sides, Shown(push.split, has_marks, push.heat_scale, rounds));
 }

@@ -196,6 +196,14 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
         changed.picture_view = &row;
         check(inputs, changed);
     }
+    for (const Compare& compare : compares) {
+        for (const Magnifier& row : magnifiers) {
+            FrameSettings changed = settings();
+            changed.compare = &compare;
+            changed.zoom = {.scale = 2, .magnifier = &row};
+            check(inputs, changed);
+        }
+    }
     for (const Bloom& row : blooms()) {
         for (const float threshold : {0.0F, 1.0F}) {
             FrameSettings changed = settings();

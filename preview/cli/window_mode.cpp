@@ -2,6 +2,7 @@
 #include "lutlib/io/look.h"
 #include "preview/cli/look_options.h"
 #include "preview/cli/modes.h"
+#include "preview/cli/picture_file.h"
 #include "preview/editor/commands.h"
 #include "preview/frame/shown.h"
 #include "preview/window/app.h"
@@ -77,6 +78,21 @@ editor::State opening_state(const Options& options, const FrameSettings& given,
     return state;
 }
 
+/// As without a window, of the file's usual depth.
+std::vector<std::string> save_picture(const gpu::Device& device, const FrameInputs& inputs,
+                                      const FrameSettings& settings, const Shown& shown,
+                                      const std::string& path) {
+    const FileFormat format = file_format(path, "");
+    FrameSettings saved = settings;
+    saved.format = format.frame_format();
+    Executor executor(device, 1);
+    const Rendered rendered = render_frame(executor, inputs, saved);
+    const bool has_alpha = shown.picture && saved.compare != &compare_difference;
+    return write_picture(path, rendered, format, Content::codes,
+                         has_alpha ? alpha_for(*shown.picture, rendered.size)
+                                   : std::vector<float>());
+}
+
 } // namespace
 
 void open_window(const Options& options) {
@@ -97,6 +113,7 @@ void open_window(const Options& options) {
     if (!options.size.empty()) {
         setup.size = settings_of(options, {}).output;
     }
+    setup.save_picture = &save_picture;
     setup.device = options.device;
     setup.validation = options.validate;
     setup.font = options.font;

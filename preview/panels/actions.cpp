@@ -101,6 +101,9 @@ void add_numbered(std::vector<Action>& out) {
 
 std::vector<Action> own_actions() {
     std::vector<Action> out{
+        {.help = "keep the colour under the mouse, in the panel Colours",
+         .key = Key::c,
+         .act = &pick_color},
         {.help = "list of keys",
          .key = Key::f1,
          .act = [](Ui& ui) { ui.shows_help = !ui.shows_help; }},

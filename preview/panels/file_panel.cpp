@@ -98,6 +98,17 @@ void file_panel(Ui& ui) {
         }
     }
     ImGui::Separator();
+    const std::string picture = look_name(state) + "-picture.png";
+    if (path_line(ui, "Save picture", ui.picture_file, picture, "save-picture")) {
+        const std::string path = path_or(ui.picture_file, picture);
+        attempt_writing(ui, path, [&ui, path] { ui.save_picture_to = path; });
+    }
+    constexpr int widest = 16384;
+    ImGui::SliderInt("Width", &ui.picture_width, 0, widest,
+                     ui.picture_width == 0 ? "as it is" : "%d",
+                     ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+    mark(ui, "save-picture.width");
+    ImGui::Separator();
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(ui.report.c_str());
     ImGui::PopTextWrapPos();

@@ -21,10 +21,35 @@ void effect_switches(Ui& ui) {
     }
 }
 
+/// Which intermediate is shown in place of the picture.
+void debug_view_list(Ui& ui) {
+    const std::string none = "the picture";
+    const bool open =
+        ImGui::BeginCombo("Show", ui.debug_view.empty() ? none.c_str() : ui.debug_view.c_str());
+    mark(ui, "debug-view");
+    if (!open) {
+        return;
+    }
+    if (ImGui::Selectable(none.c_str(), ui.debug_view.empty())) {
+        ui.debug_view.clear();
+    }
+    mark(ui, "debug-view.none");
+    for (const Option& row : ui.facts.debug_views) {
+        const std::string name(row.name);
+        if (ImGui::Selectable((name + ": " + std::string(row.text)).c_str(),
+                              name == ui.debug_view)) {
+            ui.debug_view = name;
+        }
+        mark(ui, "debug-view." + name);
+    }
+    ImGui::EndCombo();
+}
+
 } // namespace
 
 void passes_panel(Ui& ui) {
     ui.shows_passes = true;
+    debug_view_list(ui);
     effect_switches(ui);
     ImGui::Separator();
     double total = 0;

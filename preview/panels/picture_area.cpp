@@ -171,6 +171,23 @@ void picture_area(Ui& ui, const Rect& area) {
     ImGui::End();
 }
 
+Size Ui::picture_size() const {
+    const bool is_pair = history.draft().compare == &compare_side;
+    Size own = facts.picture_size;
+    if (facts.is_scene) {
+        own = {std::max(static_cast<std::uint32_t>(picture_place.width), 2U) & ~1U,
+               std::max(static_cast<std::uint32_t>(picture_place.height), 1U)};
+    } else if (is_pair) {
+        own.width *= 2;
+    }
+    if (picture_width == 0) {
+        return own;
+    }
+    const auto width = static_cast<std::uint32_t>(picture_width);
+    const double height = static_cast<double>(width) * own.height / own.width;
+    return {width, std::max(static_cast<std::uint32_t>(std::lround(height)), 1U)};
+}
+
 Rect fitted(const Ui& ui, const Rect& area) {
     const State& state = ui.history.draft();
     if (ui.facts.is_scene || state.zoom.scale > 0) {

@@ -2,6 +2,7 @@
 #include "preview/panels/tip.h"
 #include "preview/panels/ui.h"
 #include "preview/scene/light_controls.h"
+#include "preview/scene/scene.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -63,11 +64,58 @@ void control_row(Ui& ui, const LightControl& control, PointLight& light, const P
     }
 }
 
+/// The built-in scenes; files come through the panel Files.
+void scene_list(Ui& ui) {
+    const bool open = ImGui::BeginCombo("Scene", ui.facts.input.c_str());
+    mark(ui, "scene.list");
+    if (!open) {
+        return;
+    }
+    for (const SceneInfo& row : scenes()) {
+        const std::string text = std::string(row.name) + ": " + std::string(row.help);
+        if (ImGui::Selectable(text.c_str(), row.name == ui.facts.input)) {
+            ui.to_open.emplace_back(row.name);
+        }
+        mark(ui, "scene." + std::string(row.name));
+    }
+    ImGui::EndCombo();
+}
+
+void camera_buttons(Ui& ui, const std::vector<NamedCamera>& cameras, const std::string& place) {
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Button(cameras[i].name.c_str())) {
+            ui.history.draft().orbit = cameras[i].orbit;
+        }
+        mark(ui, place + std::to_string(i));
+        const float right = ImGui::GetItemRectMax().x;
+        if (right + em(6) < ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x) {
+            ImGui::SameLine();
+        }
+        ImGui::PopID();
+    }
+}
+
+/// Cameras to go back to: the scene's first, those of its file, and those that were kept.
+void camera_controls(Ui& ui) {
+    camera_buttons(ui, {{"Camera as at first", ui.facts.usual_orbit}}, "camera.first.");
+    camera_buttons(ui, ui.facts.cameras, "camera.");
+    camera_buttons(ui, ui.bookmarks, "camera.kept.");
+    if (ImGui::Button("Keep this camera")) {
+        ui.bookmarks.push_back(
+            {"kept " + std::to_string(ui.bookmarks.size() + 1), ui.history.draft().orbit});
+    }
+    mark(ui, "camera.keep");
+}
+
 } // namespace
 
 void scene_panel(Ui& ui) {
     std::vector<PointLight>& lights = ui.history.draft().lights;
-    ImGui::TextDisabled("%s", ui.facts.input.c_str());
+    scene_list(ui);
+    if (ui.facts.is_scene) {
+        camera_controls(ui);
+    }
     for (const std::string& line : ui.facts.left_out) {
         ImGui::TextWrapped("Left out: %s", line.c_str());
     }

@@ -22,7 +22,7 @@ struct Panel {
 constexpr Panel panels[] = {
     {"Look", &look_panel},     {"Versions", &versions_panel}, {"View", &view_panel},
     {"Scene", &scene_panel},   {"Files", &file_panel},        {"Passes", &passes_panel},
-    {"Scopes", &scopes_panel}, {"Cube", &cube_panel},
+    {"Scopes", &scopes_panel}, {"Cube", &cube_panel},         {"Colours", &colors_panel},
 };
 
 /// What a text field takes for itself.
@@ -36,7 +36,8 @@ bool is_held(const Ui& ui, Key key) {
 
 constexpr const char* mouse_help[][2] = {
     {"hold A, hold B", "that side alone, while held"},
-    {"drag the line", "move the split"},
+    {"drag the line, or the box's sides", "move the border of a comparison"},
+    {"with the right button, of a box", "draw another"},
     {"drag the picture", "turn the camera about what it looks at"},
     {"with Shift, or the middle button", "carry both to the side"},
     {"with the right button", "turn the camera where it stands"},

@@ -5,6 +5,7 @@
 #include "lutlib/io/look.h"
 #include "preview/editor/keys.h"
 #include "preview/editor/model.h"
+#include "preview/finish/picked_color.h"
 #include "preview/finish/probe.h"
 #include "preview/panels/exporting.h"
 #include "preview/panels/file_dialog.h"
@@ -42,6 +43,8 @@ struct Measured {
 struct Facts {
     std::string device, input;
     std::vector<std::string> left_out;    ///< of the input, by its import
+    std::vector<NamedCamera> cameras;     ///< of a model's file
+    std::vector<Option> debug_views;      ///< intermediates that can be shown
     bool is_scene = true;                 ///< there is a camera to move
     Orbit usual_orbit;                    ///< as the scene has it
     std::vector<PointLight> usual_lights; ///< likewise
@@ -103,8 +106,12 @@ struct Ui {
     bool shows_curves = false; ///< set by curve editors: counts along their axes are wanted
     LookUse look;
     std::optional<Pick> pick;
-    std::optional<ProbePlace> pointer; ///< the pixel of the picture's place under the mouse
-    Rect picture_place;                ///< in the last frame
+    std::optional<ProbePlace> pointer;  ///< the pixel of the picture's place under the mouse
+    Rect picture_place;                 ///< in the last frame
+    std::string debug_view;             ///< the intermediate that is shown; empty: the picture
+    std::vector<NamedCamera> bookmarks; ///< cameras that were kept
+    std::vector<PickedColor> picked;    ///< the newest first
+    float display_white = 100;          ///< cd/m2, for which luminances are told
     std::array<Rect, scopes.size()> scope_places{}; ///< where scopes are seen; else empty
     FigureSize scope_figures;      ///< of those that are written over the scopes, in their pixels
     const Compare* held = nullptr; ///< shown instead while a key is held
@@ -113,13 +120,17 @@ struct Ui {
     std::array<bool, key_count> down{}; ///< which keys are held
     /// Files to open as look or picture, for the program to take.
     std::vector<std::string> to_open;
+    std::string save_picture_to; ///< where the program shall save the picture; empty: nowhere
+    int picture_width = 0; ///< of a picture that is saved; 0: its own, of a scene as it is seen
+    /// With picture_width, in the proportions that are seen.
+    Size picture_size() const;
     /// Waits for "replace?"; empty: nothing does.
     std::string to_replace;
     std::function<void()> replace;
     /// Where controls are, by name: for scripts that press them.
     std::map<std::string, Rect> places;
 
-    std::string recipe_file, lut_file, strip_file, open_file;
+    std::string recipe_file, lut_file, strip_file, open_file, picture_file;
     Exporting exporting;
     std::function<void()> wake; ///< the window for a frame, from any thread
     FileDialog file_dialog;
@@ -156,6 +167,9 @@ void passes_panel(Ui& ui);
 void scopes_panel(Ui& ui);
 void cube_panel(Ui& ui);
 void versions_panel(Ui& ui);
+void colors_panel(Ui& ui);
+/// Keeps the colour under the mouse.
+void pick_color(Ui& ui);
 void dialogs(Ui& ui);
 void closing_dialog(Ui& ui);
 /// What a person must know of files and of what is shown, above the panels.

@@ -3,6 +3,7 @@
 #include "lutlib/error.h"
 #include "lutlib/io/terminal.h"
 #include "preview/editor/commands.h"
+#include "preview/frame/frame.h"
 #include "preview/scene/import.h"
 #include "preview/window/app_parts.h"
 #include "preview/window/display_end.h"
@@ -53,6 +54,9 @@ App::App(WindowSetup setup)
     ui_.export_engine = export_engine_of(ui_.history.draft());
     ui_.text_scale = memory_.memory().text_scale;
     ui_.wake = [] { glfwPostEmptyEvent(); };
+    for (const DebugView& view : debug_views()) {
+        ui_.facts.debug_views.push_back({view.name, view.help});
+    }
     ui_.panels_width = memory_.memory().panels_width;
     ui_.recent = memory_.memory().recent;
     gui_.emplace(window_.handle(), layout_path(), setup_.font);
@@ -101,7 +105,7 @@ void App::make_screen() {
 
 void App::open(const std::string& path) {
     editor::State& state = ui_.history.draft();
-    if (!is_model_file(path)) {
+    if (!is_model_file(path) && scene_named(path) == nullptr) {
         if (const auto look = lutlib::io::Look::open_if_look(path)) {
             editor::open_look(state, *look);
             editor::remember_file(ui_.recent, path);
@@ -126,6 +130,8 @@ void App::follow_shown() {
     reader_.forget();
     ui_.facts.input = shown->name;
     ui_.facts.left_out = shown->left_out;
+    ui_.facts.cameras = shown->scene ? shown->scene->cameras : std::vector<NamedCamera>();
+    ui_.bookmarks.clear();
     ui_.facts.is_scene = shown->scene.has_value();
     ui_.facts.usual_orbit = shown->scene ? shown->scene->orbit : Orbit{};
     ui_.facts.usual_lights = shown->scene ? shown->scene->lights : std::vector<PointLight>{};
@@ -306,6 +312,10 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
     }
     request_looks();
     take_looks();
+    if (const std::string to = std::exchange(ui_.save_picture_to, {}); !to.empty()) {
+        panels::attempt(ui_, [&] { save_picture(to); });
+        wake();
+    }
     render(area);
     show_title();
     if (frames_due_ == 0 && !baker_.is_busy()) {

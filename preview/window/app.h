@@ -3,13 +3,23 @@
 
 #include "preview/editor/model.h"
 #include "preview/frame/settings.h"
+#include "preview/frame/shown.h"
+#include "preview/gpu/device.h"
 #include "preview/gpu/size.h"
 #include "preview/window/following.h"
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace preview {
+
+/// Renders a frame and writes it as the file's name says. The answer is what of it the file does
+/// not hold, a phrase each. Throws lutlib::Error.
+using SavePicture = std::function<std::vector<std::string>(
+    const gpu::Device& device, const FrameInputs& inputs, const FrameSettings& settings,
+    const Shown& shown, const std::string& path)>;
 
 /// What a window opens with, and what no panel changes.
 struct WindowSetup {
@@ -22,6 +32,7 @@ struct WindowSetup {
     std::string font;          ///< TrueType or OpenType file
     std::string engine_folder; ///< where strips go at the press of a key; empty: nobody named one
     Following::Clock::time_point opened{}; ///< before all that is shown was read
+    SavePicture save_picture;              ///< by who knows files of pictures
     std::string places; ///< file that tells where the controls are; empty: nobody asks
 };
 

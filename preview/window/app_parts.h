@@ -39,12 +39,15 @@ class App {
     void request_looks();
     void take_looks();
     void render(const panels::Rect& area);
+    FrameHandles declared(Graph& graph, const FrameInputs& inputs, FrameSettings& settings);
     void keep_look();
     void keep_memory();
     void scale_if_asked();
     void show_title();
     bool ends();
     void take_left_behind();
+    FrameInputs frame_inputs() const;
+    void save_picture(const std::string& path);
 
     WindowSetup setup_;
     MemoryFile memory_;

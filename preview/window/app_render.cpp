@@ -1,5 +1,8 @@
 #include "preview/editor/solo.h"
 #include "preview/window/app_parts.h"
+
+#include "lutlib/error.h"
+#include "preview/frame/frame.h"
 #include "preview/window/present.h"
 
 #include <algorithm>
@@ -39,6 +42,53 @@ void App::take_looks() {
     drawn_.reset();
 }
 
+/// An intermediate that this frame has not is said once, and the picture is shown again.
+FrameHandles App::declared(Graph& graph, const FrameInputs& inputs, FrameSettings& settings) {
+    try {
+        return build_frame(graph, inputs, settings);
+    } catch (const lutlib::UsageError&) {
+        if (settings.view == nullptr) {
+            throw;
+        }
+        ui_.errors.push_back("choose another intermediate, or another scene: this one makes no '" +
+                             std::exchange(ui_.debug_view, {}) + "'");
+        settings.view = nullptr;
+        graph = Graph();
+        return build_frame(graph, inputs, settings);
+    }
+}
+
+FrameInputs App::frame_inputs() const {
+    const editor::State& state = ui_.history.draft();
+    FrameInputs inputs = screen_->shown->inputs();
+    inputs.lights = &state.lights;
+    inputs.surroundings = &state.surroundings;
+    inputs.look_a = screen_->looks[0].look();
+    inputs.look_b = screen_->looks[1].look();
+    return inputs;
+}
+
+/// All of it as it is finished, without the names that the window writes over a comparison.
+void App::save_picture(const std::string& path) {
+    const FrameInputs inputs = frame_inputs();
+    FrameSettings settings = window_settings(ui_, setup_.frame, ui_.picture_size());
+    settings.zoom = {};
+    settings.picture_view = &picture_views().front();
+    settings.keeps_light = false;
+    settings.probe.reset();
+    settings.axes = nullptr;
+    settings.raster =
+        setup_.raster->on(screen_->device, picture_size(settings.output, *settings.compare));
+    screen_->device.vk().waitIdle();
+    const std::vector<std::string> lost =
+        setup_.save_picture(screen_->device, inputs, settings, *screen_->shown->shown(), path);
+    ui_.report = "saved " + path + ", " + std::to_string(settings.output.width) + "x" +
+                 std::to_string(settings.output.height) + "\n";
+    for (const std::string& phrase : lost) {
+        ui_.report += "  lost: " + phrase + "\n";
+    }
+}
+
 void App::render(const panels::Rect& area) {
     Screen& screen = *screen_;
     const vk::Extent2D window = screen.swapchain.extent();
@@ -52,16 +102,12 @@ void App::render(const panels::Rect& area) {
         settings.scope_sizes[i] = {scope_places[i].extent.width, scope_places[i].extent.height};
     }
     const editor::State& state = ui_.history.draft();
-    FrameInputs inputs = screen.shown->inputs();
-    inputs.lights = &state.lights;
-    inputs.surroundings = &state.surroundings;
-    inputs.look_a = screen.looks[0].look();
-    inputs.look_b = screen.looks[1].look();
+    FrameInputs inputs = frame_inputs();
     const std::array names{title_of(state.sides[0]), title_of(state.sides[1])};
     inputs.names = {names[0], names[1]};
     inputs.hdr_maximum = reader_.hdr_maximum_for(settings, state.lights, state.surroundings);
     Graph graph;
-    const FrameHandles handles = build_frame(graph, inputs, settings);
+    const FrameHandles handles = declared(graph, inputs, settings);
 
     const std::optional<std::uint32_t> image = screen.swapchain.acquire();
     if (!image) {

@@ -72,5 +72,26 @@ TEST_F(WindowDialog, saves_under_another_name_and_asks_before_it_writes_over_one
     EXPECT_FALSE(fs::exists(file("absent")));
 }
 
+TEST_F(WindowDialog, saves_the_picture_as_large_as_it_is) {
+    start({"picture.ppm", "--b", "look.cube"});
+    first_screen();
+    click("tab.Files");
+    click("save-picture");
+    wait_until([&] { return fs::exists(file("look-picture.png")); }, "the picture");
+    const std::string png = contents("look-picture.png");
+    const auto side = [&](std::size_t at) { // a big-endian number of the chunk IHDR
+        return static_cast<unsigned char>(png.at(at + 2)) * 256 +
+               static_cast<unsigned char>(png.at(at + 3));
+    };
+    EXPECT_EQ(side(16), 400);
+    EXPECT_EQ(side(20), 480);
+    EXPECT_EQ(
+        say({LUTPREVIEW, "look-picture.png", "--headless", "-o", "again.png"}, desktop_->folder())
+            .code,
+        0);
+    click("save-picture");
+    click("replace.no");
+}
+
 } // namespace
 } // namespace desktop

@@ -119,7 +119,7 @@ TEST_F(MemoryFileTest, says_of_a_broken_file_which_it_is_and_is_as_usual) {
     const MemoryFile file(path_);
     EXPECT_EQ(file.memory(), WindowMemory{});
     EXPECT_NE(file.notice().find(path_), std::string::npos) << file.notice();
-    EXPECT_NE(file.notice().find("delete it"), std::string::npos) << file.notice();
+    EXPECT_NE(file.notice().find("for the first time"), std::string::npos) << file.notice();
 }
 
 TEST_F(MemoryFileTest, says_once_that_it_cannot_be_written) {

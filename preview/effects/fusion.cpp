@@ -30,8 +30,8 @@ bool has_stage(const EffectUses& drawn, Stage stage) {
 
 Fusion fusion_of(const EffectUses& drawn, const Compare& compare) {
     return {.is_bloom_apart = has_stage(drawn, Stage::before_tonemap),
-            .is_line_apart = &compare == &compare_split && (has_stage(drawn, Stage::after_look) ||
-                                                            has_stage(drawn, Stage::last))};
+            .is_line_apart = compare.shows_one && (has_stage(drawn, Stage::after_look) ||
+                                                   has_stage(drawn, Stage::last))};
 }
 
 } // namespace preview

@@ -16,14 +16,20 @@ struct Compare {
     std::string_view label;
     std::string_view shader; ///< the function of shaders/common/compare.glsl that shows it
     bool shows_a, shows_b;
-    bool shows_one = false; ///< a texel shows A left of the line, else B
+    bool shows_one = false; ///< a texel shows A or B, on either side of a line or box (wipe.h)
 };
 
-inline constexpr std::array<Compare, 5> compares{{
+inline constexpr std::array<Compare, 6> compares{{
     {.name = "a", .label = "side A alone", .shader = "show_a", .shows_a = true, .shows_b = false},
     {.name = "b", .label = "side B alone", .shader = "show_b", .shows_a = false, .shows_b = true},
     {.name = "split",
-     .label = "A left and B right of a line that can be moved",
+     .label = "A and B on either side of a line that can be moved and turned",
+     .shader = "show_split",
+     .shows_a = true,
+     .shows_b = true,
+     .shows_one = true},
+    {.name = "box",
+     .label = "A inside a box and B around it",
      .shader = "show_split",
      .shows_a = true,
      .shows_b = true,
@@ -42,6 +48,7 @@ inline constexpr std::array<Compare, 5> compares{{
 inline constexpr const Compare& compare_a = lutlib::row_named(compares, "a");
 inline constexpr const Compare& compare_b = lutlib::row_named(compares, "b");
 inline constexpr const Compare& compare_split = lutlib::row_named(compares, "split");
+inline constexpr const Compare& compare_box = lutlib::row_named(compares, "box");
 inline constexpr const Compare& compare_side = lutlib::row_named(compares, "side");
 inline constexpr const Compare& compare_difference = lutlib::row_named(compares, "diff");
 

@@ -10,6 +10,7 @@
 #include "preview/finish/picture_views.h"
 #include "preview/finish/setting_rows.h"
 #include "preview/finish/tonemaps.h"
+#include "preview/finish/wipe.h"
 #include "preview/finish/zoom.h"
 
 #include <span>
@@ -26,14 +27,13 @@ struct OcclusionSettings {
     friend bool operator==(const OcclusionSettings&, const OcclusionSettings&) = default;
 };
 
-struct PictureSettings {
+struct PictureSettings : Wipe {
     float exposure = 0; ///< stops, added to the scene's
     OcclusionSettings occlusion;
     const Tonemap* tonemap = tonemap_named("agx");
     const Bloom* bloom = bloom_named("glare");
     BloomSettings bloom_settings;
     const Compare* compare = &compare_a;
-    float split = 0.5F;    ///< where the line stands, of the width
     float heat_scale = -1; ///< dE2000 at the heat map's end; negative: the 99th percentile
     const PictureView* picture_view = picture_view_named("picture");
     float zebra_level = 0.95F; ///< luma, 0..1, from which its stripes begin

@@ -90,7 +90,7 @@ Finishing finishing_of(Graph& graph, const FrameInputs& inputs, const FrameSetti
     }
     out.settings.format = settings.format;
     out.settings.compare = settings.compare;
-    out.settings.split = settings.split;
+    static_cast<Wipe&>(out.settings) = settings;
     out.settings.heat_scale = settings.heat_scale < 0 ? usual_heat_scale : settings.heat_scale;
     if (settings.without.has(Effect::looks)) {
         return out;
@@ -157,8 +157,7 @@ void finish(Graph& graph, const FrameSettings& settings, const DrawnEffects& dra
     }
     const bool is_viewed = no_view_because(settings).empty();
     const bool is_zoomed = zooms(settings);
-    const bool is_line_apart =
-        fusion.is_line_apart || (is_viewed && settings.compare == &compare_split);
+    const bool is_line_apart = fusion.is_line_apart || (is_viewed && settings.compare->shows_one);
     finishing.settings.has_marks = !is_line_apart && !is_zoomed;
     const bool rounds = settings.format == Format::rgba8 && settings.compare != &compare_difference;
     const bool dithers = settings.dithers && rounds;
@@ -195,14 +194,17 @@ void finish(Graph& graph, const FrameSettings& settings, const DrawnEffects& dra
         return; // the line is drawn over what is seen
     }
     if (is_line_apart) {
-        handles.output = add_split_line(graph, handles.output, settings.split);
-    } else if (settings.compare == &compare_split) {
+        handles.output =
+            add_split_line(graph, handles.output, *settings.compare,
+                           wipe_shape(settings, *settings.compare, size_of(graph, handles.hdr)));
+    } else if (settings.compare->shows_one) {
         graph.withhold("split line", "the finishing pass draws it: no effect comes after the look");
     }
 }
 
 /// Looks at the picture as settings.picture_view does.
-void view_picture(Graph& graph, const FrameSettings& settings, float split, FrameHandles& handles) {
+void view_picture(Graph& graph, const FrameSettings& settings, const WipeShape& wipe,
+                  FrameHandles& handles) {
     const std::string_view reason = no_view_because(settings);
     if (!reason.empty()) {
         graph.withhold("view of the picture", reason);
@@ -211,18 +213,18 @@ void view_picture(Graph& graph, const FrameSettings& settings, float split, Fram
     handles.output =
         add_picture_view(graph, {handles.unrounded, handles.before_looks}, *settings.picture_view,
                          settings.zebra_level, settings.format);
-    if (settings.compare == &compare_split) {
-        handles.output = add_split_line(graph, handles.output, split);
+    if (settings.compare->shows_one) {
+        handles.output = add_split_line(graph, handles.output, *settings.compare, wipe);
     }
 }
 
 /// Names the sides of a comparison that shows both, over all else.
 void name_sides(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
-                FrameHandles& handles) {
-    const bool shows_both = settings.compare == &compare_split || settings.compare == &compare_side;
+                const WipeShape& wipe, FrameHandles& handles) {
+    const bool shows_both = settings.compare->shows_one || settings.compare == &compare_side;
     const bool has_names = !inputs.names[0].empty() || !inputs.names[1].empty();
     if (shows_both && has_names && !settings.without.has(Effect::names)) {
-        handles.output = add_names(graph, handles.output, *settings.compare, inputs.names);
+        handles.output = add_names(graph, handles.output, *settings.compare, inputs.names, wipe);
     } else if (!settings.without.has(Effect::names)) {
         graph.withhold("names", shows_both ? "nobody has given any" : "the two sides are not seen");
     }
@@ -300,11 +302,11 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
         return handles;
     }
     add_instruments(graph, settings, finishing, probe_place(inputs, settings, size), handles);
-    const float split =
+    const WipeShape wipe =
         zoom_in(graph, inputs, settings, no_view_because(settings).empty(), handles);
-    view_picture(graph, settings, split, handles);
+    view_picture(graph, settings, wipe, handles);
     if (settings.scope == nullptr) {
-        name_sides(graph, inputs, settings, handles);
+        name_sides(graph, inputs, settings, wipe, handles);
     }
     graph.present(handles.output);
     if (handles.hdr_maximum) {

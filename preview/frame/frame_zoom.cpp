@@ -63,36 +63,36 @@ std::optional<ProbePlace> probe_place(const FrameInputs& inputs, const FrameSett
                       texel(settings.probe->y, place.top, finished.height)};
 }
 
-float zoom_in(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
-              bool is_viewed, FrameHandles& handles) {
+WipeShape zoom_in(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
+                  bool is_viewed, FrameHandles& handles) {
     if (!zooms(settings)) {
         graph.withhold("magnify",
                        settings.zoom.scale > 0 ? "a scope is shown" : "all of the picture is seen");
-        return settings.split;
+        return wipe_shape(settings, *settings.compare, size_of(graph, handles.hdr));
     }
     const Size finished = size_of(graph, handles.hdr);
     Magnifying how{.place = place_of(inputs, settings, finished),
                    .magnifier = settings.zoom.magnifier,
                    .output = picture_size(settings.output, *settings.compare),
                    .is_pair = settings.compare == &compare_side};
-    const float split = (static_cast<float>(how.place.left) +
-                         settings.split * how.place.scale * static_cast<float>(finished.width)) /
-                        static_cast<float>(how.output.width);
+    const WipeShape wipe = placed(wipe_shape(settings, *settings.compare, finished),
+                                  *settings.compare, static_cast<float>(how.place.left),
+                                  static_cast<float>(how.place.top), how.place.scale);
     if (is_viewed) {
         handles.unrounded = add_magnify(graph, handles.unrounded, how);
         if (handles.before_looks) {
             handles.before_looks = add_magnify(graph, handles.before_looks, how);
         }
-        return split;
+        return wipe;
     }
     if (settings.compare == &compare_difference) {
         how.heat_scale = settings.heat_scale < 0 ? usual_heat_scale : settings.heat_scale;
     }
     handles.output = add_magnify(graph, handles.output, how);
-    if (settings.compare == &compare_split) {
-        handles.output = add_split_line(graph, handles.output, split);
+    if (settings.compare->shows_one) {
+        handles.output = add_split_line(graph, handles.output, *settings.compare, wipe);
     }
-    return split;
+    return wipe;
 }
 
 } // namespace preview

@@ -20,9 +20,9 @@ std::optional<ProbePlace> probe_place(const FrameInputs& inputs, const FrameSett
                                       Size finished);
 
 /// Puts what is seen in place of handles.output, with the marks of its comparison, or, where a view
-/// of the picture `is_viewed`, of what that is made from. Returns where the split line stands then,
-/// of the output's width.
-float zoom_in(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
-              bool is_viewed, FrameHandles& handles);
+/// of the picture `is_viewed`, of what that is made from. Returns the border of the
+/// comparison in the output.
+WipeShape zoom_in(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
+                  bool is_viewed, FrameHandles& handles);
 
 } // namespace preview

@@ -16,9 +16,14 @@ void add_scopes(Graph& graph, const FrameSettings& settings, FrameHandles& handl
     const Size size = size_of(graph, handles.output);
     const ColumnRange range = scope_range(*settings.scope_side, *settings.compare, settings.split,
                                           size.width, size.height);
+    const bool is_part = settings.scope_side != &scope_side_shown && settings.compare->shows_one;
+    const bool has_columns = settings.compare != &compare_box && is_upright(settings);
     for (std::size_t i = 0; i < scopes.size(); ++i) {
         if (settings.scope_sizes[i] == Size{}) {
             graph.withhold(scopes[i].name, "it is not shown");
+        } else if (is_part && !has_columns) {
+            graph.withhold(scopes[i].name, "its side is not columns of the picture: turn the split "
+                                           "upright, or choose another comparison");
         } else if (range.count == 0) {
             graph.withhold(scopes[i].name, settings.compare == &compare_difference
                                                ? "a heat map has no code values to count"

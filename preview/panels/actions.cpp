@@ -6,6 +6,7 @@
 #include "preview/editor/versions.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace preview::panels {
 
@@ -159,6 +160,18 @@ std::vector<Action> own_actions() {
         {.help = "split by a line",
          .key = Key::f4,
          .act = [](Ui& ui) { compare_by(ui, compare_split); }},
+        {.help = "turn the split by a quarter",
+         .key = Key::f4,
+         .shift = true,
+         .act =
+             [](Ui& ui) {
+                 State& state = ui.history.draft();
+                 state.compare = &compare_split;
+                 state.split_angle = std::fmod(state.split_angle + 90, 360.0F);
+             }},
+        {.help = "side A in a box",
+         .key = Key::f7,
+         .act = [](Ui& ui) { compare_by(ui, compare_box); }},
         {.help = "side by side",
          .key = Key::f5,
          .act = [](Ui& ui) { compare_by(ui, compare_side); }},

@@ -18,7 +18,8 @@ struct Seen {
     Size own, output; ///< the picture's, and that of one side's part of the window
     Zoom zoom;        ///< as the frame takes it
     OutputPoint mouse;
-    float line = 0; ///< where that of a comparison stands, across
+    float left = 0, top = 0, scale = 1; ///< of the picture of one side, in the output's pixels
+    Size whole;                         ///< the size that its comparison is told of
 };
 
 Seen seen_in(const Ui& ui, const Rect& area) {
@@ -41,24 +42,92 @@ Seen seen_in(const Ui& ui, const Rect& area) {
     if (state.compare == &compare_side && out.mouse.x >= half) {
         out.mouse.x -= half;
     }
-    out.line = state.split * half;
+    out.whole = out.output;
     if (out.zoom.scale > 0) {
         const ZoomPlace place = zoom_place(out.zoom, out.own, out.own, out.output);
-        out.line = static_cast<float>(place.left) +
-                   state.split * place.scale * static_cast<float>(out.own.width);
+        out.left = static_cast<float>(place.left);
+        out.top = static_cast<float>(place.top);
+        out.scale = place.scale;
+        out.whole = out.own;
     }
     return out;
 }
 
-/// The share of the picture's width that is under the mouse.
-float split_at_mouse(const Seen& seen) {
-    float left = 0, width = static_cast<float>(seen.output.width);
-    if (seen.zoom.scale > 0) {
-        const ZoomPlace place = zoom_place(seen.zoom, seen.own, seen.own, seen.output);
-        left = static_cast<float>(place.left);
-        width = place.scale * static_cast<float>(seen.own.width);
+/// Which part of a comparison's border the mouse takes.
+struct Grip {
+    bool is_line = false;
+    bool left = false, right = false, upper = false, lower = false; ///< sides of the box
+    bool is_new_box = false;                                        ///< drawn from `from` on
+    OutputPoint from{};                                             ///< in shares of the picture
+    bool any() const { return is_line || left || right || upper || lower || is_new_box; }
+};
+
+Grip grip_at(const State& state, const Seen& seen, float reach) {
+    Grip out;
+    if (!state.compare->shows_one) {
+        return out;
     }
-    return std::clamp((seen.mouse.x - left) / width, 0.0F, 1.0F);
+    const WipeShape shape = placed(wipe_shape(state, *state.compare, seen.whole), *state.compare,
+                                   seen.left, seen.top, seen.scale);
+    const OutputPoint at = seen.mouse;
+    if (state.compare != &compare_box) {
+        out.is_line = std::abs(at.x * shape[0] + at.y * shape[1] - shape[2]) < reach;
+        return out;
+    }
+    const bool is_across = at.x > shape[0] - reach && at.x < shape[2] + reach;
+    const bool is_down = at.y > shape[1] - reach && at.y < shape[3] + reach;
+    out.left = is_down && std::abs(at.x - shape[0]) < reach;
+    out.right = is_down && !out.left && std::abs(at.x - shape[2]) < reach;
+    out.upper = is_across && std::abs(at.y - shape[1]) < reach;
+    out.lower = is_across && !out.upper && std::abs(at.y - shape[3]) < reach;
+    return out;
+}
+
+/// The mouse in shares of the picture.
+OutputPoint share_at_mouse(const Seen& seen) {
+    const auto share = [&](float at, float begin, std::uint32_t length) {
+        return std::clamp((at - begin) / seen.scale / static_cast<float>(length), 0.0F, 1.0F);
+    };
+    return {share(seen.mouse.x, seen.left, seen.whole.width),
+            share(seen.mouse.y, seen.top, seen.whole.height)};
+}
+
+/// Moves a box's side that begins at `begin` and is `length` long.
+void move_sides(bool first, bool last, float to, float& begin, float& length) {
+    constexpr float least = 0.01F;
+    const float end = begin + length;
+    if (first) {
+        begin = std::min(to, end - least);
+        length = end - begin;
+    } else if (last) {
+        length = std::max(to - begin, least);
+    }
+}
+
+void drag_border(State& state, const Grip& grip, const Seen& seen) {
+    if (grip.is_line) {
+        state.split = split_at(state.split_angle, (seen.mouse.x - seen.left) / seen.scale,
+                               (seen.mouse.y - seen.top) / seen.scale, seen.whole);
+        return;
+    }
+    const OutputPoint to = share_at_mouse(seen);
+    if (grip.is_new_box) {
+        state.box_x = std::min(grip.from.x, to.x);
+        state.box_y = std::min(grip.from.y, to.y);
+        state.box_width = std::abs(grip.from.x - to.x);
+        state.box_height = std::abs(grip.from.y - to.y);
+        return;
+    }
+    move_sides(grip.left, grip.right, to.x, state.box_x, state.box_width);
+    move_sides(grip.upper, grip.lower, to.y, state.box_y, state.box_height);
+}
+
+ImGuiMouseCursor cursor_of(const Grip& grip, const State& state) {
+    const bool is_level = grip.is_line && std::abs(std::remainder(state.split_angle, 180.0F)) > 45;
+    const bool across = grip.left || grip.right, down = grip.upper || grip.lower;
+    return across && down     ? ImGuiMouseCursor_ResizeAll
+           : down || is_level ? ImGuiMouseCursor_ResizeNS
+                              : ImGuiMouseCursor_ResizeEW;
 }
 
 /// The left button turns the camera about its target, the middle one or Shift carries both along,
@@ -125,7 +194,7 @@ void zoom_to(Ui& ui, float scale) {
 
 void picture_area(Ui& ui, const Rect& area) {
     const float line_reach = em(0.6F);
-    static bool moves_line = false; // one mouse, one drag
+    static Grip taken; // one mouse, one drag
     State& state = ui.history.draft();
     ui.picture_place = area;
     ImGui::SetNextWindowPos({area.x, area.y});
@@ -151,19 +220,20 @@ void picture_area(Ui& ui, const Rect& area) {
         ImGui::End();
         return;
     }
-    const bool near_line =
-        state.compare == &compare_split &&
-        std::abs(seen.mouse.x - seen.line) < line_reach * io.DisplayFramebufferScale.x;
+    const Grip grip = grip_at(state, seen, line_reach * io.DisplayFramebufferScale.x);
     if (ImGui::IsItemActivated()) {
-        moves_line = near_line;
+        taken = grip;
+        if (state.compare == &compare_box && ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
+            taken = {.is_new_box = true, .from = share_at_mouse(seen)};
+        }
     }
-    if (ImGui::IsItemActive() && moves_line) {
-        state.split = split_at_mouse(seen);
+    if (ImGui::IsItemActive() && taken.any()) {
+        drag_border(state, taken, seen);
     } else if (ImGui::IsItemActive()) {
         drag_picture(ui, seen, area);
     }
-    if (ImGui::IsItemHovered() && near_line) {
-        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (ImGui::IsItemHovered() && grip.any()) {
+        ImGui::SetMouseCursor(cursor_of(grip, state));
     }
     if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
         turn_wheel(ui, seen, io.MouseWheel);

@@ -219,7 +219,7 @@ void view_panel(Ui& ui) {
                         ui.facts.measured.figures->p99, ui.facts.measured.figures->max);
         }
     } else {
-        number(ui, "split");
+        numbers_of(ui, state.compare == &compare_box ? "box-" : "split");
     }
     ImGui::BeginDisabled(state.compare == &compare_difference);
     choice(ui, "view");

@@ -37,7 +37,9 @@ FilterBlock filter_block(const BloomPlan& plan) {
 }
 
 struct Push {
-    float exposure, strength, threshold, knee, split, heat_scale;
+    float exposure, strength, threshold, knee;
+    WipeShape wipe;
+    float heat_scale;
 };
 
 ImageHandle imported(Graph& graph, const std::string& name,
@@ -132,7 +134,8 @@ void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing,
     constants.insert(constants.end(), own_constants.begin(), own_constants.end());
     pass.constants(std::move(constants));
     pass.push(Push{std::exp2(settings.exposure), plan.strength, plan.threshold, plan.knee,
-                   settings.split, settings.heat_scale});
+                   wipe_shape(settings, *settings.compare, size_of(graph, picture)),
+                   settings.heat_scale});
 }
 
 Finished add_finish(Graph& graph, const Finishing& finishing) {

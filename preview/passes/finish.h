@@ -4,6 +4,7 @@
 
 #include "preview/finish/compare.h"
 #include "preview/finish/tonemaps.h"
+#include "preview/finish/wipe.h"
 #include "preview/passes/bloom.h"
 
 #include <cstdint>
@@ -13,11 +14,10 @@ namespace preview {
 
 struct GpuLook;
 
-struct FinishSettings {
+struct FinishSettings : Wipe {
     const Tonemap* tonemap = nullptr; ///< null: the picture is display-encoded already
     float exposure = 0;               ///< stops
     const Compare* compare = &compare_a;
-    float split = 0.5F;    ///< where the line stands, of the width
     float heat_scale = 8;  ///< dE2000 at the heat map's end, a multiple of 4 up to 96
     bool has_marks = true; ///< draw the split line or the heat map's scale; else a later pass does
     Format format = Format::rgba8;

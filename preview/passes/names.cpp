@@ -3,6 +3,8 @@
 #include "preview/passes/glyphs.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <string>
 
 namespace preview {
@@ -29,10 +31,35 @@ std::string characters_of(std::string_view text) {
     return out;
 }
 
+using Sides = std::array<std::int32_t, 2>; // width and height, or x and y
+
+/// Where the panel of a side's name stands.
+Sides corner_of(std::size_t side, const Compare& compare, const WipeShape& wipe, Sides picture,
+                Sides panel, std::int32_t margin) {
+    const std::int32_t right = picture[0] - margin - panel[0];
+    const std::int32_t bottom = picture[1] - margin - panel[1];
+    const bool is_b = side == 1;
+    if (&compare == &compare_side) {
+        return {is_b ? picture[0] / 2 + margin : margin, margin};
+    }
+    if (&compare == &compare_box) {
+        const auto in_box = [&](std::size_t axis, std::int32_t most) {
+            return std::clamp(static_cast<std::int32_t>(wipe[axis]) + margin, margin,
+                              std::max(most, margin));
+        };
+        return is_b ? Sides{right, margin} : Sides{in_box(0, right), in_box(1, bottom)};
+    }
+    // A line that lies more than it stands has its sides above each other.
+    const bool is_turned = wipe[0] < 0;
+    const bool is_lying = std::abs(wipe[1]) > std::abs(wipe[0]);
+    const bool is_low = is_lying && is_b == (wipe[1] > 0);
+    return {is_b != is_turned ? right : margin, is_low ? bottom : margin};
+}
+
 } // namespace
 
 ImageHandle add_names(Graph& graph, ImageHandle picture, const Compare& compare,
-                      std::array<std::string_view, 2> names) {
+                      std::array<std::string_view, 2> names, const WipeShape& wipe) {
     const ImageDesc desc = graph.image_desc(picture);
     const auto width = static_cast<std::int32_t>(desc.width);
     const auto height = static_cast<std::int32_t>(desc.height);
@@ -54,11 +81,9 @@ ImageHandle add_names(Graph& graph, ImageHandle picture, const Compare& compare,
                   no_glyph);
         const std::int32_t wide =
             count == 0 ? 0 : static_cast<std::int32_t>(count) * step + 3 * dot;
-        const std::int32_t right = width - margin - wide;
-        const std::int32_t left = &compare == &compare_side && side == 1 ? width / 2 + margin
-                                  : side == 1                            ? right
-                                                                         : margin;
-        block.panels[side] = {left, margin, wide, count == 0 ? 0 : 10 * dot};
+        const std::array<std::int32_t, 2> corner =
+            corner_of(side, compare, wipe, {width, height}, {wide, 10 * dot}, margin);
+        block.panels[side] = {corner[0], corner[1], wide, count == 0 ? 0 : 10 * dot};
     }
     Pass pass = graph.compute("names", "names.comp");
     pass.read(picture);

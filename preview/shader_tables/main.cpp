@@ -144,12 +144,12 @@ std::string side_choice(char side, bool Compare::*shows) {
         if (row.*shows) {
             any += fmt::format(" || row == {}{}", index_of(row),
                                !row.shows_one ? ""
-                               : side == 'a'  ? " && is_left"
-                                              : " && !is_left");
+                               : side == 'a'  ? " && is_before"
+                                              : " && !is_before");
         }
     }
-    return fmt::format("\n/// Whether a texel on that side of the line needs side {}.\n"
-                       "bool needs_{}(int row, bool is_left) {{\n    return {};\n}}\n",
+    return fmt::format("\n/// Whether a texel on that side of the border needs side {}.\n"
+                       "bool needs_{}(int row, bool is_before) {{\n    return {};\n}}\n",
                        side, side, any);
 }
 
@@ -163,12 +163,13 @@ std::string compare_choice() {
     return fmt::format("// Written by the build from preview/finish/compare.h.\n"
                        "#include \"common/compare.glsl\"\n\n"
                        "const uint difference_bins = {}u;\n"
-                       "const float difference_bins_per_unit = {:.1f};\n\n"
+                       "const float difference_bins_per_unit = {:.1f};\n"
+                       "const int compare_box = {};\n\n"
                        "/// `row` is a specialisation constant wherever this is called, so one "
                        "branch remains.\n"
                        "void show(int row, writeonly image2D target, ivec2 at, ivec2 size, "
                        "Sides sides, Shown how) {{\n    switch (row) {{\n",
-                       DifferenceBins::count, DifferenceBins::per_unit) +
+                       DifferenceBins::count, DifferenceBins::per_unit, index_of(compare_box)) +
            cases + "    }\n}\n" + side_choice('a', &Compare::shows_a) +
            side_choice('b', &Compare::shows_b);
 }

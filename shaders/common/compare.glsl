@@ -5,11 +5,12 @@
 #include "common/heat_map.glsl"
 #include "common/nearest_code.glsl"
 #include "common/sanitise.glsl"
-#include "common/split_line.glsl"
+#include "common/wipe.glsl"
 
 struct Shown {
-    float split; // of the width, 0..1
-    bool has_marks; // the split line, the heat map's scale
+    bool is_before; // on side A of the line, or in the box
+    bool is_border;
+    bool has_marks; // the border, the heat map's scale
     float heat_scale; // dE2000
     bool rounds;      // the target has 8 bits
 };
@@ -34,14 +35,9 @@ void show_b(writeonly image2D target, ivec2 at, ivec2 size, Sides sides, Shown h
     store(target, at, sides.b, how);
 }
 
-bool is_left_of_line(ivec2 at, ivec2 size, float split) {
-    return float(at.x) + 0.5 < split * float(size.x);
-}
-
 void show_split(writeonly image2D target, ivec2 at, ivec2 size, Sides sides, Shown how) {
-    vec3 side = is_left_of_line(at, size, how.split) ? sides.a : sides.b;
-    bool is_line = how.has_marks && on_line(at.x, size, how.split);
-    store(target, at, is_line ? vec3(1.0) : side, how);
+    vec3 side = how.is_before ? sides.a : sides.b;
+    store(target, at, how.has_marks && how.is_border ? vec3(1.0) : side, how);
 }
 
 /// The target is twice as wide.

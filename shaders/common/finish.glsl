@@ -41,7 +41,7 @@ layout(binding = 13) uniform LookB { Look look_b; };
 layout(push_constant) uniform Push {
     float exposure; // factor
     float strength, threshold, knee;
-    float split; // of the width, 0..1
+    vec4 wipe; // common/wipe.glsl
     float heat_scale;
 } push;
 

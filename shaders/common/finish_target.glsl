@@ -27,12 +27,14 @@ void count_difference(float difference) {
 // learn which rows are chosen.
 void store_texel(ivec2 at, ivec2 size, Stages texel) {
     Sides sides = Sides(vec3(0.0), vec3(0.0));
-    bool is_left = is_left_of_line(at, size, push.split);
-    if (needs_a(compare, is_left)) {
+    bool is_box = compare == compare_box;
+    bool is_before = is_before_wipe(is_box, at, push.wipe);
+    if (needs_a(compare, is_before)) {
         sides.a = graded_a(texel);
     }
-    if (needs_b(compare, is_left)) {
+    if (needs_b(compare, is_before)) {
         sides.b = graded_b(texel);
     }
-    show(compare, target, at, size, sides, Shown(push.split, has_marks, push.heat_scale, rounds));
+    show(compare, target, at, size, sides,
+         Shown(is_before, on_wipe(is_box, at, size, push.wipe), has_marks, push.heat_scale, rounds));
 }

@@ -202,6 +202,45 @@ TEST_F(PassTest, differences_are_ciede2000_and_their_figures_those_of_the_pictur
     EXPECT_NEAR(got.p99, wanted[texels * 99 / 100], 0.1);
 }
 
+TEST_F(PassTest, a_wipe_gives_each_texel_to_the_side_that_its_twin_does) {
+    constexpr Size size{64, 36};
+    const gpu::Image image = image_of(
+        std::vector<Rgb>(std::size_t{size.width} * size.height, Rgb{0.25F, 0.5F, 0.75F}), 64);
+    lutlib::Lut black;
+    black.cube = lutlib::identity_cube(2);
+    for (Rgb& node : black.cube->nodes) {
+        node = {0, 0, 0};
+    }
+    const GpuLook look(device(), look_data(black, *gpu_lookup_named("tetrahedral")));
+    for (const Compare* const compare : {&compare_split, &compare_box}) {
+        for (const float angle : {0.0F, 90.0F, 180.0F, 270.0F, 33.0F, 140.0F}) {
+            FinishSettings settings;
+            settings.compare = compare;
+            settings.split = 0.4F;
+            settings.split_angle = angle;
+            settings.box_width = angle / 400;
+            settings.format = Format::rgba32f;
+            settings.has_marks = false;
+            Graph graph;
+            const ImageHandle source = graph.import("colours", image, image.desc());
+            const ImageHandle out =
+                add_finish(graph, {source, {}, nullptr, &look, settings}).picture;
+            graph.present(out);
+            const std::vector<Rgb> got = colors_of(run_and_read<float>(graph, out));
+            const WipeShape shape = wipe_shape(settings, *compare, size);
+            int wrong = 0;
+            for (std::uint32_t y = 0; y < size.height; ++y) {
+                for (std::uint32_t x = 0; x < size.width; ++x) {
+                    const bool is_a = got[y * size.width + x].g > 0;
+                    wrong += is_a != shows_a(shape, *compare, x + 0.5, y + 0.5) ? 1 : 0;
+                }
+            }
+            // A line in float may pass the middle of a texel on the other side.
+            EXPECT_LE(wrong, std::fmod(angle, 90.0F) == 0 ? 0 : 1) << compare->name << angle;
+        }
+    }
+}
+
 TEST_F(PassTest, sides_and_halves_show_the_look_they_are_named_for) {
     std::vector<Rgb> colors(std::size_t{64} * 36, Rgb{0.25F, 0.5F, 0.75F});
     const gpu::Image image = image_of(colors, 64);
@@ -238,6 +277,10 @@ TEST_F(PassTest, sides_and_halves_show_the_look_they_are_named_for) {
             EXPECT_EQ(at(14), original);
             EXPECT_EQ(at(18), none);
             EXPECT_EQ(at(16), (Rgb{1, 1, 1}));
+        } else if (name == "box") {
+            EXPECT_EQ(at(5), none);
+            EXPECT_EQ(at(30), original);
+            EXPECT_EQ(at(60), none);
         } else if (name == "side") {
             EXPECT_EQ(at(63), original);
             EXPECT_EQ(at(64), none);

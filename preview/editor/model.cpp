@@ -37,7 +37,7 @@ std::string title_of(const Side& side) {
     }
     const SideSourceInfo& row = side_sources[static_cast<std::size_t>(side.source)];
     return std::string(row.name) +
-           (side.engine != nullptr ? " " + std::string(side.engine->name) : "");
+           (side.source == SideSource::baked ? " " + std::string(side.engine->name) : "");
 }
 
 bool same(const lutlib::Recipe& a, const lutlib::Recipe& b) {

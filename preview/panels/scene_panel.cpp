@@ -108,6 +108,25 @@ void camera_controls(Ui& ui) {
     mark(ui, "camera.keep");
 }
 
+/// The moment of a built-in scene.
+void time_controls(Ui& ui) {
+    if (scene_named(ui.facts.input) == nullptr) {
+        return;
+    }
+    if (ImGui::Button(ui.plays ? "Stop" : "Play")) {
+        ui.plays = !ui.plays;
+    }
+    mark(ui, "time.play");
+    ImGui::SameLine();
+    auto seconds = static_cast<float>(ui.seconds);
+    if (ImGui::DragFloat("Time (s)", &seconds, 0.05F, 0, 1e4F, "%.2f",
+                         ImGuiSliderFlags_AlwaysClamp)) {
+        ui.seconds = static_cast<double>(seconds);
+    }
+    mark(ui, "time");
+    tip("The moment that the scene and its effects show", "0 s");
+}
+
 } // namespace
 
 void scene_panel(Ui& ui) {
@@ -115,6 +134,7 @@ void scene_panel(Ui& ui) {
     scene_list(ui);
     if (ui.facts.is_scene) {
         camera_controls(ui);
+        time_controls(ui);
     }
     for (const std::string& line : ui.facts.left_out) {
         ImGui::TextWrapped("Left out: %s", line.c_str());

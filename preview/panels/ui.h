@@ -109,6 +109,8 @@ struct Ui {
     std::optional<ProbePlace> pointer;  ///< the pixel of the picture's place under the mouse
     Rect picture_place;                 ///< in the last frame
     std::string debug_view;             ///< the intermediate that is shown; empty: the picture
+    double seconds = 0;                 ///< the moment of the scene
+    bool plays = false;                 ///< time goes on by itself
     std::vector<NamedCamera> bookmarks; ///< cameras that were kept
     std::vector<PickedColor> picked;    ///< the newest first
     float display_white = 100;          ///< cd/m2, for which luminances are told

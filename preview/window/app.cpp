@@ -15,6 +15,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace preview {
@@ -23,6 +24,8 @@ namespace {
 
 // Bad input or a machine that cannot.
 constexpr int code_of_lost_display = 2;
+// What a slow machine does not draw is left out beyond this: the scene plays slower.
+constexpr double longest_step = 0.5;
 
 std::string shown_path(const std::filesystem::path& path) {
     return lutlib::io::shown_text(path.string());
@@ -128,10 +131,14 @@ void App::follow_shown() {
     screen_->show(shown);
     drawn_.reset();
     reader_.forget();
-    ui_.facts.input = shown->name;
     ui_.facts.left_out = shown->left_out;
     ui_.facts.cameras = shown->scene ? shown->scene->cameras : std::vector<NamedCamera>();
-    ui_.bookmarks.clear();
+    if (ui_.facts.input != shown->name) {
+        ui_.bookmarks.clear();
+        ui_.plays = false;
+    }
+    ui_.seconds = shown->seconds;
+    ui_.facts.input = shown->name;
     ui_.facts.is_scene = shown->scene.has_value();
     ui_.facts.usual_orbit = shown->scene ? shown->scene->orbit : Orbit{};
     ui_.facts.usual_lights = shown->scene ? shown->scene->lights : std::vector<PointLight>{};
@@ -248,6 +255,34 @@ bool App::ends() {
     return ui_.quits;
 }
 
+/// The scene at the moment that the panel has, in every state that undo knows: time is no step.
+void App::move_time() {
+    const std::shared_ptr<const Shown> shown = ui_.history.draft().shown;
+    if (ui_.plays) {
+        const auto now = std::chrono::steady_clock::now();
+        const double passed = std::chrono::duration<double>(now - played_at_).count();
+        ui_.seconds += std::clamp(passed, 0.0, longest_step);
+        played_at_ = now;
+        wake();
+    } else {
+        played_at_ = std::chrono::steady_clock::now();
+    }
+    if (!shown->scene || ui_.seconds == shown->seconds) {
+        return;
+    }
+    Shown named;
+    named.name = shown->name;
+    named.surroundings_file = shown->surroundings_file;
+    named.seconds = ui_.seconds;
+    const auto fresh = std::make_shared<const Shown>(load_again(named));
+    ui_.history.change_all([&](editor::State& state) {
+        if (state.shown == shown) {
+            take_shown_again(state, fresh);
+        }
+    });
+    follow_shown();
+}
+
 /// What somebody has chosen of the looks that windows left behind.
 void App::take_left_behind() {
     if (const std::string taken = std::exchange(ui_.take_left, {}); !taken.empty()) {
@@ -289,6 +324,7 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
         panels::attempt(ui_, [&] { open(path); });
     }
     take_left_behind();
+    panels::attempt(ui_, [this] { move_time(); });
     following_.take(ui_, [this] { follow_shown(); });
     for (const editor::InputEvent& event : events) {
         if (event.kind == editor::InputEvent::Kind::key) {
@@ -318,7 +354,7 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
     }
     render(area);
     show_title();
-    if (frames_due_ == 0 && !baker_.is_busy()) {
+    if ((frames_due_ == 0 || ui_.plays) && !baker_.is_busy()) {
         keep_look();
         keep_memory();
         write_places(ui_, setup_.places);

@@ -11,6 +11,7 @@
 #include "preview/window/window_events.h"
 #include "preview/window/window_frame.h"
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,7 @@ class App {
     void show_title();
     bool ends();
     void take_left_behind();
+    void move_time();
     FrameInputs frame_inputs() const;
     void save_picture(const std::string& path);
 
@@ -67,8 +69,9 @@ class App {
     int frames_due_ = frames_after_event;
     Recovery recovery_;
     Autosave autosave_{settings_folder()};
-    std::string title_;        ///< the window's
-    std::string keep_failure_; ///< why the look is not kept; empty: it is
+    std::string title_;                               ///< the window's
+    std::chrono::steady_clock::time_point played_at_; ///< the last frame of a scene that plays
+    std::string keep_failure_;                        ///< why the look is not kept; empty: it is
 };
 
 } // namespace preview

@@ -79,6 +79,7 @@ FrameSettings window_settings(const panels::Ui& ui, FrameSettings given, Size ou
         settings.probe = {std::clamp(ui.pointer->x, 0, static_cast<int>(output.width) - 1),
                           std::clamp(ui.pointer->y, 0, static_cast<int>(output.height) - 1)};
     }
+    settings.seconds = ui.seconds;
     settings.view = debug_view_named(ui.debug_view);
     settings.axes = ui.shows_curves ? &state.recipe.input : nullptr;
     return settings;

@@ -96,6 +96,22 @@ TEST_F(WindowWipe, goes_back_to_cameras_and_shows_intermediates_or_says_that_the
     click("debug-view");
     click("debug-view.none");
     screen_where(is(first), "the picture");
+    click("tab.Scene");
+    drag(place("time").at(0.5, 0.5), place("time").at(0.6, 0.5), place("time").at(0.9, 0.5));
+    click("time.play");
+    const int playing = frame();
+    wait_until([&] { return frame() > playing + 3; }, "frames of a scene that plays");
+    click("time.play");
+    act(mouse_to(place("time").at(0.5, 0.5)) +
+        Words{"keydown", "ctrl", "mousedown", "1", "mouseup", "1", "keyup", "ctrl"});
+    key("ctrl+a");
+    type("0");
+    key("Return");
+    screen_where(is(first), "the scene as at first");
+    key("ctrl+z"); // time is no step: this takes the camera back
+    screen_where(is(turned), "the turn");
+    key("ctrl+y");
+    screen_where(is(first), "the first camera");
     open("picture.ppm");
     const Screen shown = first_screen();
     click("tab.Passes");

@@ -13,7 +13,7 @@ namespace {
 // So that a node without support follows those that have it, and still has a place of its own.
 constexpr double least_support = 1e-3;
 // Of the width of the lattice, where nodes beside the greys no longer follow them.
-constexpr double reach = 0.25;
+constexpr double widest_reach = 0.25;
 // A fall that its pixels say: beyond so many standard deviations of their mean, in any case from
 // the larger of these on, and never below the smaller.
 constexpr double certain = 3, least_fall = 0.5 / 255, largest_chance = 2 / 255.0;
@@ -54,7 +54,7 @@ std::array<bool, 3> make_greys_rise(Lut3D& cube, std::span<const double> support
         }
         for_each_node(cube.size, [&](int r, int g, int b) {
             const double aside = std::max({r, g, b}) - std::min({r, g, b});
-            const double nearness = 1 - aside / (reach * (cube.size - 1));
+            const double nearness = 1 - aside / (widest_reach * (cube.size - 1));
             if (nearness > 0) {
                 const double place = (r + g + b) / 3.0;
                 const auto i = static_cast<std::size_t>(place);

@@ -16,7 +16,7 @@ double sum(Rgb c) {
     return static_cast<double>(c.r) + static_cast<double>(c.g) + static_cast<double>(c.b);
 }
 
-class Line {
+class FittedLine {
   public:
     void add(double x, double y) {
         ++count_;
@@ -82,7 +82,7 @@ class Measure {
     }
 
     std::optional<MarkGeometry> run() const {
-        const Line along = edges_along(), between = edges_between();
+        const FittedLine along = edges_along(), between = edges_between();
         if (along.count() < fewest || between.count() < fewest || along.off() > straight ||
             between.off() > straight) {
             return std::nullopt;
@@ -106,8 +106,8 @@ class Measure {
 
     // Of both rows, against where they were placed; each edge is looked for where the one before it
     // leads to.
-    Line edges_along() const {
-        Line out;
+    FittedLine edges_along() const {
+        FittedLine out;
         for (int row = 0; row < 2; ++row) {
             const int y = at_.y + row * mark_cell + mark_cell / 2;
             double drift = -0.5; // a step lies between two pixels' centres
@@ -129,8 +129,8 @@ class Measure {
     }
 
     // Of cells that differ from the one below, against where along the mark they were placed.
-    Line edges_between() const {
-        Line out;
+    FittedLine edges_between() const {
+        FittedLine out;
         for (int i = 0; i < mark_cells; ++i) {
             if (is_light(0, i) == is_light(1, i)) {
                 continue;

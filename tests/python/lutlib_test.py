@@ -218,9 +218,10 @@ class Work(unittest.TestCase):
 
     def test_makes_recipes_of_operators(self):
         recipe = lutlib.Recipe("calm").add("exposure", stops=1)
-        recipe.add("hue-vs-sat", curve=[(0, 1), (120, 0.5)], enabled=False)
+        recipe.add("hue-vs-sat", curve=[(0, 1), (120, 0.5)], enabled=False, opacity=0.25)
         self.assertEqual([row["op"] for row in recipe.operators], ["exposure", "hue-vs-sat"])
         self.assertEqual(recipe.operators[1]["curve"], [(0, 1), (120, 0.5)])
+        self.assertEqual(recipe.operators[1]["opacity"], 0.25)
         again = lutlib.Recipe.from_json(recipe.to_json())
         self.assertEqual(again.operators, recipe.operators)
         # A stop is twice the light: sRGB by its standard's formula.

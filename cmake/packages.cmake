@@ -32,7 +32,7 @@ set(CPACK_COMPONENT_LUTCONV_DESCRIPTION
 
 set(CPACK_DEBIAN_LUTPREVIEW_PACKAGE_NAME lutpreview)
 set(CPACK_DEBIAN_LUTPREVIEW_PACKAGE_DEPENDS "lutconv (= ${PROJECT_VERSION}), ${needs_of_library}, \
-libvulkan1, libglfw3, libstb0, fonts-dejavu-core")
+libvulkan1, libglfw3, libstb0, libfftw3-double3, fonts-dejavu-core")
 set(CPACK_DEBIAN_LUTPREVIEW_PACKAGE_RECOMMENDS "mesa-vulkan-drivers, libassimp5")
 set(CPACK_COMPONENT_LUTPREVIEW_DESCRIPTION
     "previews colour LUTs on rendered scenes, as game engines show them

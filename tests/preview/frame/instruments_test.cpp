@@ -69,6 +69,7 @@ TEST_F(FrameTest, a_probe_tells_both_sides_of_the_same_texel_whatever_is_compare
     for (const Compare& compare : compares) {
         settings.compare = &compare;
         settings.split = 0.25F;
+        settings.box_x = 0.7F; // which leaves the texel to side B
         settings.probe = {90, 41};
         const Rendered rendered = render_frame(executor, inputs, settings);
         ASSERT_TRUE(rendered.probe) << compare.name;

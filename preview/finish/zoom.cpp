@@ -39,10 +39,6 @@ Zoom at_places(Zoom zoom, float scale, double left, double top, Size own, Size o
 
 } // namespace
 
-std::span<const Magnifier> magnifier_rows() {
-    return magnifiers;
-}
-
 Size made_size(const Zoom& zoom, Size own) {
     if (zoom.scale >= 1) {
         return own;

@@ -5,7 +5,7 @@
 #include "preview/gpu/size.h"
 
 #include <array>
-#include <span>
+#include <cstdint>
 #include <string_view>
 
 namespace preview {
@@ -20,7 +20,6 @@ inline constexpr std::array<Magnifier, 2> magnifiers{{
     {"smooth", "linear between the pixels' codes"},
 }};
 inline constexpr const Magnifier& magnifier_smooth = lutlib::row_named(magnifiers, "smooth");
-std::span<const Magnifier> magnifier_rows();
 
 struct Zoom {
     float scale = 0;          ///< output's pixels to one of the picture; 0: all is seen

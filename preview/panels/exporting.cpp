@@ -2,7 +2,6 @@
 
 #include "lutlib/engine/engine.h"
 #include "lutlib/limits.h"
-#include "preview/panels/theme.h"
 #include "preview/panels/tip.h"
 #include "preview/panels/ui.h"
 

@@ -2,7 +2,6 @@
 
 #include "preview/editor/commands.h"
 #include "preview/editor/search.h"
-#include "preview/panels/theme.h"
 #include "preview/panels/ui.h"
 
 #include <imgui.h>

@@ -10,12 +10,12 @@ const int light_steps = 1024, dial_steps = 512;
 const float hue_unit = 64.0;
 const float srgb_chroma = 0.3225;
 
-layout(std430, binding = 16) readonly buffer Tables {
+layout(std430, binding = 13) readonly buffer Tables {
     vec4 cones[3];
     float light[light_steps + 1];
     float dial[dial_steps + 1];
 } tables;
-layout(std430, binding = 17) buffer Counts { uint counts[]; };
+layout(std430, binding = 14) buffer Counts { uint counts[]; };
 
 shared uint bins[axes * bins_each];
 

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "common/finish.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(binding = 16) writeonly uniform image2D composite;
+layout(binding = 13) writeonly uniform image2D composite;
 
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);

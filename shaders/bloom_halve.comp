@@ -33,7 +33,8 @@ void main() {
     for (int k = 0; k < texels_each; ++k) {
         vec3 c = light[k];
         if (prefilter) {
-            c = round_to_half(c * bloom_share(max(c.r, max(c.g, c.b)), push.threshold, push.knee));
+            float share = bloom_share(max(c.r, max(c.g, c.b)), push.threshold, push.knee);
+            c = share > 0.0 ? round_to_half(c * share) : vec3(0.0);
         }
         tile[thread + k * threads] = uvec2(packHalf2x16(c.rg), packHalf2x16(vec2(c.b, 0.0)));
     }

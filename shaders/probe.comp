@@ -5,8 +5,8 @@
 #include "common/finish.glsl"
 #include "common/graded.glsl"
 layout(local_size_x = 1) in;
-layout(binding = 16) uniform Place { ivec2 at; } place;
-layout(binding = 17) writeonly buffer Probed { vec4 before, a, b; } probed;
+layout(binding = 13) uniform Place { ivec2 at; } place;
+layout(binding = 14) writeonly buffer Probed { vec4 before, a, b; } probed;
 
 void main() {
     Stages texel = stages_of(place.at, picture_at(place.at));

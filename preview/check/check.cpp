@@ -74,7 +74,7 @@ Checker::Seen Checker::see(const Situation& situation, bool with_bloom_apart) {
     if (with_bloom_apart && out.handles.bloom) {
         Finishing bloomed;
         bloomed.picture = out.handles.hdr;
-        bloomed.bloom = out.handles.bloom_layers;
+        bloomed.bloom = out.handles.bloomed;
         out.graph.present(add_bloom_composite(out.graph, bloomed));
     }
     out.observed = observe(executor_, out.graph);

@@ -45,7 +45,8 @@ class Planner {
         for (BloomTap& tap : taps) {
             tap.weight *= 1 - keep;
         }
-        BloomStep step{source, 0, 0.5F, std::move(taps), own, keep};
+        BloomStep step{source, 0, 0.5F, std::move(taps), own};
+        step.keep = keep;
         return add(std::move(step), extent(own));
     }
 
@@ -58,8 +59,19 @@ class Planner {
         return source;
     }
 
+    /// Blends the coarser image `own` into the image that the last step made.
+    void blend(int own, float own_scale, float keep) {
+        BloomStep& step = plan_.steps.back();
+        step.own = own;
+        step.own_scale = own_scale;
+        step.keep = keep;
+        for (BloomTap& tap : step.taps) {
+            tap.weight *= 1 - keep;
+        }
+    }
+
     void finish(int image, float scale, std::vector<BloomTap> taps) {
-        plan_.layers.push_back({image, scale, std::move(taps)});
+        plan_.last = {image, scale, std::move(taps)};
     }
 
     BloomPlan take() { return std::move(plan_); }
@@ -70,27 +82,6 @@ class Planner {
         plan_.images.push_back(extent);
         plan_.steps.push_back(std::move(step));
         return plan_.steps.back().target;
-    }
-
-    // The same filter with one tap a texel, for a step that halves.
-    static std::vector<BloomTap> texel_taps(const std::vector<BloomTap>& taps) {
-        std::map<std::pair<float, float>, float> weights;
-        for (const BloomTap& tap : taps) {
-            const float x = std::floor(tap.x - 0.5F), y = std::floor(tap.y - 0.5F);
-            const float fx = tap.x - 0.5F - x, fy = tap.y - 0.5F - y;
-            for (const auto& [dx, wx] : {std::pair{0.5F, 1 - fx}, std::pair{1.5F, fx}}) {
-                for (const auto& [dy, wy] : {std::pair{0.5F, 1 - fy}, std::pair{1.5F, fy}}) {
-                    if (wx * wy > 0) {
-                        weights[{y + dy, x + dx}] += wx * wy * tap.weight;
-                    }
-                }
-            }
-        }
-        std::vector<BloomTap> out;
-        for (const auto& [place, weight] : weights) {
-            out.push_back({place.second, place.first, weight});
-        }
-        return out;
     }
 
     BloomExtent picture_;
@@ -118,12 +109,19 @@ float pyramid_variance(int k) {
     return (area - 1) / 4 + area / 6;
 }
 
-// Each Gaussian on the coarsest level on which its sigma, less what the pyramid itself adds, is
-// still so wide that samples of it sum up evenly.
+// Each Gaussian, from narrow to wide, on the coarsest level on which its sigma, less what the
+// pyramid itself adds, is still so wide that samples of it sum up evenly. Then from the coarsest
+// level on each sum is enlarged into the next finer level: an enlargement adds the same variance in
+// one step or in several, and whoever reads the glow reads one image.
 BloomPlan gaussians_plan(BloomExtent picture, const BloomSettings& settings,
                          std::span<const BloomGaussian> gaussians) {
-    constexpr float least_sigma = 1.5F;
+    constexpr float least_sigma = 1.4F;
+    struct Placed {
+        int level, image;
+        float sigma, weight; ///< sigma in texels of its level
+    };
     Planner planner(picture, settings);
+    std::vector<Placed> placed;
     int level = 0, image = BloomPlan::picture_image;
     const float scale = settings.radius * static_cast<float>(picture.height) / nominal_height;
     for (const BloomGaussian& gaussian : gaussians) {
@@ -136,9 +134,18 @@ BloomPlan gaussians_plan(BloomExtent picture, const BloomSettings& settings,
             image = planner.halve(image, cubic_down());
             ++level;
         }
-        const int blurred = planner.blur(image, std::max(sigma_on(level), 0.05F));
-        planner.finish(blurred, std::ldexp(1.0F, -level), {{0, 0, gaussian.weight}});
+        placed.push_back({level, image, std::max(sigma_on(level), 0.05F), gaussian.weight});
     }
+    Placed sum{};
+    for (auto next = placed.rbegin(); next != placed.rend(); ++next) {
+        const int blurred = planner.blur(next->image, next->sigma);
+        const float total = sum.weight + next->weight;
+        if (sum.weight > 0) {
+            planner.blend(sum.image, std::ldexp(1.0F, next->level - sum.level), sum.weight / total);
+        }
+        sum = {next->level, blurred, 0, total};
+    }
+    planner.finish(sum.image, std::ldexp(1.0F, -sum.level), {{0, 0, 1}});
     return planner.take();
 }
 
@@ -294,6 +301,26 @@ double bloom_share(double brightness, double threshold, double knee) {
 
 double bloom_onset(const BloomSettings& settings) {
     return std::max(0.0F, settings.threshold - std::min(settings.knee, settings.threshold));
+}
+
+std::vector<BloomTap> texel_taps(const std::vector<BloomTap>& taps) {
+    std::map<std::pair<float, float>, float> weights;
+    for (const BloomTap& tap : taps) {
+        const float x = std::floor(tap.x - 0.5F), y = std::floor(tap.y - 0.5F);
+        const float fx = tap.x - 0.5F - x, fy = tap.y - 0.5F - y;
+        for (const auto& [dx, wx] : {std::pair{0.5F, 1 - fx}, std::pair{1.5F, fx}}) {
+            for (const auto& [dy, wy] : {std::pair{0.5F, 1 - fy}, std::pair{1.5F, fy}}) {
+                if (wx * wy > 0) {
+                    weights[{y + dy, x + dx}] += wx * wy * tap.weight;
+                }
+            }
+        }
+    }
+    std::vector<BloomTap> out;
+    for (const auto& [place, weight] : weights) {
+        out.push_back({place.second, place.first, weight});
+    }
+    return out;
 }
 
 std::vector<BloomTap> gaussian_taps(float sigma) {

@@ -32,13 +32,14 @@ struct BloomTap {
     float x = 0, y = 0, weight = 0;
 };
 
-/// target(x) = sum of taps over `source` (+ keep * target's own level `own` where that is given).
+/// target(x) = sum of taps over `source` (+ keep * `own` where that is given).
 struct BloomStep {
     int source = -1; ///< image number; picture_image is the HDR picture
     int target = 0;  ///< image number, written by this step alone
     float scale = 1; ///< source texels a target texel: 2 down, 0.5 up
     std::vector<BloomTap> taps;
-    int own = -1;           ///< image of the target's size that is blended in, or -1
+    int own = -1;           ///< image that is blended in, or -1
+    float own_scale = 1;    ///< its texels a target texel; it is fetched at own_scale * (x + 0.5)
     float keep = 0;         ///< its weight; the taps' weights sum to 1 - keep
     bool prefilter = false; ///< every tap is taken through pre()
     bool karis = false; ///< groups of four taps are averaged with weights 1 / (1 + largest channel)
@@ -52,23 +53,22 @@ struct BloomExtent {
 struct BloomPlan {
     static constexpr int picture_image = -1;
     static constexpr int max_taps = 32;      ///< of a step
-    static constexpr int max_layers = 4;     ///< images that the composite reads
-    static constexpr int max_final_taps = 9; ///< of the composite, when it reads one image
+    static constexpr int max_final_taps = 9; ///< of the composite
 
     std::vector<BloomExtent> images;
     std::vector<BloomStep> steps;
 
-    /// The last filter, which the finishing pass does: the sum over layers of bilinear fetches at
-    /// scale * (x + 0.5) + offset. Several layers have one tap each.
-    struct Layer {
+    /// The last filter, which the finishing pass does: a sum of bilinear fetches of one image at
+    /// scale * (x + 0.5) + offset.
+    struct Last {
         int image = 0;
         float scale = 1;
         std::vector<BloomTap> taps;
     };
-    std::vector<Layer> layers;
+    Last last;
     float strength = 0, threshold = 0, knee = 0;
 
-    bool empty() const { return layers.empty(); }
+    bool empty() const { return last.taps.empty(); }
 };
 
 /// Sigmas are given for a picture of so many lines, and follow its height: the glare of an eye is
@@ -101,6 +101,9 @@ double bloom_share(double brightness, double threshold, double knee);
 
 /// No light up to this brightness blooms.
 double bloom_onset(const BloomSettings& settings);
+
+/// The filter of a step that halves with one tap a texel.
+std::vector<BloomTap> texel_taps(const std::vector<BloomTap>& taps);
 
 /// Half of a normalised, sampled Gaussian as bilinear taps: the single centre, then pairs of
 /// neighbours fetched at once. Their mirror images are implied; the weights of all sum to 1.

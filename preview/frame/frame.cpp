@@ -61,8 +61,8 @@ std::string_view no_bloom_because(const FrameInputs& inputs, const FrameSettings
     return {};
 }
 
-BloomLayers bloom_of(Graph& graph, ImageHandle hdr, const FrameInputs& inputs,
-                     const FrameSettings& settings, const EffectUses& drawn) {
+Bloomed bloom_of(Graph& graph, ImageHandle hdr, const FrameInputs& inputs,
+                 const FrameSettings& settings, const EffectUses& drawn) {
     if (settings.without.has(Effect::bloom)) {
         return {};
     }
@@ -78,7 +78,8 @@ BloomLayers bloom_of(Graph& graph, ImageHandle hdr, const FrameInputs& inputs,
         graph.withhold("bloom", reason);
         return {};
     }
-    return add_bloom(graph, hdr, plan, settings.bloom_format, settings.reuses_light());
+    return add_bloom(graph, hdr, plan,
+                     {.format = settings.bloom_format, .is_kept = settings.reuses_light()});
 }
 
 /// What the finishing pass is asked for; says which looks there are not.
@@ -288,8 +289,8 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
     Finishing finishing = finishing_of(graph, inputs, settings);
     finishing.picture = handles.hdr;
     finishing.bloom = bloom_of(graph, handles.hdr, inputs, settings, drawn.uses);
-    handles.bloom_layers = finishing.bloom;
-    handles.bloom = finishing.bloom.images[0];
+    handles.bloomed = finishing.bloom;
+    handles.bloom = finishing.bloom.glow;
     finish(graph, settings, drawn, finishing, handles);
 
     if (settings.view != nullptr) {

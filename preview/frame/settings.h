@@ -107,7 +107,7 @@ struct FrameHandles {
     GBuffer surfaces;
     BufferHandle materials; ///< the scene's buffer
     ImageHandle shadow_maps, occlusion, lit, hdr, bloom, graded, geometry;
-    BloomLayers bloom_layers;          ///< `bloom` is the first of their images
+    Bloomed bloomed;                   ///< `bloom` is its glow
     BufferHandle hdr_maximum, figures; ///< a picture that no resolve changes has no maximum
     std::array<ImageHandle, scopes.size()> scope_pictures; ///< of those looked at, presented
     BufferHandle probe, axis_counts;

@@ -7,15 +7,18 @@
 
 namespace preview {
 
-struct [[nodiscard]] BloomLayers {
-    BloomPlan plan; ///< empty: no bloom
-    std::array<ImageHandle, BloomPlan::max_layers> images;
+struct [[nodiscard]] Bloomed {
+    BloomPlan plan;   ///< empty: no bloom
+    ImageHandle glow; ///< what the last filter reads
 };
 
-/// `plan` is made for the picture's size. `work` is the format of the
-/// pyramid: rgba16f, rgba32f or r11g11b10f. Layers that are kept
-/// serve further frames of the same light.
-BloomLayers add_bloom(Graph& graph, ImageHandle hdr, const BloomPlan& plan,
-                      Format work = Format::rgba16f, bool are_kept = false);
+struct BloomWork {
+    Format format = Format::rgba16f; ///< of the pyramid
+    bool is_kept = false;            ///< the glow serves further frames of the same light
+    bool fuses = true;               ///< a dispatch does many steps; else each does one
+};
+
+/// `plan` is made for the picture's size.
+Bloomed add_bloom(Graph& graph, ImageHandle hdr, const BloomPlan& plan, const BloomWork& work = {});
 
 } // namespace preview

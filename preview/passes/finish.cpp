@@ -18,20 +18,16 @@ constexpr std::uint64_t figures_bytes = sizeof(std::uint32_t) * (1 + DifferenceB
 constexpr std::uint32_t tile_width = 32, tile_height = 128;
 
 struct FilterBlock {
-    std::array<std::array<float, 4>, BloomPlan::max_layers> layers{};
+    std::array<float, 4> scale{};
     std::array<std::array<float, 4>, BloomPlan::max_final_taps> taps{};
 };
 
 FilterBlock filter_block(const BloomPlan& plan) {
     FilterBlock block;
-    for (std::size_t i = 0; i < plan.layers.size(); ++i) {
-        block.layers[i] = {plan.layers[i].scale, plan.layers[i].taps[0].weight, 0, 0};
-    }
-    if (plan.layers.size() == 1) {
-        const std::vector<BloomTap>& taps = plan.layers[0].taps;
-        for (std::size_t i = 0; i < taps.size(); ++i) {
-            block.taps[i] = {taps[i].x, taps[i].y, taps[i].weight, 0};
-        }
+    const std::vector<BloomTap>& taps = plan.last.taps;
+    block.scale[0] = plan.last.scale;
+    for (std::size_t i = 0; i < taps.size(); ++i) {
+        block.taps[i] = {taps[i].x, taps[i].y, taps[i].weight, 0};
     }
     return block;
 }
@@ -102,9 +98,7 @@ void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing,
     const auto& [picture, bloom, a, b, settings] = finishing;
     const BloomPlan& plan = bloom.plan;
     pass.read(picture);
-    for (const ImageHandle layer : bloom.images) {
-        pass.sample(layer, Sampler::linear_clamp);
-    }
+    pass.sample(bloom.glow, Sampler::linear_clamp);
     // A frame may have both: one pass that composites the bloom, and one that finds it done.
     pass.uniform(
         graph.data_of(plan.empty() ? "no bloom filter" : "bloom final filter", filter_block(plan)));
@@ -113,16 +107,12 @@ void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing,
     pass.storage(curve_of(graph, settings.tonemap));
     pass.storage(conversions_of(graph, a, b));
 
-    const auto layers = static_cast<std::uint32_t>(plan.layers.size());
-    const auto taps =
-        layers == 1 ? static_cast<std::uint32_t>(plan.layers[0].taps.size()) : std::uint32_t{1};
     const Format format = graph.image_desc(picture).format;
     const bool unit =
         format == Format::rgba8 || format == Format::rgb10a2 || format == Format::rgba16;
     const int tonemap = settings.tonemap ? index_of(*settings.tonemap) : -1;
     std::vector<std::uint32_t> constants{static_cast<std::uint32_t>(tonemap),
-                                         layers,
-                                         taps,
+                                         static_cast<std::uint32_t>(plan.last.taps.size()),
                                          plan.threshold > 0,
                                          shader_of(a),
                                          shader_of(b),

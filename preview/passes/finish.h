@@ -33,7 +33,7 @@ struct [[nodiscard]] Finished {
 /// What finishes a picture. The looks may be null: none; they must outlive the frame.
 struct Finishing {
     ImageHandle picture;
-    BloomLayers bloom;
+    Bloomed bloom;
     const GpuLook* look_a = nullptr;
     const GpuLook* look_b = nullptr;
     FinishSettings settings;
@@ -43,8 +43,8 @@ struct Finishing {
 Finished add_finish(Graph& graph, const Finishing& finishing);
 
 /// For a pass that finishes texels to count or tell them: binds what shaders/common/finish.glsl
-/// reads (bindings 0 to 15) and sets its constants and push constants. The shader's own constants
-/// follow from 11 on.
+/// reads (bindings 0 to 12) and sets its constants and push constants. The shader's own constants
+/// follow from 10 on.
 void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing,
                  std::span<const std::uint32_t> own_constants = {});
 

@@ -72,24 +72,24 @@ Image bloom(const BloomPlan& plan, const Image& hdr) {
             for (int x = 0; x < target.width; ++x) {
                 RgbD light = filter(plan, step, image(step.source), x, y);
                 if (step.own >= 0) {
-                    light = light + image(step.own).at(x, y) * static_cast<double>(step.keep);
+                    const double scale = static_cast<double>(step.own_scale);
+                    light = light + image(step.own).sample(scale * (x + 0.5), scale * (y + 0.5)) *
+                                        static_cast<double>(step.keep);
                 }
                 target.at(x, y) = light;
             }
         }
     }
     Image out(hdr.width, hdr.height);
-    for (const BloomPlan::Layer& layer : plan.layers) {
-        const double scale = static_cast<double>(layer.scale);
-        for (int y = 0; y < out.height; ++y) {
-            for (int x = 0; x < out.width; ++x) {
-                for (const BloomTap& tap : layer.taps) {
-                    out.at(x, y) = out.at(x, y) +
-                                   image(layer.image)
-                                           .sample(scale * (x + 0.5) + static_cast<double>(tap.x),
-                                                   scale * (y + 0.5) + static_cast<double>(tap.y)) *
+    const Image& glow = image(plan.last.image);
+    const double scale = static_cast<double>(plan.last.scale);
+    for (int y = 0; y < out.height; ++y) {
+        for (int x = 0; x < out.width; ++x) {
+            for (const BloomTap& tap : plan.last.taps) {
+                out.at(x, y) =
+                    out.at(x, y) + glow.sample(scale * (x + 0.5) + static_cast<double>(tap.x),
+                                               scale * (y + 0.5) + static_cast<double>(tap.y)) *
                                        static_cast<double>(tap.weight);
-                }
             }
         }
     }

@@ -14,9 +14,3 @@ float bloom_share(float brightness, float threshold, float knee) {
 vec3 with_bloom(vec3 light, vec3 own, vec3 glow, float strength) {
     return light + strength * (glow - own);
 }
-
-/// A layer of the bloom about a place in the picture's texels. `how` is its scale and weight,
-/// loaded at once.
-vec3 layer_at(sampler2D layer, vec2 at, vec4 how) {
-    return textureLod(layer, at * how.x / vec2(textureSize(layer, 0)), 0.0).rgb * how.y;
-}

@@ -1,5 +1,5 @@
 // All that a pass which finishes texels is given: preview/passes/finish.h, bind_finish(), binds it,
-// and the passes' own bindings follow from 16 on. Only the functions here, those of
+// and the passes' own bindings follow from 13 on. Only the functions here, those of
 // common/graded.glsl and the shaders themselves read it; every other function takes what it uses.
 #ifndef FINISH_GLSL
 #define FINISH_GLSL
@@ -10,34 +10,30 @@
 #include "common/look_conversion.glsl"
 
 layout(constant_id = 0) const int tonemap_row = 0; // -1: the picture is display-encoded already
-layout(constant_id = 1) const int bloom_layers = 0;
-layout(constant_id = 2) const int bloom_taps = 1; // of the only layer
-layout(constant_id = 3) const bool bloom_threshold = false;
-layout(constant_id = 4) const int lookup_a = 0;
-layout(constant_id = 5) const int lookup_b = 0;
-layout(constant_id = 6) const int compare = 0;
-layout(constant_id = 7) const bool unit_picture = false; // its format holds 0..1 only
-layout(constant_id = 8) const bool has_marks = true; // split line, scale; else a later pass draws them
-layout(constant_id = 9) const int place_a = 0;           // bits of common/look_conversion.glsl
-layout(constant_id = 10) const int place_b = 0;
+layout(constant_id = 1) const int bloom_taps = 0; // of the bloom's last filter; 0: no bloom
+layout(constant_id = 2) const bool bloom_threshold = false;
+layout(constant_id = 3) const int lookup_a = 0;
+layout(constant_id = 4) const int lookup_b = 0;
+layout(constant_id = 5) const int compare = 0;
+layout(constant_id = 6) const bool unit_picture = false; // its format holds 0..1 only
+layout(constant_id = 7) const bool has_marks = true; // split line, scale; else a later pass draws them
+layout(constant_id = 8) const int place_a = 0;           // bits of common/look_conversion.glsl
+layout(constant_id = 9) const int place_b = 0;
 
 layout(binding = 0) uniform sampler2D picture;
-layout(binding = 1) uniform sampler2D layer_0;
-layout(binding = 2) uniform sampler2D layer_1;
-layout(binding = 3) uniform sampler2D layer_2;
-layout(binding = 4) uniform sampler2D layer_3;
-layout(binding = 5) uniform Filter {
-    vec4 layers[4]; // scale, weight
-    vec4 taps[9];   // of the only layer: offset, weight
+layout(binding = 1) uniform sampler2D glow;
+layout(binding = 2) uniform Filter {
+    float scale;
+    vec4 taps[9]; // offset, weight
 } final_filter;
-layout(binding = 6) uniform sampler2D picture_a;
-layout(binding = 7) uniform sampler3D volume_a;
-layout(binding = 8) uniform sampler2D shaper_a;
-layout(binding = 9) uniform LookA { Look look_a; };
-layout(binding = 10) uniform sampler2D picture_b;
-layout(binding = 11) uniform sampler3D volume_b;
-layout(binding = 12) uniform sampler2D shaper_b;
-layout(binding = 13) uniform LookB { Look look_b; };
+layout(binding = 3) uniform sampler2D picture_a;
+layout(binding = 4) uniform sampler3D volume_a;
+layout(binding = 5) uniform sampler2D shaper_a;
+layout(binding = 6) uniform LookA { Look look_a; };
+layout(binding = 7) uniform sampler2D picture_b;
+layout(binding = 8) uniform sampler3D volume_b;
+layout(binding = 9) uniform sampler2D shaper_b;
+layout(binding = 10) uniform LookB { Look look_b; };
 layout(push_constant) uniform Push {
     float exposure; // factor
     float strength, threshold, knee;
@@ -51,33 +47,19 @@ vec3 picture_at(ivec2 at) {
 
 /// What the bloom's last filter adds up about a texel.
 vec3 glow_at(ivec2 at) {
-    vec2 centre = vec2(at) + 0.5;
-    vec3 glow = vec3(0.0);
-    if (bloom_layers == 1) {
-        vec2 texel = 1.0 / vec2(textureSize(layer_0, 0));
-        vec2 from = centre * final_filter.layers[0].x;
-        for (int i = 0; i < bloom_taps; ++i) {
-            vec4 tap = final_filter.taps[i];
-            glow += textureLod(layer_0, (from + tap.xy) * texel, 0.0).rgb * tap.z;
-        }
-        return glow;
+    vec2 texel = 1.0 / vec2(textureSize(glow, 0));
+    vec2 centre = (vec2(at) + 0.5) * final_filter.scale;
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < bloom_taps; ++i) {
+        vec4 tap = final_filter.taps[i];
+        sum += textureLod(glow, (centre + tap.xy) * texel, 0.0).rgb * tap.z;
     }
-    glow = layer_at(layer_0, centre, final_filter.layers[0]);
-    if (bloom_layers > 1) {
-        glow += layer_at(layer_1, centre, final_filter.layers[1]);
-    }
-    if (bloom_layers > 2) {
-        glow += layer_at(layer_2, centre, final_filter.layers[2]);
-    }
-    if (bloom_layers > 3) {
-        glow += layer_at(layer_3, centre, final_filter.layers[3]);
-    }
-    return glow;
+    return sum;
 }
 
 /// The light of a texel, which is `light` in the picture, with its bloom.
 vec3 bloomed(ivec2 at, vec3 light) {
-    if (bloom_layers == 0) {
+    if (bloom_taps == 0) {
         return light;
     }
     vec3 own = light;

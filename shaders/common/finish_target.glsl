@@ -6,9 +6,9 @@
 vec3 graded_a(Stages texel);
 vec3 graded_b(Stages texel);
 
-layout(constant_id = 11) const bool rounds = false; // the target has 8 bits
-layout(binding = 16) writeonly uniform image2D target;
-layout(binding = 17) buffer Figures {
+layout(constant_id = 10) const bool rounds = false; // the target has 8 bits
+layout(binding = 13) writeonly uniform image2D target;
+layout(binding = 14) buffer Figures {
     uint largest; // bits of the largest difference
     uint bins[];  // counts of differences; the first is left out
 } figures_out;

@@ -13,7 +13,7 @@ const uint lattice_nodes = 16 * 16 * 16;
 const uint next_r = 1, next_g = 16, next_b = 256, next_all = next_r + next_g + next_b;
 
 // As they come from preview/look/look_texels.cpp, two in each.
-layout(std430, binding = 18) readonly buffer Nodes { uvec4 node_pairs[]; };
+layout(std430, binding = 15) readonly buffer Nodes { uvec4 node_pairs[]; };
 shared uvec2 nodes[lattice_nodes];
 
 /// Threads are a power of two, at most half as many as there are nodes.

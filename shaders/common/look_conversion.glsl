@@ -16,7 +16,7 @@ const float smallest_light = 5.9604645e-8; // 2^-24
 const int piece_bits = 17;                 // 64 pieces in an octave's 2^23 floats
 
 /// Rows of both sides, A's first.
-layout(std430, binding = 15) readonly buffer Conversions { vec4 rows[]; } conversions;
+layout(std430, binding = 12) readonly buffer Conversions { vec4 rows[]; } conversions;
 
 vec3 by_matrix(int first, vec3 c) {
     return vec3(dot(conversions.rows[first].rgb, c), dot(conversions.rows[first + 1].rgb, c),

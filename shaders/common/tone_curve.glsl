@@ -1,5 +1,5 @@
 // A tone map that treats the channels apart, from its table (preview/finish/tonemaps.h, ToneCurve).
-layout(std430, binding = 14) readonly buffer ToneCurve { float nodes[]; } curve;
+layout(std430, binding = 11) readonly buffer ToneCurve { float nodes[]; } curve;
 
 const float curve_lowest = 9.094947e-13; // 2^-40
 const uint curve_node_bits = 17u;        // 64 nodes in an octave's 2^23 floats

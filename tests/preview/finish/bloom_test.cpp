@@ -125,7 +125,6 @@ TEST_P(EveryBloom, has_a_plan_that_the_shaders_can_hold) {
     for (const BloomExtent size : {BloomExtent{1, 1}, {135, 67}, {1920, 1080}, {7680, 4320}}) {
         for (const float radius : {0.1F, 1.0F, 4.0F}) {
             const BloomPlan plan = bloom_plan(*GetParam(), size, {-1, 1, 0.5F, radius});
-            ASSERT_LE(plan.layers.size(), std::size_t{BloomPlan::max_layers});
             for (const BloomStep& step : plan.steps) {
                 ASSERT_LE(step.taps.size(), std::size_t{BloomPlan::max_taps});
                 double sum = static_cast<double>(step.keep);
@@ -135,13 +134,10 @@ TEST_P(EveryBloom, has_a_plan_that_the_shaders_can_hold) {
                 }
                 ASSERT_NEAR(sum, 1, 1e-5);
             }
+            ASSERT_LE(plan.last.taps.size(), std::size_t{BloomPlan::max_final_taps});
             double sum = 0;
-            for (const BloomPlan::Layer& layer : plan.layers) {
-                ASSERT_LE(static_cast<int>(layer.taps.size()),
-                          plan.layers.size() == 1 ? int{BloomPlan::max_final_taps} : 1);
-                for (const BloomTap& tap : layer.taps) {
-                    sum += static_cast<double>(tap.weight);
-                }
+            for (const BloomTap& tap : plan.last.taps) {
+                sum += static_cast<double>(tap.weight);
             }
             ASSERT_NEAR(sum, plan.empty() ? 0 : 1, 1e-5);
         }

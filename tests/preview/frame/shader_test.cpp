@@ -210,6 +210,8 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
             changed.bloom = &row;
             changed.bloom_settings.threshold = threshold;
             check(inputs, changed);
+            changed.output = {1280, 720}; // not all of them fits into a group
+            check(inputs, changed);
         }
     }
     for (const EffectInfo& row : effects) {

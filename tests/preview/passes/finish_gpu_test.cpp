@@ -82,8 +82,8 @@ class EveryBloomOnGpu : public FinishTest, public testing::WithParamInterface<co
   protected:
     // The light after bloom: the finishing pass without a tone map knows only display-encoded
     // pictures, so what `none` encodes is decoded again.
-    static std::vector<RgbD> run(const Image& picture, const BloomPlan& plan, Format work,
-                                 float exposure) {
+    static std::vector<RgbD> run(const Image& picture, const BloomPlan& plan, float exposure,
+                                 bool fuses = true) {
         const gpu::Image image = image_of(picture);
         FinishSettings settings;
         settings.tonemap = tonemap_named("none");
@@ -91,9 +91,9 @@ class EveryBloomOnGpu : public FinishTest, public testing::WithParamInterface<co
         settings.format = Format::rgba32f;
         Graph graph;
         const ImageHandle source = graph.import("night", image, image.desc());
-        const BloomLayers layers = add_bloom(graph, source, plan, work);
+        const Bloomed bloomed = add_bloom(graph, source, plan, {.fuses = fuses});
         const ImageHandle out =
-            add_finish(graph, {source, layers, nullptr, nullptr, settings}).picture;
+            add_finish(graph, {source, bloomed, nullptr, nullptr, settings}).picture;
         graph.present(out);
         std::vector<RgbD> light;
         for (const Rgb& c : colors_of(run_and_read<float>(graph, out))) {
@@ -106,14 +106,23 @@ class EveryBloomOnGpu : public FinishTest, public testing::WithParamInterface<co
     }
 };
 
+struct BloomRun {
+    int width, height;
+    bool fuses;
+};
+
 TEST_P(EveryBloomOnGpu, equals_its_twin_in_double) {
-    for (const auto& [width, height] : {std::pair{135, 67}, {320, 180}, {3, 2}}) {
+    for (const auto& [width, height, fuses] : {BloomRun{135, 67, false},
+                                               {320, 180, false},
+                                               {135, 67, true},
+                                               {320, 180, true},
+                                               {3, 2, true}}) {
         SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height));
         const Image picture = night(width, height);
         const BloomPlan plan = bloom_plan(*GetParam(), {width, height}, {});
         const Image wanted = reference::with_bloom(plan, picture);
         // 2^-16 brings 65504 into the 0..1 that the encoding keeps.
-        const std::vector<RgbD> got = run(picture, plan, Format::rgba16f, -16);
+        const std::vector<RgbD> got = run(picture, plan, -16, fuses);
         double error = 0, total = 0, worst = 0;
         for (std::size_t i = 0; i < got.size(); ++i) {
             for (std::size_t c = 0; c < 3; ++c) {
@@ -129,6 +138,36 @@ TEST_P(EveryBloomOnGpu, equals_its_twin_in_double) {
     }
 }
 
+// Many steps in a dispatch round as often as each by itself does; what they add up in another order
+// may round to the next half float, once a step at most.
+TEST_P(EveryBloomOnGpu, makes_of_many_steps_in_a_dispatch_what_each_makes_by_itself) {
+    for (const auto& [width, height] :
+         {std::pair{640, 360}, {320, 180}, {131, 67}, {700, 5}, {3, 2}, {1, 1}}) {
+        SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height));
+        const gpu::Image image = image_of(night(width, height));
+        for (const float threshold : {0.0F, 1.0F}) {
+            const BloomPlan plan =
+                bloom_plan(*GetParam(), {width, height}, {-1, threshold, threshold / 2, 1});
+            if (plan.empty()) {
+                return;
+            }
+            std::vector<std::vector<std::uint16_t>> glows;
+            for (const bool fuses : {false, true}) {
+                Graph graph;
+                const ImageHandle source = graph.import("night", image, image.desc());
+                const Bloomed bloomed = add_bloom(graph, source, plan, {.fuses = fuses});
+                graph.present(bloomed.glow);
+                glows.push_back(run_and_read<std::uint16_t>(graph, bloomed.glow));
+            }
+            ASSERT_EQ(glows[0].size(), glows[1].size());
+            for (std::size_t i = 0; i < glows[0].size(); ++i) {
+                // Non-negative half floats stand in the order of their bits.
+                ASSERT_LE(std::abs(glows[0][i] - glows[1][i]), 3) << i;
+            }
+        }
+    }
+}
+
 TEST_P(EveryBloomOnGpu, conserves_energy_in_half_floats_where_it_says_so) {
     if (!GetParam()->conserves_energy) {
         GTEST_SKIP() << "does not claim to";
@@ -139,7 +178,7 @@ TEST_P(EveryBloomOnGpu, conserves_energy_in_half_floats_where_it_says_so) {
         picture.at(250 + i, 240) = {3, 2, 5};
     }
     const BloomPlan plan = bloom_plan(*GetParam(), {512, 512}, {0.5F, 1, 0.5F, 0.35F});
-    const std::vector<RgbD> got = run(picture, plan, Format::rgba16f, -15);
+    const std::vector<RgbD> got = run(picture, plan, -15);
     RgbD before, after;
     for (std::size_t i = 0; i < got.size(); ++i) {
         before = before + picture.pixels[i];
@@ -156,7 +195,7 @@ TEST_P(EveryBloomOnGpu, changes_no_bit_where_nothing_is_bright) {
         dim.pixels[i] = {1, static_cast<double>(i % 32) / 64, 0.25};
     }
     const BloomPlan plan = bloom_plan(*GetParam(), {135, 67}, {-1, 1.25F, 0.25F, 1});
-    EXPECT_EQ(run(dim, plan, Format::rgba16f, 0), run(dim, {}, Format::rgba16f, 0));
+    EXPECT_EQ(run(dim, plan, 0), run(dim, {}, 0));
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryBloomOnGpu, testing::ValuesIn(rows_of(blooms())),

@@ -1,5 +1,6 @@
 // Ambient occlusion for every pixel from the cells about it, each of two by two pixels and made for
-// its first: those count that lie in the pixel's tangent plane.
+// its first: those count that lie in the pixel's tangent plane. A thread makes a cell's pixels, which
+// share what it reads.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "common/scene.glsl"
@@ -13,35 +14,48 @@ layout(binding = 4) writeonly uniform image2D target;
 layout(push_constant) uniform Push { float radius; };
 
 void main() {
-    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    ivec2 size = imageSize(target);
-    if (any(greaterThanEqual(at, size))) {
+    ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 size = imageSize(target), cells = textureSize(source, 0);
+    if (any(greaterThanEqual(cell, cells))) {
         return;
     }
-    float depth = texelFetch(depths, at, 0).r;
-    ivec2 odd = at & 1, cells = textureSize(source, 0);
-    if (depth >= 1.0 || odd == ivec2(0)) {
-        imageStore(target, at, vec4(depth >= 1.0 ? 1.0 : texelFetch(source, at / 2, 0).r));
-        return;
+    // This cell, and those to the right of it, below it and across.
+    float depth_of[4], occlusion_of[4];
+    vec3 position_of[4];
+    for (int i = 0; i < 4; ++i) {
+        ivec2 there = min(cell + ivec2(i & 1, i >> 1), cells - 1);
+        depth_of[i] = texelFetch(depths, 2 * there, 0).r;
+        occlusion_of[i] = texelFetch(source, there, 0).r;
+        position_of[i] =
+            ray_at(view, vec2(2 * there) + 0.5, vec2(size)) * z_of(view, depth_of[i]);
     }
-    vec3 position = ray_at(view, vec2(at) + 0.5, vec2(size)) * z_of(view, depth);
-    vec3 normal = decode_octahedral(from_bits(texelFetch(normals, at, 0).xy));
-    const float least = 1e-4; // where none lies in the plane, all count
-    float sum = 0.0, total = 0.0;
-    for (int y = 0; y <= odd.y; ++y) {
-        for (int x = 0; x <= odd.x; ++x) {
-            ivec2 cell = min(at / 2 + ivec2(x, y), cells - 1);
-            float depth_there = texelFetch(depths, 2 * cell, 0).r;
+    imageStore(target, 2 * cell, vec4(depth_of[0] >= 1.0 ? 1.0 : occlusion_of[0]));
+    for (int pixel = 1; pixel < 4; ++pixel) {
+        ivec2 at = 2 * cell + ivec2(pixel & 1, pixel >> 1);
+        if (any(greaterThanEqual(at, size))) {
+            continue;
+        }
+        float depth = texelFetch(depths, at, 0).r;
+        if (depth >= 1.0) {
+            imageStore(target, at, vec4(1.0));
+            continue;
+        }
+        vec3 position = ray_at(view, vec2(at) + 0.5, vec2(size)) * z_of(view, depth);
+        vec3 normal = decode_octahedral(from_bits(texelFetch(normals, at, 0).xy));
+        const float least = 1e-4; // where none lies in the plane, all count
+        float sum = 0.0, total = 0.0;
+        for (int i = 0; i < 4; ++i) {
+            if ((i & ~pixel) != 0) {
+                continue; // no neighbour of the pixel
+            }
             float weight = least;
-            if (depth_there < 1.0) {
-                vec3 other =
-                    ray_at(view, vec2(2 * cell) + 0.5, vec2(size)) * z_of(view, depth_there);
-                float away = abs(dot(normal, other - position));
+            if (depth_of[i] < 1.0) {
+                float away = abs(dot(normal, position_of[i] - position));
                 weight += max(1.0 - away / (0.1 * radius), 0.0);
             }
-            sum += weight * texelFetch(source, cell, 0).r;
+            sum += weight * occlusion_of[i];
             total += weight;
         }
+        imageStore(target, at, vec4(sum / total));
     }
-    imageStore(target, at, vec4(sum / total));
 }

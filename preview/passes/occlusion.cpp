@@ -59,10 +59,11 @@ std::vector<glm::vec4> points(std::uint32_t samples) {
     return out;
 }
 
-/// A pass that makes an image of `size` from `source` and the surfaces.
+/// A pass that makes an image of `size` from `source`, an image of cells, and the surfaces.
 ImageHandle filtered(Graph& graph, const SceneHandles& scene, const GBuffer& surfaces,
                      ImageHandle source, Size size, float radius, std::string_view name,
                      std::string_view shader, std::initializer_list<std::uint32_t> constants) {
+    const Size cells = size_of(graph, source);
     Pass pass = graph.compute(name, shader);
     pass.constants(constants);
     pass.uniform(scene.view);
@@ -71,7 +72,7 @@ ImageHandle filtered(Graph& graph, const SceneHandles& scene, const GBuffer& sur
     pass.read(source);
     const ImageHandle out = pass.write(graph.image(name, {Format::r32f, size.width, size.height}));
     pass.push(radius);
-    pass.dispatch_over(size.width, size.height);
+    pass.dispatch_over(cells.width, cells.height);
     return out;
 }
 

@@ -6,6 +6,7 @@
 #include "common/tile.glsl"
 layout(constant_id = 0) const bool resized = false;
 layout(constant_id = 1) const bool is_half = true; // the target
+layout(constant_id = 2) const bool measures = true;
 layout(binding = 0) uniform sampler2D source;
 layout(binding = 1) writeonly uniform image2D target;
 layout(std430, binding = 2) buffer Maximum { uint maximum; };
@@ -70,6 +71,9 @@ void main() {
         if (all(lessThan(tile_texel(i), size))) {
             imageStore(target, tile_texel(i), vec4(light[i], 1.0));
         }
+    }
+    if (!measures) {
+        return;
     }
     // Non-negative floats order like their bits.
     atomicMax(group_maximum, floatBitsToUint(brightest));

@@ -42,13 +42,18 @@ Image image_of(const ShownPicture& picture) {
     return out;
 }
 
-/// What the pass samples first: an observed image, or the picture that is shown.
+/// What the pass samples first: an observed image, or the picture that is shown. A pass of two
+/// halves has the input of the first.
 std::optional<Image> input_of(const Situation& situation, const Graph& graph,
-                              const std::vector<Observed>& observed, const Observed& result) {
-    for (const Use& use : graph.passes()[result.order].uses) {
+                              const std::vector<Observed>& observed, std::uint32_t pass) {
+    for (const Use& use : graph.passes()[pass].uses) {
         if (use.binding != BindingType::sampled_image || use.writes ||
             use.version == Version::none) {
             continue;
+        }
+        const std::uint32_t producer = graph.versions()[use.version].producer;
+        if (producer != Version::none && graph.passes()[producer].name == resolve_along_rows) {
+            return input_of(situation, graph, observed, producer);
         }
         const bool is_picture = graph.resource_of(use.version).name == "picture";
         return is_picture ? std::optional(image_of(*situation.shown->picture))
@@ -204,7 +209,7 @@ std::vector<TwinFigure> twin_figures(const Situation& situation, const Graph& gr
         if (result == nullptr || result->channels != 4 || !row.is_known(situation)) {
             continue;
         }
-        if (const auto input = input_of(situation, graph, observed, *result)) {
+        if (const auto input = input_of(situation, graph, observed, result->order)) {
             const TwinInput in{situation, *input, {result->desc.width, result->desc.height}};
             out.push_back(compared(row, row.twin(in), *result));
         }

@@ -36,9 +36,15 @@ void resolve(Graph& graph, const FrameInputs& inputs, const FrameSettings& setti
         handles.hdr = handles.lit;
         return;
     }
-    const Resolved resolved =
-        add_resolve(graph, handles.lit, size, std::exp2(stops),
-                    has_codes ? Format::rgba32f : Format::rgba16f, settings.reuses_light());
+    const bool measures = !has_codes || settings.force_all;
+    if (!measures) {
+        graph.withhold("hdr maximum",
+                       "nothing blooms of a picture that is display-encoded already");
+    }
+    const Resolved resolved = add_resolve(graph, handles.lit, size, std::exp2(stops),
+                                          {.format = has_codes ? Format::rgba32f : Format::rgba16f,
+                                           .is_kept = settings.reuses_light(),
+                                           .measures = measures});
     handles.hdr = resolved.hdr;
     handles.hdr_maximum = resolved.maximum;
 }

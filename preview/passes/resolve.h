@@ -5,16 +5,25 @@
 
 namespace preview {
 
+/// The pass before "hdr resolve" where a pixel covers so many texels that each of them sums up its
+/// rows first.
+inline constexpr std::string_view resolve_along_rows = "hdr resolve along rows";
+
 struct [[nodiscard]] Resolved {
     ImageHandle hdr;      ///< in 0..65504, alpha 1
-    BufferHandle maximum; ///< buffer of one float: the largest value of any channel
+    BufferHandle maximum; ///< buffer of one float: the largest value of any channel; may be empty
+};
+
+struct ResolveWork {
+    Format format = Format::rgba16f; ///< rgba32f for codes, which a half float does not hold
+    bool is_kept = false;            ///< serves further frames of the same light
+    bool measures = true;            ///< else there is no maximum
 };
 
 /// `exposure` multiplies. A source of another size than `size` is filtered by area and keeps its
-/// proportions: it stands in the middle, between black bars. `format` is rgba16f, or rgba32f for
-/// codes, which a half float does not hold. What is kept serves further frames of the same light.
+/// proportions: it stands in the middle, between black bars.
 Resolved add_resolve(Graph& graph, ImageHandle source, Size size, float exposure,
-                     Format format = Format::rgba16f, bool is_kept = false);
+                     const ResolveWork& work = {});
 
 /// The largest size of the picture's proportions within the box, at least 1x1.
 Size fitted(Size picture, Size box);

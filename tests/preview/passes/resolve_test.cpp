@@ -86,18 +86,52 @@ TEST_F(ResolveTest, the_darkest_light_is_rounded_and_not_cut_off) {
 
 TEST_F(ResolveTest, a_large_picture_keeps_its_mean_in_a_single_pixel) {
     // In one sum of floats what is added would be rounded to what the sum can hold. A software
-    // device ends loops after 65535 turns.
+    // device ends the loops of an invocation after 65535 turns, fewer than these texels.
     std::vector<float> texels;
     double mean = 0;
-    constexpr int side = 250;
+    constexpr int side = 600;
     for (int i = 0; i < side * side; ++i) {
-        const float value = i < 40 ? 60000.0F : 0.3F;
+        const float value = i < 240 ? 60000.0F : 0.3F;
         mean += static_cast<double>(value) / (side * side);
         texels.insert(texels.end(), {value, 0.3F, 0, 1});
     }
     const Result got = resolve({Format::rgba32f, side, side}, texels, {1, 1}, 1);
     EXPECT_NEAR(static_cast<double>(got.texels[0]) / mean, 1, 5.1e-4);
     EXPECT_NEAR(static_cast<double>(got.texels[1]) / 0.3, 1, 5.1e-4);
+}
+
+TEST_F(ResolveTest, equals_its_twin_where_a_pixel_covers_more_texels_than_loops_have_turns) {
+    constexpr std::uint32_t width = 1021, height = 577;
+    reference::Image light(width, height);
+    std::vector<float> texels;
+    for (int y = 0; y < light.height; ++y) {
+        for (int x = 0; x < light.width; ++x) {
+            // The lower end of each pixel is the brightest: it must not be missing.
+            const auto value = static_cast<float>(y % 289 > 250 ? 40 + x % 7 : x % 3);
+            light.at(x, y) = {static_cast<double>(value), static_cast<double>(x) / 512, -1};
+            texels.insert(texels.end(), {value, static_cast<float>(x) / 512, -1, 1});
+        }
+    }
+    for (const Size target : {Size{3, 2}, Size{2, 9}, Size{1, 1}}) {
+        const Size inner = fitted({width, height}, target);
+        const auto at = [](std::uint32_t side) { return static_cast<int>(side); };
+        const reference::Image wanted = reference::resolved(
+            light, 1.5, at(target.width), at(target.height),
+            {at(target.width - inner.width) / 2, at(target.height - inner.height) / 2,
+             at(inner.width), at(inner.height)});
+        const Result got = resolve({Format::rgba32f, width, height}, texels, target, 1.5F);
+        float largest = 0;
+        for (std::size_t i = 0; i < wanted.pixels.size(); ++i) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                // A rounding to half floats.
+                EXPECT_NEAR(static_cast<double>(got.texels[4 * i + c]), wanted.pixels[i][c],
+                            wanted.pixels[i][c] * 0x1p-10 + 0x1p-24)
+                    << target.width << "x" << target.height << ": " << i;
+                largest = std::max(largest, got.texels[4 * i + c]);
+            }
+        }
+        EXPECT_EQ(got.maximum, largest) << target.width << "x" << target.height;
+    }
 }
 
 TEST_F(ResolveTest, a_bright_texel_does_not_shine_beyond_its_own_pixel) {

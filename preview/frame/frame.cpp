@@ -108,6 +108,13 @@ Finishing finishing_of(Graph& graph, const FrameInputs& inputs, const FrameSetti
     if (settings.compare->shows_b && inputs.look_b == nullptr) {
         graph.withhold("look B", inputs.no_look[1]);
     }
+    const auto tell_curves = [&](bool is_shown, const GpuLook* look, std::string_view name) {
+        if (is_shown && look != nullptr && look->is_curves()) {
+            graph.withhold(name, "its channels do not mix: a lookup in its curves does");
+        }
+    };
+    tell_curves(settings.compare->shows_a, inputs.look_a, "lattice of look A");
+    tell_curves(settings.compare->shows_b, inputs.look_b, "lattice of look B");
     out.look_a = inputs.look_a;
     out.look_b = inputs.look_b;
     const auto is_tone_mapped = [](bool is_shown, const GpuLook* look) {

@@ -22,6 +22,9 @@ struct GpuLook {
     bool half_arithmetic;
     std::uint32_t groups;
 
+    /// A table without a lattice.
+    bool is_curves() const { return lookup->source == GpuLookup::Source::table && block.size == 0; }
+
     /// The place that the data say.
     void stand(const LookData& data);
 };

@@ -2,6 +2,8 @@
 
 #include "lutlib/bake/bake.h"
 #include "lutlib/engine/layout.h"
+#include "lutlib/named.h"
+#include "lutlib/resample/simplify.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,6 +83,14 @@ CodeImage general_codes(const lutlib::Transform& exact, int size, const GpuLooku
 
 } // namespace
 
+Lut without_lattice(Lut look, const GpuLookup& lookup) {
+    constexpr double tolerance = 1e-6;
+    if (!lookup.filtered && lookup.interpolation != lutlib::Interpolation::nearest) {
+        lutlib::find_named(lutlib::simplify_rules(), "separable")->apply(look, tolerance);
+    }
+    return look;
+}
+
 void set_standing(LoadedLook& look, const LookStanding& standing) {
     look.data.conversion = standing.conversion;
     if (standing.conversion && look.table) {
@@ -100,7 +110,7 @@ LoadedLook look_for(std::shared_ptr<const Lut> table, const lutlib::Transform& e
     LoadedLook out;
     out.skip_reason = skip_reason_of(*table);
     if (lookup.source == GpuLookup::Source::table) {
-        out.data = look_data(*table, lookup);
+        out.data = look_data(without_lattice(*table, lookup), lookup);
     } else if (lookup.engine != nullptr) {
         const lutlib::Bake baked = lutlib::bake(exact, *lookup.engine, lookup.engine->default_size,
                                                 lookup.engine->default_bits);

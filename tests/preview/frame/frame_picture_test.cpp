@@ -71,6 +71,52 @@ TEST_F(FrameTest, dithers_what_lies_between_codes_and_nothing_else) {
     EXPECT_NEAR(sum / (size.width * size.height), 100.3, 0.01);
 }
 
+TEST_F(FrameTest, codes_that_are_exposed_are_not_measured_for_a_bloom_that_there_is_not) {
+    std::vector<float> texels;
+    for (std::uint32_t i = 0; i < size.width * size.height; ++i) {
+        texels.insert(texels.end(), {static_cast<float>(i % 256) / 255, 0.5F, 0.25F, 1});
+    }
+    const GpuPicture picture(device(), size, texels, true);
+    FrameInputs inputs;
+    inputs.picture = &picture;
+    FrameSettings settings = settings_for({});
+    settings.effects.clear();
+    settings.exposure = -1;
+    Executor executor(device());
+    const Rendered rendered = render_frame(executor, inputs, settings);
+    EXPECT_EQ(executor.plan().steps.size(), 2U) << rendered.explanation; // resolve, finish
+    EXPECT_NE(rendered.explanation.find("nothing blooms"), std::string::npos);
+    settings.force_all = true;
+    const Rendered forced = render_frame(executor, inputs, settings);
+    EXPECT_EQ(executor.plan().steps.size(), 3U) << forced.explanation; // clear
+    EXPECT_EQ(rendered.rgba, forced.rgba);
+}
+
+TEST_F(FrameTest, a_look_whose_channels_do_not_mix_is_looked_up_in_its_curves_and_says_so) {
+    lutlib::Lut look;
+    look.cube = lutlib::identity_cube(9);
+    for (lutlib::Rgb& node : look.cube->nodes) {
+        node = {std::sqrt(node.r), 1 - node.g * node.g, node.b * 0.5F};
+    }
+    const GpuLookup& lookup = *gpu_lookup_named("tetrahedral");
+    const GpuLook curves(device(), look_for(look, lookup).data);
+    const GpuLook lattice(device(), look_data(look, lookup));
+    const std::vector<float> texels(std::size_t{4} * size.width * size.height, 0.3F);
+    const GpuPicture picture(device(), size, texels, true);
+    FrameInputs inputs;
+    inputs.picture = &picture;
+    FrameSettings settings = settings_for({});
+    settings.effects.clear();
+    Executor executor(device());
+    inputs.look_a = &lattice;
+    const Rendered wanted = render_frame(executor, inputs, settings);
+    EXPECT_EQ(wanted.explanation.find("lattice of look A"), std::string::npos);
+    inputs.look_a = &curves;
+    const Rendered got = render_frame(executor, inputs, settings);
+    EXPECT_NE(got.explanation.find("lattice of look A"), std::string::npos) << got.explanation;
+    EXPECT_EQ(got.rgba, wanted.rgba);
+}
+
 TEST_F(FrameTest, a_picture_leaves_out_all_that_comes_before_the_resolve) {
     const std::vector<float> texels(std::size_t{4} * size.width * size.height, 0.25F);
     const GpuPicture picture(device(), size, texels, false);

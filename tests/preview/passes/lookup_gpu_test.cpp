@@ -1,5 +1,6 @@
 // The GPU's grade against lutlib's, for every row of the table of lookups.
 #include "lutlib/error.h"
+#include "preview/look/look_bake.h"
 #include "tests/preview/passes/finish_fixture.h"
 #include "tests/support/names.h"
 #include "tests/support/thorough.h"
@@ -204,6 +205,28 @@ TEST_P(EveryLookup, gives_what_lutlib_gives) {
         break;
     }
     }
+}
+
+TEST_P(EveryLookup, of_a_lattice_whose_channels_do_not_mix_is_one_of_curves) {
+    const GpuLookup& row = *GetParam();
+    if (row.source != GpuLookup::Source::table || row.filtered) {
+        GTEST_SKIP() << "reads no table in floats";
+    }
+    Lut look;
+    look.cube = lutlib::identity_cube(17);
+    look.cube->domain = {{-0.25F, 0, 0}, {1, 1.5F, 1}};
+    for (Rgb& node : look.cube->nodes) {
+        node = {std::sqrt(node.r), 0.1F + 0.7F * node.g * node.g, 1 - node.b};
+    }
+    const bool is_nearest = row.interpolation == lutlib::Interpolation::nearest;
+    const LookData data = look_for(look, row).data;
+    EXPECT_EQ(data.block.size, is_nearest ? 17 : 0);
+    compare(
+        data, 17, [&](Rgb in) { return lutlib::evaluate(look, in, row.interpolation); }, "curves");
+    for (Rgb& node : look.cube->nodes) {
+        node.r += 1e-4F * node.b;
+    }
+    EXPECT_EQ(look_for(look, row).data.block.size, 17);
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryLookup, testing::ValuesIn([] {

@@ -110,8 +110,9 @@ void add_lights(Graph& graph, SceneHandles& handles, std::span<const PointLight>
     handles.has_spots =
         force_all || std::any_of(lights.begin(), lights.end(),
                                  [](const PointLight& light) { return light.is_spot(); });
-    handles.has_areas = std::any_of(lights.begin(), lights.end(),
-                                    [](const PointLight& light) { return !light.is_point(); });
+    for (const PointLight& light : lights) {
+        handles.area_shapes |= area_shape_of(light);
+    }
     handles.has_suns =
         force_all || std::any_of(lights.begin(), lights.end(),
                                  [](const PointLight& light) { return light.is_sun; });

@@ -99,6 +99,10 @@ ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSet
     } else {
         lighting.occlusion = handles.occlusion = occlusion_of(
             graph, scene, declared.handles, handles.surfaces, settings, lighting.environment);
+        lighting.lists_lights = !settings.force_all && may_list_lights(declared.handles);
+        if (lighting.lists_lights) {
+            graph.withhold("lights beyond their cones", "tile by tile: none of it is lit by them");
+        }
         lit = add_lighting(graph, declared.handles, lighting);
     }
     if (declared.blended.empty()) {

@@ -2,6 +2,11 @@
 
 namespace preview {
 
+bool may_list_lights(const SceneHandles& scene) {
+    constexpr std::uint32_t few = 8, most = 1024; // of shaders/common/light_lists.glsl
+    return scene.has_spots && scene.light_count >= few && scene.light_count <= most;
+}
+
 std::vector<std::uint32_t> lighting_constants(const SceneHandles& scene,
                                               const LightingInputs& inputs,
                                               std::initializer_list<std::uint32_t> own) {
@@ -11,7 +16,7 @@ std::vector<std::uint32_t> lighting_constants(const SceneHandles& scene,
                                    scene.has_suns ? 1U : 0U,
                                    static_cast<std::uint32_t>(inputs.surroundings.kind),
                                    inputs.occlusion ? 1U : 0U,
-                                   scene.has_areas ? 1U : 0U,
+                                   scene.area_shapes,
                                    scene.soft_boxes};
     out.insert(out.end(), own);
     return out;
@@ -30,7 +35,7 @@ ImageHandle add_lighting(Graph& graph, const SceneHandles& scene, const Lighting
     const Size size = size_of(graph, inputs.surfaces.depth);
     const bool has_detail = static_cast<bool>(inputs.surfaces.albedo);
     Pass pass = graph.compute("lighting", has_detail ? "lighting_detail.comp" : "lighting.comp");
-    pass.constants(lighting_constants(scene, inputs, {}));
+    pass.constants(lighting_constants(scene, inputs, {inputs.lists_lights}));
     pass.uniform(scene.view);
     pass.uniform(scene.environment);
     pass.storage(scene.lights);

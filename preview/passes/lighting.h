@@ -12,8 +12,12 @@ struct LightingInputs {
     ImageHandle shadow_maps; ///< empty: no light casts
     ImageHandle occlusion;   ///< of the surroundings; empty: there is none
     bool environment = true;
+    bool lists_lights = false; ///< each tile evaluates those alone that can reach its surfaces
     SurroundingsHandles surroundings; ///< of the gradient: nothing but the scene's environment
 };
+
+/// Whether lists of lights are worth their making, and possible: there are many, with cones.
+bool may_list_lights(const SceneHandles& scene);
 
 /// Of every shader that includes shaders/common/lit_surface.glsl; `own` follow.
 std::vector<std::uint32_t> lighting_constants(const SceneHandles& scene,

@@ -42,6 +42,11 @@ struct LightShadow {
 LightShadow shadow_of(const Scene& scene, const Geometry& geometry, const PointLight& light,
                       std::uint32_t map_size);
 
+/// Of SceneHandles::area_shapes; none for a point.
+inline std::uint32_t area_shape_of(const PointLight& light) {
+    return light.is_point() ? 0 : 1U << static_cast<unsigned>(light.shape);
+}
+
 /// The light's block. `first_layer` is that of its shadow's first view, -1 where it has none.
 LightBlock light_block(const PointLight& light, const LightShadow& shadow, int first_layer,
                        std::uint32_t map_size);

@@ -140,7 +140,7 @@ struct SceneHandles {
     BufferHandle vertices, indices, objects, materials, lights, environment, view;
     std::uint32_t light_count = 0;
     bool has_spots = false, has_suns = false;
-    bool has_areas = false; ///< lights that are no points
+    std::uint32_t area_shapes = 0; ///< of the lights that are no points: 1 << PointLight::Shape
     std::uint32_t soft_boxes = 0;
     /// Of a scene with detail; else empty.
     struct Detail {

@@ -22,6 +22,10 @@ layout(binding = 7) uniform sampler2DArray shadow_maps;
 layout(binding = 8) uniform sampler2D occlusions;
 layout(binding = 9) writeonly uniform image2D target;
 layout(push_constant) uniform Push { uint light_count; };
+layout(constant_id = 8) const bool has_lists = false;
+#include "common/light_lists.glsl"
+#define SHINING_COUNT (has_lists ? listed_count : light_count)
+#define SHINING(i) (has_lists ? listed[i] : i)
 #include "common/lit_surface.glsl"
 #include "common/background.glsl"
 #include "common/seen.glsl"
@@ -73,16 +77,20 @@ vec3 face_normal(ivec2 at, ivec2 size, float depth, vec3 normal) {
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     ivec2 size = imageSize(target);
-    if (any(greaterThanEqual(at, size))) {
+    bool is_inside = all(lessThan(at, size));
+    vec3 ray = ray_at(view, vec2(at) + 0.5, vec2(size));
+    float depth = is_inside ? texelFetch(depths, at, 0).r : 1.0;
+    vec3 position = view.position_near.xyz + ray * z_of(view, depth);
+    if (has_lists) {
+        list_lights(depth < 1.0, position);
+    }
+    if (!is_inside) {
         return;
     }
-    vec3 ray = ray_at(view, vec2(at) + 0.5, vec2(size));
-    float depth = texelFetch(depths, at, 0).r;
     if (depth >= 1.0) {
         imageStore(target, at, vec4(background_at(normalize(ray), float(size.y)), 1.0));
         return;
     }
-    vec3 position = view.position_near.xyz + ray * z_of(view, depth);
     vec3 normal = decode_octahedral(from_bits(texelFetch(normals, at, 0).xy));
     Surface surface = surface_at(at);
     if (surface.is_unlit) {

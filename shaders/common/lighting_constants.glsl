@@ -5,5 +5,5 @@ layout(constant_id = 1) const bool has_environment = true;
 layout(constant_id = 2) const bool has_spots = true;
 layout(constant_id = 3) const bool has_suns = true;
 layout(constant_id = 5) const bool has_occlusion = false;
-layout(constant_id = 6) const bool has_areas = false;
+layout(constant_id = 6) const int area_shapes = 0; // bits, by the numbers of the shapes
 layout(constant_id = 7) const int soft_boxes = 0; // of the environment

@@ -1,11 +1,17 @@
 // The light that leaves a surface for the eye. Who includes this has `view`, `environment`,
 // `lights`, `light_count` and `shadow_maps`, and defines SURROUNDINGS_BINDING; after
-// common/scene.glsl and common/environment.glsl.
+// common/scene.glsl and common/environment.glsl. Who has a list of the lights that reach a place
+// defines SHINING_COUNT and SHINING(i), their numbers.
 #include "common/brdf.glsl"
 #include "common/surface.glsl"
 #include "common/lighting_constants.glsl"
 #include "common/environment_light.glsl"
 #include "common/surroundings.glsl"
+
+#ifndef SHINING
+#define SHINING_COUNT light_count
+#define SHINING(i) i
+#endif
 
 /// A sun has its direction in place of a position.
 bool is_sun(Light light) {
@@ -36,8 +42,9 @@ vec3 light_from(Surface surface, vec3 position, vec3 normal, vec3 face, vec3 to_
     float roughness = surface.roughness;
     float metalness = surface.metalness;
     vec3 radiance = surface.emission;
-    for (uint index = 0; index < light_count; ++index) {
-        Light light = lights[index];
+    uint count = SHINING_COUNT;
+    for (uint index = 0; index < count; ++index) {
+        Light light = lights[SHINING(index)];
         vec3 towards = light.position_layer.xyz - (is_sun(light) ? vec3(0.0) : position);
         // A light that touches the surface is held at a millimetre.
         float squared = max(dot(towards, towards), 1e-6);
@@ -47,8 +54,13 @@ vec3 light_from(Surface surface, vec3 position, vec3 normal, vec3 face, vec3 to_
         float distance_to_light = sqrt(squared);
         vec3 direction = towards / distance_to_light;
         bool is_area =
-            has_areas && (light.extent_shape.w > 0.0 || light.up_thickness.w > 0.0);
+            area_shapes != 0 && (light.extent_shape.w > 0.0 || light.up_thickness.w > 0.0);
         if (!is_area && !(dot(normal, direction) > 0.0)) {
+            continue;
+        }
+        // All of a light stands behind the surface; the octagon for a ring is a little larger.
+        if (is_area && !(dot(normal, towards) + 1.06 * length(light.extent_shape.xyz) +
+                             light.up_thickness.w > 0.0)) {
             continue;
         }
         if (has_spots) {
@@ -65,7 +77,7 @@ vec3 light_from(Surface surface, vec3 position, vec3 normal, vec3 face, vec3 to_
         } else {
             shaded = shade(normal, to_eye, direction, albedo, roughness, metalness);
         }
-        if (has_shadows && light.position_layer.w >= 0.0) {
+        if (has_shadows && light.position_layer.w >= 0.0 && any(greaterThan(shaded, vec3(0.0)))) {
             shaded *= lit(light, position, face);
         }
         radiance += shaded * light.intensity_texel.rgb / squared;

@@ -82,6 +82,36 @@ TEST_F(GeometryTest, a_spot_lights_its_cone_alone_and_falls_off_as_gltf_has_it) 
     EXPECT_GT(std::min({dark, between, full}), 100U);
 }
 
+TEST_F(GeometryTest, lights_left_out_where_their_cones_do_not_reach_change_no_bit) {
+    Scene scene = floor_scene({{0.8F, 0.4F, 0.1F}, 0.3F, 0, {}});
+    const PointLight lamp = scene.lights[0];
+    scene.lights.clear();
+    // From pencils to more than half of all directions, above the floor and below it, some without
+    // a cone.
+    constexpr int count = 70;
+    for (int i = 0; i < count; ++i) {
+        PointLight light = lamp;
+        const auto t = static_cast<float>(i);
+        light.position = {std::fmod(t * 1.37F, 8.0F) - 4, i % 9 == 0 ? -0.3F : 0.2F + 0.05F * t,
+                          std::fmod(t * 0.77F, 6.0F) - 3};
+        light.intensity = glm::vec3(0.5F + std::fmod(t, 3.0F), 1, 2);
+        light.axis = glm::normalize(glm::vec3(std::sin(t), -1 + 0.02F * t, std::cos(2 * t)));
+        light.inner_angle = 0.1F * t;
+        light.outer_angle = i % 7 == 0 ? 180 : 1 + 1.6F * t;
+        scene.lights.push_back(light);
+    }
+    const auto listed = light(scene, 64, true);
+    EXPECT_EQ(listed, light(scene, 64));
+    // Each of them counts: with any of the spots switched off something else is seen.
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < scene.lights.size(); i += 5) {
+        Scene without = scene;
+        without.lights[i].intensity = glm::vec3(0);
+        seen += light(without, 64, true) != listed ? 1 : 0;
+    }
+    EXPECT_GT(seen, 9U);
+}
+
 TEST_F(GeometryTest, balls_rods_and_rings_light_a_floor_nearly_as_their_integral_does) {
     struct Case {
         PointLight::Shape shape;

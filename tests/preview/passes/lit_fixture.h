@@ -58,7 +58,8 @@ inline Scene floor_scene(const Material& material) {
 class GeometryTest : public GpuTest {
   protected:
     /// Radiance of the scene, four floats a pixel.
-    std::vector<float> light(const Scene& scene, std::uint32_t map_size = 512) {
+    std::vector<float> light(const Scene& scene, std::uint32_t map_size = 512,
+                             bool lists_lights = false) {
         const GpuScene gpu_scene(device(), scene);
         Graph graph;
         const ViewBlock view = view_block(scene.orbit, 1.5F);
@@ -80,10 +81,9 @@ class GeometryTest : public GpuTest {
         handles.light_count = static_cast<std::uint32_t>(lights.size());
         handles.has_spots = std::any_of(scene.lights.begin(), scene.lights.end(),
                                         [](const PointLight& light) { return light.is_spot(); });
-        handles.has_areas =
-            std::any_of(scene.lights.begin(), scene.lights.end(), [](const PointLight& light) {
-                return light.shape != PointLight::Shape::point;
-            });
+        for (const PointLight& light : scene.lights) {
+            handles.area_shapes |= area_shape_of(light);
+        }
         LightingInputs inputs;
         inputs.shadow_maps = add_shadows(graph, handles, std::move(shadows));
         inputs.surfaces =
@@ -91,6 +91,7 @@ class GeometryTest : public GpuTest {
                         draws_of(scene, gpu_scene.geometry,
                                  visible_objects(scene, gpu_scene.geometry, view.clip)));
         inputs.environment = !scene.environment.is_black();
+        inputs.lists_lights = lists_lights;
         const ImageHandle lit = add_lighting(graph, handles, inputs);
         graph.present(lit);
         return floats_of(run_and_read<std::uint16_t>(graph, lit));

@@ -292,7 +292,7 @@ void Bench::time_sample() {
     if (!has_compute) {
         return;
     }
-    for (const std::uint32_t side : {8U, 24U, 32U}) {
+    for (const std::uint32_t side : {8U, 16U, 24U}) {
         settings.visibility.small_side = side;
         time_frame(fmt::format("compute, small up to {}", side), inputs, settings);
     }

@@ -27,7 +27,7 @@ std::uint64_t visibility_bytes(Size size);
 
 struct VisibilityLimits {
     /// Sides in pixels up to which one invocation rasterises a triangle; at most 32.
-    std::uint32_t small_side = 16;
+    std::uint32_t small_side = 32;
     /// How many larger ones are left to whole workgroups; invocations rasterise the rest.
     std::uint32_t large_triangles = 1U << 16U;
     /// Workgroups that share the large ones' tiles: enough to fill the largest GPUs, few enough to

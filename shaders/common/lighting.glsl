@@ -77,20 +77,21 @@ vec3 face_normal(ivec2 at, ivec2 size, float depth, vec3 normal) {
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     ivec2 size = imageSize(target);
-    bool is_inside = all(lessThan(at, size));
-    vec3 ray = ray_at(view, vec2(at) + 0.5, vec2(size));
-    float depth = is_inside ? texelFetch(depths, at, 0).r : 1.0;
-    vec3 position = view.position_near.xyz + ray * z_of(view, depth);
     if (has_lists) {
-        list_lights(depth < 1.0, position);
+        float depth = all(lessThan(at, size)) ? texelFetch(depths, at, 0).r : 1.0;
+        list_lights(depth < 1.0, view.position_near.xyz + z_of(view, depth) *
+                                     ray_at(view, vec2(at) + 0.5, vec2(size)));
     }
-    if (!is_inside) {
+    if (any(greaterThanEqual(at, size))) {
         return;
     }
+    vec3 ray = ray_at(view, vec2(at) + 0.5, vec2(size));
+    float depth = texelFetch(depths, at, 0).r;
     if (depth >= 1.0) {
         imageStore(target, at, vec4(background_at(normalize(ray), float(size.y)), 1.0));
         return;
     }
+    vec3 position = view.position_near.xyz + ray * z_of(view, depth);
     vec3 normal = decode_octahedral(from_bits(texelFetch(normals, at, 0).xy));
     Surface surface = surface_at(at);
     if (surface.is_unlit) {

@@ -77,7 +77,7 @@ vec3 light_from(Surface surface, vec3 position, vec3 normal, vec3 face, vec3 to_
         } else {
             shaded = shade(normal, to_eye, direction, albedo, roughness, metalness);
         }
-        if (has_shadows && light.position_layer.w >= 0.0 && any(greaterThan(shaded, vec3(0.0)))) {
+        if (has_shadows && light.position_layer.w >= 0.0) {
             shaded *= lit(light, position, face);
         }
         radiance += shaded * light.intensity_texel.rgb / squared;

@@ -65,7 +65,7 @@ ImageHandle glow_alone(Graph& graph, const FrameHandles& handles) {
     }
     Finishing dark;
     dark.picture = add_resolve(graph, handles.hdr, size_of(graph, handles.hdr), 0).hdr;
-    dark.bloom = handles.bloom_layers;
+    dark.bloom = handles.bloomed;
     return add_bloom_composite(graph, dark);
 }
 

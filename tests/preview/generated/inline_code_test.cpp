@@ -12,7 +12,7 @@
 namespace preview {
 namespace {
 
-constexpr std::size_t count = 100'000;
+constexpr std::size_t colors_tried = 100'000;
 // As the code was made with, in CMakeLists.txt.
 constexpr double max_delta_e = 2;
 
@@ -30,7 +30,7 @@ Colors colors_of(const lutlib::Domain& domain) {
                {.2F, -infinite, .9F, 1}};
     std::mt19937 random(11);
     std::uniform_real_distribution<float> share(-0.05F, 1.05F);
-    while (out.size() < count) {
+    while (out.size() < colors_tried) {
         std::array<float, 4> color{0, 0, 0, 1};
         for (std::size_t c = 0; c < 3; ++c) {
             color[c] = std::lerp(low[c], high[c], share(random));

@@ -10,11 +10,11 @@
 namespace preview {
 namespace {
 
-using Codes = std::vector<std::uint8_t>;
+using RgbaCodes = std::vector<std::uint8_t>;
 
 /// Codes that differ from texel to texel, with flat areas between; the alpha is noise.
-Codes noise(std::uint32_t width, std::uint32_t height, std::uint32_t seed) {
-    Codes codes;
+RgbaCodes noise(std::uint32_t width, std::uint32_t height, std::uint32_t seed) {
+    RgbaCodes codes;
     std::uint32_t state = seed * 747796405U + 2891336453U;
     for (std::uint32_t i = 0; i < 4 * width * height; ++i) {
         state = state * 747796405U + 2891336453U;
@@ -24,8 +24,8 @@ Codes noise(std::uint32_t width, std::uint32_t height, std::uint32_t seed) {
     return codes;
 }
 
-Codes flat(std::uint32_t width, std::uint32_t height, std::array<std::uint8_t, 4> code) {
-    Codes codes;
+RgbaCodes flat(std::uint32_t width, std::uint32_t height, std::array<std::uint8_t, 4> code) {
+    RgbaCodes codes;
     for (std::uint32_t i = 0; i < width * height; ++i) {
         codes.insert(codes.end(), code.begin(), code.end());
     }
@@ -36,10 +36,10 @@ class EveryScope : public FinishTest, public testing::WithParamInterface<Scope> 
   protected:
     struct Result {
         std::vector<std::uint32_t> counts;
-        Codes picture; ///< the drawing
+        RgbaCodes picture; ///< the drawing
     };
 
-    static Result run(const Codes& codes, std::uint32_t width, ColumnRange range,
+    static Result run(const RgbaCodes& codes, std::uint32_t width, ColumnRange range,
                       const ScopeDrawing& drawn) {
         const auto height = static_cast<std::uint32_t>(codes.size() / 4 / width);
         const gpu::Image image = upload({Format::rgba8, width, height}, codes);
@@ -54,7 +54,7 @@ class EveryScope : public FinishTest, public testing::WithParamInterface<Scope> 
                 as<std::uint8_t>(executor.read_image(out.picture))};
     }
 
-    static std::vector<std::uint32_t> wanted(const Codes& codes, std::uint32_t width,
+    static std::vector<std::uint32_t> wanted(const RgbaCodes& codes, std::uint32_t width,
                                              ColumnRange range, Size size) {
         return reference::scope_counts(GetParam(), codes, width, range,
                                        scope_columns(GetParam(), range, {size}));
@@ -76,7 +76,7 @@ TEST_P(EveryScope, counts_what_its_twin_counts_and_each_texel_once_in_each_plane
                                    {257, 131, {100, 33}},
                                    {64, 64, {63, 1}}}) {
         SCOPED_TRACE(std::to_string(picture.width) + "x" + std::to_string(picture.height));
-        const Codes codes = noise(picture.width, picture.height, picture.width);
+        const RgbaCodes codes = noise(picture.width, picture.height, picture.width);
         const auto got = run(codes, picture.width, picture.range, {drawing}).counts;
         EXPECT_EQ(got, wanted(codes, picture.width, picture.range, drawing));
         const std::uint64_t planes = GetParam().bins == ScopeBins::chroma ? 1 : GetParam().planes;
@@ -92,7 +92,7 @@ TEST_P(EveryScope, counts_black_white_and_full_colors_in_their_outermost_places)
                                                   {255, 0, 0, 0},
                                                   {0, 0, 255, 255},
                                                   {0, 255, 0, 0}}) {
-        const Codes codes = flat(300, 70, code);
+        const RgbaCodes codes = flat(300, 70, code);
         const auto got = run(codes, 300, {0, 300}, {drawing}).counts;
         EXPECT_EQ(got, wanted(codes, 300, {0, 300}, drawing));
         if (GetParam().bins == ScopeBins::chroma && code[0] == code[1] && code[1] == code[2]) {
@@ -122,7 +122,7 @@ TEST_P(EveryScope, counts_the_codes_that_broken_light_became) {
 }
 
 TEST_P(EveryScope, draws_in_any_size_and_another_picture_for_other_codes) {
-    const Codes dark = flat(40, 30, {20, 24, 60, 255}), bright = noise(40, 30, 3);
+    const RgbaCodes dark = flat(40, 30, {20, 24, 60, 255}), bright = noise(40, 30, 3);
     for (const Size size : {Size{1, 1}, {7, 3}, {64, 200}, {640, 360}}) {
         for (const bool logarithmic : {false, true}) {
             const auto a = run(dark, 40, {0, 40}, {size, logarithmic}).picture;
@@ -136,9 +136,9 @@ TEST_P(EveryScope, draws_in_any_size_and_another_picture_for_other_codes) {
 
 // Others write them over the picture then, in the room that is left for them.
 TEST_P(EveryScope, has_its_own_figures_unless_room_for_others_is_asked_for) {
-    const Codes codes = flat(40, 30, {20, 20, 20, 255});
+    const RgbaCodes codes = flat(40, 30, {20, 20, 20, 255});
     const auto inked = [&](const ScopeDrawing& drawn) {
-        const Codes picture = run(codes, 40, {0, 40}, drawn).picture;
+        const RgbaCodes picture = run(codes, 40, {0, 40}, drawn).picture;
         int count = 0;
         for (std::size_t i = 0; i < picture.size(); i += 4) {
             count += picture[i] == 184 && picture[i + 1] == 163 && picture[i + 2] == 117 ? 1 : 0;
@@ -155,7 +155,7 @@ TEST_P(EveryScope, marks_clipped_texels_where_they_are_and_nothing_else) {
         return; // it has no levels
     }
     const auto thirds = [](std::array<int, 3> codes) {
-        Codes out;
+        RgbaCodes out;
         for (int i = 0; i < 30 * 10; ++i) {
             const auto code =
                 static_cast<std::uint8_t>(codes[static_cast<std::size_t>(i % 30 / 10)]);
@@ -164,16 +164,16 @@ TEST_P(EveryScope, marks_clipped_texels_where_they_are_and_nothing_else) {
         return out;
     };
     const ScopePlot plot = scope_plot(GetParam(), drawing.width, drawing.height);
-    const auto is_red = [&](const Codes& picture, int x, int y) {
+    const auto is_red = [&](const RgbaCodes& picture, int x, int y) {
         const std::size_t at = (static_cast<std::size_t>(y) * drawing.width + x) * 4;
         return picture[at] > 200 && picture[at + 1] < 100 && picture[at + 2] < 100;
     };
-    const auto is_blue = [&](const Codes& picture, int x, int y) {
+    const auto is_blue = [&](const RgbaCodes& picture, int x, int y) {
         const std::size_t at = (static_cast<std::size_t>(y) * drawing.width + x) * 4;
         return picture[at] < 100 && picture[at + 2] > 200;
     };
-    const Codes clipped = run(thirds({0, 128, 255}), 30, {0, 30}, {drawing}).picture;
-    const Codes whole = run(thirds({1, 128, 254}), 30, {0, 30}, {drawing}).picture;
+    const RgbaCodes clipped = run(thirds({0, 128, 255}), 30, {0, 30}, {drawing}).picture;
+    const RgbaCodes whole = run(thirds({1, 128, 254}), 30, {0, 30}, {drawing}).picture;
     const int left = plot.x + 1, right = plot.x + plot.width - 2, top = plot.y;
     const int middle = plot.x + plot.width / 2;
     const int bottom = GetParam().bins == ScopeBins::levels ? top : plot.y + plot.height - 1;
@@ -228,7 +228,7 @@ TEST(ScopeTwinTest, luma_and_differences_lie_within_half_a_code_of_bt709) {
     for (int r = 0; r < 256; r += 15) {
         for (int g = 0; g < 256; g += 15) {
             for (int b = 0; b < 256; b += 15) {
-                const Codes code{static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
+                const RgbaCodes code{static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
                                  static_cast<std::uint8_t>(b), 0};
                 const double luma = 0.2126 * r + 0.7152 * g + 0.0722 * b;
                 const auto waveform = reference::scope_counts(scopes[0], code, 1, {0, 1}, 1);

@@ -7,14 +7,14 @@
 namespace preview {
 namespace {
 
-using Codes = std::vector<std::uint8_t>;
+using BytesOfPicture = std::vector<std::uint8_t>;
 constexpr std::uint32_t width = 320, height = 120;
 
 class NamesTest : public FinishTest {
   protected:
-    static Codes grey() { return Codes(std::size_t{4} * width * height, 100); }
+    static BytesOfPicture grey() { return BytesOfPicture(std::size_t{4} * width * height, 100); }
 
-    static Codes run(const Compare& compare, std::array<std::string_view, 2> names) {
+    static BytesOfPicture run(const Compare& compare, std::array<std::string_view, 2> names) {
         const gpu::Image image = upload({Format::rgba8, width, height}, grey());
         Graph graph;
         const ImageHandle out =
@@ -29,7 +29,7 @@ class NamesTest : public FinishTest {
         int low_x = width, high_x = -1, low_y = height, high_y = -1, ink = 0;
     };
     /// Of the texels that differ from the grey, from column `from` to `to`.
-    static Box changed(const Codes& codes, std::uint32_t from, std::uint32_t to) {
+    static Box changed(const BytesOfPicture& codes, std::uint32_t from, std::uint32_t to) {
         Box box;
         for (std::uint32_t y = 0; y < height; ++y) {
             for (std::uint32_t x = from; x < to; ++x) {
@@ -50,7 +50,7 @@ class NamesTest : public FinishTest {
 
 TEST_F(NamesTest, each_side_has_its_own_in_its_upper_corner_and_the_rest_stays_as_it_is) {
     for (const Compare* compare : {&compare_split, &compare_side}) {
-        const Codes codes = run(*compare, {"warm", "a much longer name"});
+        const BytesOfPicture codes = run(*compare, {"warm", "a much longer name"});
         const Box a = changed(codes, 0, width / 2), b = changed(codes, width / 2, width);
         EXPECT_EQ(a.low_x, 4);
         EXPECT_EQ(a.high_x - a.low_x + 1, 7 * 6 + 3);
@@ -66,7 +66,7 @@ TEST_F(NamesTest, each_side_has_its_own_in_its_upper_corner_and_the_rest_stays_a
 }
 
 TEST_F(NamesTest, letters_are_told_apart_and_any_name_fits) {
-    std::vector<Codes> seen;
+    std::vector<BytesOfPicture> seen;
     for (const char c : std::string_view("0123456789abcdefghijklmnopqrstuvwxyz.-_+:? ")) {
         seen.push_back(run(compare_split, {std::string_view(&c, 1), ""}));
         for (std::size_t i = 0; i + 1 < seen.size(); ++i) {

@@ -229,7 +229,7 @@ TEST(ScopeTwinTest, luma_and_differences_lie_within_half_a_code_of_bt709) {
         for (int g = 0; g < 256; g += 15) {
             for (int b = 0; b < 256; b += 15) {
                 const RgbaCodes code{static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
-                                 static_cast<std::uint8_t>(b), 0};
+                                     static_cast<std::uint8_t>(b), 0};
                 const double luma = 0.2126 * r + 0.7152 * g + 0.0722 * b;
                 const auto waveform = reference::scope_counts(scopes[0], code, 1, {0, 1}, 1);
                 const auto level =

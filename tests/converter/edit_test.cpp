@@ -70,7 +70,7 @@ TEST(Edit, takes_a_part_of_the_operator_before_it_and_of_the_whole_look) {
          "--contrast", "2", "--contrast-pivot", "0", "--save-recipe", recipe});
     EXPECT_EQ(color_at(out, "0.25", "0.5", "0"), "1 1.5 0.5\n");
     EXPECT_EQ(json::parse(contents(recipe))["operators"][0]["opacity"], 0.5);
-    run({"edit", recipe, "-o", out, "--look-opacity", "0.5", "--save-recipe", recipe});
+    run({"edit", recipe, "-o", out, "--look-opacity", "0.5", "--save-recipe", recipe, "--force"});
     EXPECT_EQ(color_at(out, "0.25", "0.5", "0"), "0.625 1 0.25\n");
     EXPECT_EQ(json::parse(contents(recipe))["opacity"], 0.5);
     run({"edit", recipe, "-o", out, "--look-opacity", "1"});

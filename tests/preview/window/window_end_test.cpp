@@ -79,6 +79,7 @@ TEST_F(WindowEnd, by_a_kill_leaves_a_look_that_the_next_window_tells_of) {
     EXPECT_EQ(window_name(), "* look.cube - lutpreview");
     wait_until([&] { return kept().size() == 1 && kept()[0] != left; }, "the look kept here");
     click("tab.Look");
+    click("op0");
     place("op0.curve");
     key("ctrl+s"); // which has no file yet, and so is offered the name of the base
     click("file.choose");

@@ -69,7 +69,7 @@ TEST_F(WindowLook, has_wheels_that_are_dragged_typed_and_reset) {
     EXPECT_NEAR(saved()["operators"].at(0)["gamma"][0], 1.2, 1e-9);
     // What is saved is what lutconv makes.
     click("tab.Files");
-    click("export-strip");
+    export_by("export-strip");
     ASSERT_EQ(say({LUTCONV, "bake", "look.json", "-o", "baked.png"}, desktop_->folder()).code, 0);
     EXPECT_EQ(contents("look-piccolo.png"), contents("baked.png"));
 }

@@ -1,9 +1,12 @@
 #include "preview/reference/convolution.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <complex>
 #include <fftw3.h>
 #include <numbers>
+#include <tbb/parallel_for.h>
 
 namespace preview::reference {
 
@@ -34,9 +37,9 @@ class Plane {
     }
     void clear() { std::fill_n(real_, count(width_, height_), 0.0); }
     void to_spectrum() { fftw_execute(forward_); }
-    // Multiplies by another plane's spectrum and transforms back.
-    void convolve_with(const Plane& kernel) {
-        const double scale = 1 / static_cast<double>(count(width_, height_));
+    // Multiplies by another plane's spectrum, which is divided by `total`, and transforms back.
+    void convolve_with(const Plane& kernel, double total) {
+        const double scale = 1 / (total * static_cast<double>(count(width_, height_)));
         for (std::size_t i = 0; i < count(width_ / 2 + 1, height_); ++i) {
             const std::complex<double> a(spectrum_[i][0], spectrum_[i][1]);
             const std::complex<double> b(kernel.spectrum_[i][0], kernel.spectrum_[i][1]);
@@ -57,10 +60,6 @@ class Plane {
     fftw_complex* spectrum_;
     fftw_plan forward_, backward_;
 };
-
-} // namespace
-
-namespace {
 
 /// The next length without prime factors above 7, of which transforms are fast.
 int fast_length(int length) {
@@ -89,23 +88,23 @@ Image convolved(const Image& picture, int margin,
     // The picture with its margins, and once more the kernel's reach of zeros.
     const int width = fast_length(picture.width + 4 * margin),
               height = fast_length(picture.height + 4 * margin);
-    Plane filter(width, height), plane(width, height);
+    Plane filter(width, height);
     filter.clear();
     double total = 0;
     for (int dy = -margin; dy <= margin; ++dy) {
         for (int dx = -margin; dx <= margin; ++dx) {
-            total += kernel(dx, dy);
-        }
-    }
-    for (int dy = -margin; dy <= margin; ++dy) {
-        for (int dx = -margin; dx <= margin; ++dx) {
-            filter.at((dx + width) % width, (dy + height) % height) = kernel(dx, dy) / total;
+            const double value = kernel(dx, dy);
+            total += value;
+            filter.at((dx + width) % width, (dy + height) % height) = value;
         }
     }
     filter.to_spectrum();
 
+    // FFTW makes plans on one thread and may carry them out on several.
+    std::array<Plane, 3> planes{{Plane(width, height), Plane(width, height), Plane(width, height)}};
     Image out(picture.width, picture.height);
-    for (std::size_t channel = 0; channel < 3; ++channel) {
+    tbb::parallel_for(std::size_t{0}, planes.size(), [&](std::size_t channel) {
+        Plane& plane = planes[channel];
         plane.clear();
         for (int y = -margin; y < picture.height + margin; ++y) {
             for (int x = -margin; x < picture.width + margin; ++x) {
@@ -113,13 +112,13 @@ Image convolved(const Image& picture, int margin,
             }
         }
         plane.to_spectrum();
-        plane.convolve_with(filter);
+        plane.convolve_with(filter, total);
         for (int y = 0; y < picture.height; ++y) {
             for (int x = 0; x < picture.width; ++x) {
                 out.at(x, y)[channel] = plane.at(x + 2 * margin, y + 2 * margin);
             }
         }
-    }
+    });
     return out;
 }
 

@@ -22,7 +22,7 @@ namespace preview {
 namespace {
 
 /// Of which one is odd in both directions, so that no level of a pyramid halves evenly.
-constexpr std::array<Size, 3> gpu_sizes{{{240, 135}, {481, 271}, {960, 540}}};
+constexpr std::array<Size, 3> gpu_sizes{{{160, 90}, {321, 181}, {640, 360}}};
 constexpr std::array<Size, 3> cpu_sizes{{{48, 27}, {65, 37}, {80, 45}}};
 constexpr int gpu_rounds = 25, cpu_rounds = 3;
 constexpr std::uint32_t least_side = 16;

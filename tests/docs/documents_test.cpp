@@ -1,6 +1,7 @@
 // Every command line of README.md and docs/*.md does what its document says.
 #include "tests/docs/command_lines.h"
 #include "tests/docs/workplace.h"
+#include "tests/support/thorough.h"
 
 #include <gtest/gtest.h>
 
@@ -32,6 +33,13 @@ constexpr Exception exceptions[] = {
     {"lutconv bake look.json -o strip.png --watch ", "goes on until somebody ends it"},
     {"lutconv bake look.json -o Assets/Luts/look.png ", "goes on until somebody ends it"},
     {"build/bin/preview_golden_tests", "renews golden pictures"},
+};
+
+/// Lines that take minutes on slow machines, and whose work other tests check on less: run by
+/// `scripts/test --all`.
+constexpr std::string_view long_lines[] = {
+    "lutconv report --suite stiff",
+    "lutpreview report -o report.html --json --csv",
 };
 
 /// Lines whose exit code is not 0, or whose output must hold what the text around them promises.
@@ -102,6 +110,12 @@ bool is_excepted(const CommandLine& command) {
     });
 }
 
+bool is_left_to_all(const CommandLine& command) {
+    return !support::is_thorough() &&
+           std::any_of(std::begin(long_lines), std::end(long_lines),
+                       [&](std::string_view begins) { return command.text.starts_with(begins); });
+}
+
 bool needs_a_program_that_is_not_built(const CommandLine& command) {
     return command.text.starts_with("lutpreview") && !fs::exists(fs::path(PROGRAMS) / "lutpreview");
 }
@@ -129,7 +143,8 @@ std::size_t run_all(const fs::path& document) {
     fill_workplace(made);
     std::size_t count = 0;
     for (const CommandLine& command : command_lines(contents(document))) {
-        if (is_excepted(command) || needs_a_program_that_is_not_built(command)) {
+        if (is_excepted(command) || is_left_to_all(command) ||
+            needs_a_program_that_is_not_built(command)) {
             continue;
         }
         fs::copy(made, used, fs::copy_options::recursive);

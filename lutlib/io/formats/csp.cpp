@@ -93,37 +93,9 @@ std::string write_csp(const FileFormat& /*format*/, const Lut& lut, const WriteO
     return out;
 }
 
-// OpenColorIO's reader looks for the end of the metadata without end.
-Reading read_csp(const FileFormat& format, std::string_view bytes, const std::string& file,
-                 const ReadOptions& options) {
-    LineScanner lines(bytes);
-    std::size_t begun = 0;
-    for (std::string_view line; lines.next(line);) {
-        const std::string words = upper(trimmed(line));
-        if (words == "BEGIN METADATA" && begun == 0) {
-            begun = lines.line_number();
-        } else if (words == "END METADATA") {
-            begun = 0;
-            break;
-        }
-    }
-    if (begun > 0) {
-        throw Error(
-            "BEGIN METADATA without END METADATA: the file is cut short or damaged; fetch or "
-            "export it again",
-            {file, begun, {}});
-    }
-    return read_with_opencolorio(format, bytes, file, options);
-}
-
-constexpr FileFormat checked(FileFormat row) {
-    row.read = read_csp;
-    return row;
-}
-
 } // namespace
 
-constinit const FileFormat csp = checked(read_by_opencolorio({
+constinit const FileFormat csp = read_by_opencolorio({
     .name = "csp",
     .label = "cineSpace .csp: prelut and table",
     .extensions = {"csp"},
@@ -136,6 +108,6 @@ constinit const FileFormat csp = checked(read_by_opencolorio({
               .title = true},
     .magic = "CSPLUTV100",
     .write = write_csp,
-}));
+});
 
 } // namespace lutlib::formats

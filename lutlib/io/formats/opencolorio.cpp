@@ -27,6 +27,33 @@ constexpr Holds operators_and_tables{.curve = true,
                                      .interpolation = true};
 constexpr Holds unit_cube_of_6_decimals{.cube = true, .decimals = 6};
 
+// OpenColorIO tries all its readers on a file that the one for its name refuses, and that of .csp
+// looks for the end of the metadata without end.
+void refuse_endless_metadata(std::string_view bytes, const std::string& file) {
+    LineScanner lines(bytes);
+    bool is_csp = false;
+    std::size_t begun = 0;
+    for (std::string_view line; lines.next(line);) {
+        const std::string words = upper(trimmed(line));
+        if (!is_csp && !words.empty()) {
+            is_csp = words.starts_with("CSPLUTV100");
+            if (!is_csp) {
+                return;
+            }
+        } else if (words == "BEGIN METADATA" && begun == 0) {
+            begun = lines.line_number();
+        } else if (words == "END METADATA") {
+            return;
+        }
+    }
+    if (begun > 0) {
+        throw Error(
+            "BEGIN METADATA without END METADATA: the file is cut short or damaged; fetch or "
+            "export it again",
+            {file, begun, {}});
+    }
+}
+
 // The first line that is neither blank nor a comment: "LUT:", the number of tables, their length.
 std::string_view discreet_head(std::string_view bytes) {
     LineScanner lines(bytes);
@@ -302,6 +329,7 @@ std::string opencolorio_extension(const FileFormat& format, const std::string& f
 
 Reading read_with_opencolorio(const FileFormat& format, std::string_view bytes,
                               const std::string& file, const ReadOptions& options) {
+    refuse_endless_metadata(bytes, file);
     return io::ocio().read(bytes, opencolorio_extension(format, file), file, options);
 }
 

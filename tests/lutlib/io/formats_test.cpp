@@ -167,6 +167,28 @@ TEST(Formats, refuse_every_truncated_file) {
     }
 }
 
+// OpenColorIO's reader of .csp, which it tries on files of any name, reads such metadata without
+// end.
+TEST(Formats, refuse_metadata_without_end_under_any_name) {
+    for (const FileFormat* const format : file_formats()) {
+        if (!format->read || format->layout) {
+            continue;
+        }
+        const std::string file = "x." + std::string(format->extensions.first());
+        for (const char* const bytes : {"CSPLUTV100\n1D\n\nBEGIN METADATA\nx\n2\n0 1\n",
+                                        "\n csplutv100\n3D\nbegin metadata\nend metadat\n"}) {
+            try {
+                format->read(*format, bytes, file, {});
+                ADD_FAILURE() << format->name;
+            } catch (const Error& error) {
+                const std::string message = error.what();
+                EXPECT_NE(message.find(file), std::string::npos) << message;
+                EXPECT_EQ(message.find("seconds"), std::string::npos) << message;
+            }
+        }
+    }
+}
+
 TEST(Formats, refuse_a_clf_table_without_values) {
     const std::string head =
         "<?xml version=\"1.0\"?>\n<ProcessList id=\"a\" compCLFversion=\"3\">\n"

@@ -150,6 +150,7 @@ class MatchRun {
             measure();
         }
         require_the_same();
+        tell_range();
         doubt();
         return std::move(out_);
     }
@@ -167,6 +168,22 @@ class MatchRun {
             reader_.count() > 1 ? "the pairs"
                                 : input_text(paths.before) + " and " + input_text(paths.after),
             100 * std::max(0.0, out_.explained)));
+    }
+
+    void tell_range() {
+        lutlib::Rgb low = out_.match.cube.nodes.front(), high = low;
+        for (const lutlib::Rgb& node : out_.match.cube.nodes) {
+            low = {std::min(low.r, node.r), std::min(low.g, node.g), std::min(low.b, node.b)};
+            high = {std::max(high.r, node.r), std::max(high.g, node.g), std::max(high.b, node.b)};
+        }
+        const float least = std::min({low.r, low.g, low.b}),
+                    most = std::max({high.r, high.g, high.b});
+        if (out_.bits > 0 && (least < 0 || most > 1)) {
+            out_.remarks.push_back(fmt::format(
+                "the look goes from {:.3f} to {:.3f}, beyond AFTER's codes, which tells best where "
+                "they end; what shows it must cut that to 0..1, as AFTER was and the figures are",
+                least, most));
+        }
     }
 
     // More than compression and noise make.
@@ -206,11 +223,39 @@ class MatchRun {
             explain(images(out_.match, pixels.learnt));
             return;
         }
-        const lutlib::Match first = best_of_sizes(pixels, settings);
+        lutlib::Match first = best_of_sizes(pixels, settings);
         settings.size = first.cube.size;
-        measure_held_out(images(first, pixels.held_out));
+        const bool keeps_range = is_as_good_within_codes(first, pixels.held_out);
         pixels.learnt.insert(pixels.learnt.end(), pixels.held_back.begin(), pixels.held_back.end());
         out_.match = match_look(std::move(pixels.learnt), settings, &first);
+        if (keeps_range) {
+            hold_to_codes(first.cube);
+            hold_to_codes(out_.match.cube);
+        }
+        measure_held_out(images(first, pixels.held_out));
+    }
+
+    static void hold_to_codes(lutlib::Lut3D& cube) {
+        for (lutlib::Rgb& node : cube.nodes) {
+            node = to_float(saturate(to_double(node)));
+        }
+    }
+
+    // Where AFTER's codes end the pixels do not tell whether the look goes on. A lattice that does
+    // is bent where they end, which one of looks that end themselves is not.
+    bool is_as_good_within_codes(const lutlib::Match& match,
+                                 const std::vector<lutlib::PixelPair>& pixels) const {
+        if (out_.bits == 0) {
+            return false;
+        }
+        lutlib::Match held = match;
+        hold_to_codes(held.cube);
+        const auto off = [&](const lutlib::Match& tried) {
+            const Images made = images(tried, pixels);
+            return errors_of(made.look, made.after, viewing()).mean;
+        };
+        constexpr double no_worse = 1.02;
+        return off(held) <= no_worse * off(match);
     }
 
     // What a look makes of pixels, beside what they became.

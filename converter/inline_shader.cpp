@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -38,6 +39,22 @@ std::string encoding_words(const std::optional<lutlib::Encoding>& encoding) {
     return encoding ? encoding->name() : "an encoding that the look does not name";
 }
 
+/// As a shell takes it for one word.
+std::string shell_word(const std::string& text) {
+    const auto is_plain = [](unsigned char c) {
+        return std::isalnum(c) != 0 || c >= 0x80 ||
+               std::string_view("._-+/,:@%").find(static_cast<char>(c)) != std::string_view::npos;
+    };
+    if (std::all_of(text.begin(), text.end(), is_plain)) {
+        return text;
+    }
+    std::string out = "'";
+    for (const char c : text) {
+        out += c == '\'' ? "'\\''" : std::string(1, c);
+    }
+    return out + "'";
+}
+
 std::string heading_of(const InlineRequest& request, const io::Look& look,
                        const lutlib::ShaderLanguage& language, const lutlib::InlineFit& fit) {
     const std::string name = comment_name(request.look);
@@ -45,9 +62,10 @@ std::string heading_of(const InlineRequest& request, const io::Look& look,
         lutlib::shader_comment("The colour look " + name + " in " + std::string(language.label) +
                                ", without a picture. "
                                "Made by:");
-    out += lutlib::shader_command(fmt::format("lutconv shader --inline {} --language {} "
-                                              "--max-delta-e {:g}",
-                                              name, language.name, request.max_delta_e));
+    out +=
+        lutlib::shader_command(fmt::format("lutconv shader --inline {} --language {} "
+                                           "--max-delta-e {:g}",
+                                           shell_word(name), language.name, request.max_delta_e));
     out += lutlib::shader_comment(
         fmt::format("lut_lookup takes codes of {}, of which each channel is held to {}, and gives "
                     "codes of {}. It holds the look as {}; the largest dE2000 {} is {:.3g}.",

@@ -70,8 +70,11 @@ void OperatorFlags::declare(Verb& verb) {
             flags_.push_back({op, i});
         }
     }
-    verb.add_in_order("--opacity", "how much of the operator before it is taken, 0 to 1, default 1",
-                      "Of the operator before it");
+    verb.add_in_order(
+        "--opacity",
+        "how much of the operator before it is taken, 0 to 1, default 1; mixed in the space that "
+        "the operator works in",
+        "Of the operator before it");
     flags_.push_back({nullptr, 0});
 }
 

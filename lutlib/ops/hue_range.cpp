@@ -146,7 +146,8 @@ const Op hue_range{.name = "hue-range",
                    .help = "Turns, saturates and lights what qualifiers of hue, saturation and "
                            "luminance choose; they can be seen as a matte",
                    .reference = "rotation and factors in Oklab, weighted by the product of raised "
-                                "cosines of hue, saturation and luminance",
+                                "cosines of hue, saturation and luminance; luminance and the matte "
+                                "also fade towards neutrals, which have no hue",
                    .space = Space::oklab,
                    .parameters = hue_range_parameters,
                    .compile = compile_hue_range,

@@ -12,6 +12,7 @@
 #include "lutlib/text.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 
 namespace lutlib::io {
@@ -88,9 +89,14 @@ const FileFormat& format_for_writing(const std::string& path, const Lut& lut) {
             best = row;
         }
     }
+    if (!best && std::filesystem::is_directory(path)) {
+        throw Error("this is a directory; name a file in it", {path, 0, {}});
+    }
     if (!best) {
         throw UsageError("no format that can be written has the extension of " + output_name(path) +
-                         "; choose one with --format: " + names_of(writers));
+                         "; end its name in one that has, such as .cube ('lutconv formats' lists "
+                         "them), or choose with 'convert --format': " +
+                         names_of(writers));
     }
     return *best;
 }

@@ -102,9 +102,13 @@ void require_distinct(std::span<const Route> routes) {
     for (const Route& route : routes) {
         const auto [at, is_new] = by_output.emplace(whole_path(route.to), &route);
         if (!is_new) {
-            throw UsageError("'" + at->second->from.path + "' and '" + route.from.path +
-                             "' would both be written to '" + route.to +
-                             "'; give -o a place for what differs, as out/{name}.{ext}");
+            const bool is_one_input = at->second->from.path == route.from.path;
+            throw UsageError(
+                (is_one_input ? "several pictures of '" + route.from.path + "'"
+                              : "'" + at->second->from.path + "' and '" + route.from.path + "'") +
+                " would " + (is_one_input ? "all" : "both") + " be written to '" + route.to +
+                "'; give -o a place for what differs, as out/{name}." +
+                (is_one_input ? "{engine}.png" : "{ext}"));
         }
     }
     for (const Route& route : routes) {

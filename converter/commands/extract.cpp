@@ -1,5 +1,6 @@
 // lutconv extract: the look out of a picture that was graded with a neutral strip in it.
 #include "converter/command.h"
+#include "converter/heat_png.h"
 #include "converter/look_files.h"
 #include "converter/options.h"
 #include "converter/paint_picture.h"
@@ -8,6 +9,7 @@
 #include "converter/usage.h"
 #include "lutlib/bake/bake.h"
 #include "lutlib/error.h"
+#include "lutlib/io/bake_report.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/lut_picture.h"
 #include "lutlib/named.h"
@@ -15,7 +17,6 @@
 #include "lutlib/paint/find_mark.h"
 #include "lutlib/paint/on_picture.h"
 #include "lutlib/paint/whole.h"
-#include "lutlib/plot/palette.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -148,7 +149,20 @@ void tell_of_strip(const PaintPicture& graded, Extracted& out) {
     }
 }
 
-void check_original(const ExtractOptions& o, const PaintPicture& original, Extracted& out) {
+/// What a lossy file or damage made of the look stands in it everywhere.
+void doubt_edits(const PaintPicture& graded, Extracted& out) {
+    if (graded.lossy.empty() && out.whole.harms.empty()) {
+        return;
+    }
+    for (std::string& edit : out.on_original->edits) {
+        edit += "; or that is what " +
+                (graded.lossy.empty() ? std::string("was said of the strip") : "the lossy file") +
+                " did to the look and the picture";
+    }
+}
+
+void check_original(const ExtractOptions& o, const PaintPicture& graded,
+                    const PaintPicture& original, Extracted& out) {
     const lutlib::Picture &before = original.colors, &after = out.upright;
     const lutlib::Area frame = lutlib::frame_area(out.strip);
     // As identity places it: below, or to the right.
@@ -160,12 +174,19 @@ void check_original(const ExtractOptions& o, const PaintPicture& original, Extra
     if (before.size() == after.size() || below || right) {
         out.on_original =
             on_picture(before, after, frame, lutlib::Transform::of(out.lut), lutlib::Viewing{});
+        doubt_edits(graded, out);
         return;
     }
-    refuse(fmt::format("{} has {}x{} pixels and this picture {}x{}: give the screenshot that the "
-                       "strip was placed in",
-                       input_text(o.original), before.width, before.height, after.width,
-                       after.height),
+    const std::string sizes =
+        fmt::format("{} has {}x{} pixels and this picture {}x{} with its strip at {},{}",
+                    input_text(o.original), before.width, before.height, after.width, after.height,
+                    frame.left, frame.top);
+    if (out.whole.is_spoilt()) {
+        out.notes.push_back("the look was not checked on the screenshot: " + sizes);
+        return;
+    }
+    refuse(sizes + ": give the screenshot that the strip was placed in, and this picture as it was "
+                   "then, not cropped",
            o.input);
 }
 
@@ -207,43 +228,25 @@ Extracted extract(const ExtractOptions& o) {
         out.whole.harms.push_back(*harm);
     }
     if (original) {
-        check_original(o, *original, out);
+        check_original(o, graded, *original, out);
     }
     return out;
 }
 
-// dE2000 as colours, from 0 to 10, grey where nothing was compared.
-std::string heat_png(const lutlib::OnPicture& on) {
-    constexpr double most = 10;
-    lutlib::Picture out{on.size.width, on.size.height, {}};
-    std::vector<lutlib::Rgb> colors;
-    for (std::size_t level = 0; level < plot::heat_levels; ++level) {
-        const std::string text = plot::heat_color(level);
-        lutlib::Rgb color;
-        for (std::size_t c = 0; c < 3; ++c) {
-            int code = 0;
-            std::from_chars(&text[1 + 2 * c], &text[3 + 2 * c], code, 16);
-            color[c] = static_cast<float>(code) / 255;
-        }
-        colors.push_back(color);
-    }
-    for (const float error : on.map) {
-        const double level = static_cast<double>(error) / most * (plot::heat_levels - 1);
-        out.pixels.push_back(error < 0 ? lutlib::Rgb{0.5F, 0.5F, 0.5F}
-                                       : colors[static_cast<std::size_t>(std::min(
-                                             level, static_cast<double>(plot::heat_levels - 1)))]);
-    }
-    return png_of(out, "dE2000 of 0 to 10 between the look and the graded picture");
-}
-
-std::string made_picture(const ExtractOptions& o, const Extracted& found) {
+std::string made_picture(const ExtractOptions& o, Extracted& found) {
     const lutlib::Engine& engine = o.engine.get();
-    const lutlib::Bake picture = bake(lutlib::Transform::of(found.lut), engine, engine.default_size,
-                                      o.bits ? o.bits : engine.default_bits);
+    const lutlib::LookPlace place = io::place_in(engine, encodings_of(found.lut.encodings));
+    const lutlib::Bake picture =
+        bake(place.applied().around(lutlib::Transform::of(found.lut)), engine, engine.default_size,
+             o.bits ? o.bits : engine.default_bits);
+    if (place.applied().converts()) {
+        found.notes.push_back(sentence_of(place, engine.name));
+    }
     return io::picture_bytes(picture, {.source = io::input_name(o.input),
                                        .title = "",
                                        .interpolation = "tetrahedral",
-                                       .encodings = {"srgb", "srgb"}});
+                                       .encodings = names_of(place.shown()),
+                                       .look = names_of(place.look)});
 }
 
 nlohmann::ordered_json extraction_json(const ExtractOptions& o, const Extracted& found,
@@ -322,7 +325,7 @@ int run_extract(const ExtractOptions& o) {
     } else if (o.bits) {
         throw lutlib::UsageError("--bits is for pictures: add --engine");
     }
-    const Extracted found = extract(o);
+    Extracted found = extract(o);
     const bool readable = found.lut.cube.has_value();
     const bool written = readable && (o.damaged || !found.whole.is_spoilt());
     std::string heat;

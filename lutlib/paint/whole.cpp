@@ -223,7 +223,9 @@ void judge_noise(const std::string& lossy, Wholeness& out) {
     if (!lossy.empty()) {
         out.harms.push_back(
             {"lossy",
-             lossy + " (noise of about " + codes(out.noise) + "); --denoise takes that off",
+             lossy + " (noise of about " + codes(out.noise) +
+                 "), which --denoise takes off; nodes at the edges of slices are off by more where "
+                 "such files keep colours at half the size: save lossless",
              false});
         return;
     }

@@ -92,15 +92,21 @@ TEST_F(Paint, the_screenshot_lies_beside_the_strip_as_it_was) {
     }
 }
 
-TEST_F(Paint, a_strip_becomes_an_engine_s_picture_that_verify_proves) {
+TEST_F(Paint, a_strip_becomes_any_engine_s_picture_that_verify_proves) {
     const std::string picture = graded({"--engine", "unity"});
     ASSERT_EQ(lutconv_in_process({"extract", picture, "-o", in("look.cube")}).exit_code, 0);
-    ASSERT_EQ(lutconv_in_process({"extract", picture, "--engine", "unity", "-o", in("strip.png")})
-                  .exit_code,
-              0);
-    const Result proof = lutconv_in_process(
-        {"verify", in("strip.png"), "--against", in("look.cube"), "--engine", "unity"});
-    EXPECT_EQ(proof.exit_code, 0) << proof.out << proof.err;
+    // One that feeds sRGB, and one for which that is converted.
+    for (const std::string engine : {"unity", "o3de"}) {
+        const std::string strip = in(engine + ".png");
+        const Result made =
+            lutconv_in_process({"extract", picture, "--engine", engine, "-o", strip});
+        ASSERT_EQ(made.exit_code, 0) << made.err;
+        EXPECT_EQ(made.out.find("is converted to srgb") != std::string::npos, engine == "o3de")
+            << made.out;
+        const Result proof =
+            lutconv_in_process({"verify", strip, "--against", in("look.cube"), "--engine", engine});
+        EXPECT_EQ(proof.exit_code, 0) << proof.out << proof.err;
+    }
 }
 
 TEST_F(Paint, refuses_with_one_sentence_and_exit_code_2) {

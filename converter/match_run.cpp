@@ -1,5 +1,6 @@
 #include "converter/match_run.h"
 
+#include "converter/match_remarks.h"
 #include "converter/report.h"
 #include "lutlib/codes.h"
 #include "lutlib/error.h"
@@ -150,7 +151,7 @@ class MatchRun {
             measure();
         }
         require_the_same();
-        tell_range();
+        out_.remarks = remarks_of(out_);
         doubt();
         return std::move(out_);
     }
@@ -168,22 +169,6 @@ class MatchRun {
             reader_.count() > 1 ? "the pairs"
                                 : input_text(paths.before) + " and " + input_text(paths.after),
             100 * std::max(0.0, out_.explained)));
-    }
-
-    void tell_range() {
-        lutlib::Rgb low = out_.match.cube.nodes.front(), high = low;
-        for (const lutlib::Rgb& node : out_.match.cube.nodes) {
-            low = {std::min(low.r, node.r), std::min(low.g, node.g), std::min(low.b, node.b)};
-            high = {std::max(high.r, node.r), std::max(high.g, node.g), std::max(high.b, node.b)};
-        }
-        const float least = std::min({low.r, low.g, low.b}),
-                    most = std::max({high.r, high.g, high.b});
-        if (out_.bits > 0 && (least < 0 || most > 1)) {
-            out_.remarks.push_back(fmt::format(
-                "the look goes from {:.3f} to {:.3f}, beyond AFTER's codes, which tells best where "
-                "they end; what shows it must cut that to 0..1, as AFTER was and the figures are",
-                least, most));
-        }
     }
 
     // More than compression and noise make.

@@ -2,6 +2,8 @@
 #include "lutlib/io/formats.h"
 #include "tests/converter/match_fixture.h"
 
+#include <filesystem>
+
 namespace converter_test {
 namespace {
 
@@ -36,6 +38,20 @@ TEST_F(MatchVerb, ends_where_after_s_codes_end_unless_a_look_that_goes_on_is_nea
         << "a lattice that ends at its nodes";
     EXPECT_GT(learnt_of(gain(2, 1.5, 1.5)), 1.05F)
         << "one that a file of codes ended between its nodes";
+}
+
+TEST_F(MatchVerb, says_that_nothing_was_graded_and_that_it_has_few_pixels) {
+    EXPECT_TRUE(matched()["remarks"].empty());
+    write("after.png", read("before.png"));
+    json said = matched();
+    ASSERT_EQ(said["remarks"].size(), 1U) << said["remarks"];
+    EXPECT_NE(said["remarks"][0].get<std::string>().find("nothing was graded"), std::string::npos);
+    write("before.png", shot(0, 24, 16));
+    std::filesystem::remove(in("after.png"));
+    grade("before.png", "after.png");
+    said = matched();
+    EXPECT_NE(said["remarks"].dump().find("384 pixels tell little"), std::string::npos)
+        << said["remarks"];
 }
 
 } // namespace

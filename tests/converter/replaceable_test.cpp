@@ -2,6 +2,7 @@
 #include "lutlib/io/image.h"
 #include "lutlib/io/png.h"
 #include "tests/converter/run_program.h"
+#include "tests/support/thorough.h"
 
 #include <gtest/gtest.h>
 
@@ -141,7 +142,7 @@ TEST_F(EveryWritingVerb, takes_force_and_is_tried_here) {
 }
 
 TEST_F(EveryWritingVerb, replaces_own_files_and_others_with_force_alone) {
-    for (const auto& [verb, tried] : cases()) {
+    for (const auto& [verb, tried] : support::rows_to_try(cases())) {
         for (const Case& test : tried) {
             SCOPED_TRACE(verb + " " + test.option + " " + test.output);
             const std::string output = made_by(test.output);

@@ -66,7 +66,7 @@ TEST_F(WindowCurves, are_square_with_knots_that_are_typed_and_channels_of_their_
     // The knot that was clicked shows its numbers.
     scroll_to("page.curves.red.knot.y");
     act(mouse_to(place("page.curves.red.knot.y").at(0.5, 0.5)) +
-        Words{"keydown", "ctrl", "click", "1", "keyup", "ctrl"});
+        Words{"keydown", "ctrl", "click", "1", "sleep", "0.5", "keyup", "ctrl"});
     key("ctrl+a");
     type("0.25");
     key("Return");

@@ -26,7 +26,7 @@ class WindowLook : public Window {
     /// Types a number into a field, as its tooltip says.
     void put(const std::string& name, const std::string& number) {
         act(mouse_to(place(name).at(0.5, 0.5)) +
-            Words{"keydown", "ctrl", "click", "1", "keyup", "ctrl"});
+            Words{"keydown", "ctrl", "click", "1", "sleep", "0.5", "keyup", "ctrl"});
         key("ctrl+a");
         type(number);
         key("Return");

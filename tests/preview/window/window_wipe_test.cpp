@@ -102,8 +102,8 @@ TEST_F(WindowWipe, goes_back_to_cameras_and_shows_intermediates_or_says_that_the
     const int playing = frame();
     wait_until([&] { return frame() > playing + 3; }, "frames of a scene that plays");
     click("time.play");
-    act(mouse_to(place("time").at(0.5, 0.5)) +
-        Words{"keydown", "ctrl", "mousedown", "1", "mouseup", "1", "keyup", "ctrl"});
+    act(mouse_to(place("time").at(0.5, 0.5)) + Words{"keydown", "ctrl", "mousedown", "1", "mouseup",
+                                                     "1", "sleep", "0.5", "keyup", "ctrl"});
     key("ctrl+a");
     type("0");
     key("Return");

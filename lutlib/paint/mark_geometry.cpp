@@ -1,5 +1,7 @@
 #include "lutlib/paint/mark_geometry.h"
 
+#include "lutlib/paint/line_fit.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,34 +17,6 @@ constexpr double straight = 0.5;
 double sum(Rgb c) {
     return static_cast<double>(c.r) + static_cast<double>(c.g) + static_cast<double>(c.b);
 }
-
-class FittedLine {
-  public:
-    void add(double x, double y) {
-        ++count_;
-        x_ += x;
-        y_ += y;
-        xx_ += x * x;
-        xy_ += x * y;
-        yy_ += y * y;
-    }
-    std::size_t count() const { return count_; }
-    double slope() const { return spread_of_both() / spread(xx_, x_); }
-    // The standard deviation of y from it.
-    double off() const {
-        const double left = spread(yy_, y_) - slope() * spread_of_both();
-        return std::sqrt(std::max(0.0, left / static_cast<double>(count_)));
-    }
-
-  private:
-    double spread(double squares, double sums) const {
-        return squares - sums * sums / static_cast<double>(count_);
-    }
-    double spread_of_both() const { return xy_ - x_ * y_ / static_cast<double>(count_); }
-
-    std::size_t count_ = 0;
-    double x_ = 0, y_ = 0, xx_ = 0, xy_ = 0, yy_ = 0;
-};
 
 // Where `value` crosses `middle` nearest to `near`, as it does from one whole place to the next.
 template <class F>
@@ -82,7 +56,7 @@ class Measure {
     }
 
     std::optional<MarkGeometry> run() const {
-        const FittedLine along = edges_along(), between = edges_between();
+        const LineFit along = edges_along(), between = edges_between();
         if (along.count() < fewest || between.count() < fewest || along.off() > straight ||
             between.off() > straight) {
             return std::nullopt;
@@ -106,8 +80,8 @@ class Measure {
 
     // Of both rows, against where they were placed; each edge is looked for where the one before it
     // leads to.
-    FittedLine edges_along() const {
-        FittedLine out;
+    LineFit edges_along() const {
+        LineFit out;
         for (int row = 0; row < 2; ++row) {
             const int y = at_.y + row * mark_cell + mark_cell / 2;
             double drift = -0.5; // a step lies between two pixels' centres
@@ -129,8 +103,8 @@ class Measure {
     }
 
     // Of cells that differ from the one below, against where along the mark they were placed.
-    FittedLine edges_between() const {
-        FittedLine out;
+    LineFit edges_between() const {
+        LineFit out;
         for (int i = 0; i < mark_cells; ++i) {
             if (is_light(0, i) == is_light(1, i)) {
                 continue;

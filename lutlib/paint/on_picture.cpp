@@ -3,6 +3,7 @@
 #include "lutlib/color/luma.h"
 #include "lutlib/error.h"
 #include "lutlib/number_text.h"
+#include "lutlib/paint/line_fit.h"
 
 #include <algorithm>
 #include <array>
@@ -38,29 +39,6 @@ struct Pixels {
     }
 };
 
-// The best line through pairs, and the share of the squares of y about their mean that it takes.
-struct Line {
-    double count = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
-
-    void add(double of_x, double of_y) {
-        ++count;
-        x += of_x;
-        y += of_y;
-        xx += of_x * of_x;
-        xy += of_x * of_y;
-        yy += of_y * of_y;
-    }
-    double slope() const {
-        const double spread = xx - x * x / count;
-        return spread > 0 ? (xy - x * y / count) / spread : 0;
-    }
-    double explained() const {
-        const double spread = xx - x * x / count, all = yy - y * y / count;
-        const double both = xy - x * y / count;
-        return spread > 0 && all > 0 ? both * both / (spread * all) : 0;
-    }
-};
-
 std::string hundredths(double value) {
     const long all = std::lround(100 * value);
     const std::string rest = std::to_string(all % 100);
@@ -69,7 +47,7 @@ std::string hundredths(double value) {
 
 // Against the square of the distance from the middle, 1 in the corners.
 std::string shading_in(const Pixels& pixels) {
-    Line line;
+    LineFit line;
     for (int y = 0; y < pixels.size.height; ++y) {
         for (int x = 0; x < pixels.size.width; ++x) {
             if (pixels.counts(x, y)) {
@@ -90,7 +68,7 @@ std::string shading_in(const Pixels& pixels) {
 
 // Against how far a pixel stands out of the four beside it.
 std::string edges_in(const Pixels& pixels) {
-    Line line;
+    LineFit line;
     for (int y = 1; y + 1 < pixels.size.height; ++y) {
         for (int x = 1; x + 1 < pixels.size.width; ++x) {
             if (!(pixels.counts(x, y) && pixels.counts(x - 1, y) && pixels.counts(x + 1, y) &&
@@ -104,7 +82,7 @@ std::string edges_in(const Pixels& pixels) {
                      pixels.off(x, y));
         }
     }
-    if (line.count < 2 || line.explained() < telling || std::abs(line.slope()) < worth_a_word) {
+    if (line.count() < 2 || line.explained() < telling || std::abs(line.slope()) < worth_a_word) {
         return "";
     }
     return line.slope() > 0 ? "the picture was sharpened (by " + percent(line.slope()) +

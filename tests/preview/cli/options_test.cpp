@@ -1,8 +1,6 @@
 // The command line as settings of the frame, and what it lists.
 #include "lutlib/error.h"
-#include "preview/cli/headless.h"
 #include "preview/cli/look_options.h"
-#include "preview/cli/option_listing.h"
 #include "preview/cli/option_rows.h"
 #include "preview/effects/effect.h"
 #include "preview/frame/frame.h"
@@ -267,59 +265,6 @@ TEST(Options, every_row_sets_a_member_of_its_own) {
     }
 }
 
-TEST(Listing, names_every_row_of_every_table) {
-    const std::string text = listing().text();
-    const auto expect = [&](std::string_view name) {
-        EXPECT_NE(text.find("  " + std::string(name) + " "), std::string::npos) << name;
-    };
-    for (const auto& row : picture_choices()) {
-        for (const Option& option : row.options()) {
-            expect(option.name);
-        }
-    }
-    for (const auto& row : option_choices()) {
-        for (const Option& option : row.options()) {
-            expect(option.name);
-        }
-    }
-    for (const NumberRow<PictureSettings>& row : picture_numbers()) {
-        expect("--" + std::string(row.flag));
-    }
-    for (const NumberRow<Orbit>& row : camera_numbers()) {
-        expect("--" + std::string(row.flag));
-    }
-    for (const NumberRow<Surroundings>& row : surroundings_numbers()) {
-        expect("--" + std::string(row.flag));
-    }
-    for (const SurroundingsInfo& row : surroundings_kinds()) {
-        expect(row.name);
-    }
-    for (const NumberRow<CubeView>& row : cube_numbers()) {
-        expect("--" + std::string(row.flag));
-    }
-    for (const SwitchRow<CubeView>& row : cube_switches()) {
-        expect("--" + std::string(row.flag));
-    }
-    for (const PostEffect* effect : post_effects()) {
-        expect(effect->name);
-        for (const lutlib::Parameter& parameter : effect->parameters) {
-            expect("  " + std::string(parameter.name));
-        }
-    }
-    for (const SceneInfo& row : scenes()) {
-        expect(row.name);
-    }
-    for (const GpuLookup& row : gpu_lookups()) {
-        expect(row.name);
-    }
-    for (const EffectInfo& row : effects) {
-        expect(row.name);
-    }
-    for (const LightControl& row : light_controls()) {
-        expect(row.name);
-    }
-}
-
 TEST(EngineOptions, are_for_the_side_that_they_name_and_engine_alone_for_b) {
     const Options one = parsed("--b look.cube --engine unity");
     EXPECT_EQ(use_b(one, true).lookup, gpu_lookup_named("unity"));
@@ -349,34 +294,6 @@ TEST(EncodingOptions, are_refused_by_name) {
     EXPECT_FALSE(use_b(parsed("--no-convert"), true).picture.convert);
     EXPECT_THROW(use_b(parsed("--look-output slog9"), true), lutlib::UsageError);
     EXPECT_THROW(use_b(parsed("--picture-encoding p9"), true), lutlib::UsageError);
-}
-
-TEST(Help, shows_defaults) {
-    Options options;
-    CLI::App app;
-    declare(app, options);
-    const std::string help = app.help();
-    EXPECT_NE(help.find("=agx"), std::string::npos);
-    EXPECT_NE(help.find("=0.5"), std::string::npos); // --split
-    EXPECT_NE(help.find("=24"), std::string::npos);  // --frame-rate
-    EXPECT_NE(help.find("--shadow-size UINT:in [16 - 8192]\n"), std::string::npos)
-        << "what a default stands for is said in words";
-}
-
-TEST(ReportTest, is_one_document_whatever_it_holds) {
-    Report report;
-    report.probe = Probe{};
-    report.figures = DifferenceFigures{.max = 2, .p99 = 1, .p95 = 1, .mean = 0.5};
-    report.explanation = "kept finish\nleft out bloom\n";
-    report.timings = Timings{};
-    const std::string text = to_json(report);
-    for (const char* key : {"\"probe\"", "\"difference\"", "\"explanation\"", "\"passes\""}) {
-        EXPECT_NE(text.find(key), std::string::npos) << key;
-    }
-    EXPECT_EQ(text.find("\n}\n"), text.size() - 3); // closed once, at its end
-    Report alone;
-    alone.probe = Probe{};
-    EXPECT_EQ(to_json(alone), probe_json(Probe{}, {}));
 }
 
 TEST(Options, a_study_is_the_first_word_and_its_subject_the_second) {

@@ -1,23 +1,11 @@
 // Curves of the panel Look and colours that are picked in the picture, by mouse and keys.
-#include "tests/preview/window/window_fixture.h"
-
-#include <nlohmann/json.hpp>
+#include "tests/preview/window/look_window.h"
 
 namespace desktop {
 namespace {
 
-class WindowCurves : public Window {
+class WindowCurves : public LookWindow {
   protected:
-    void start_with(const std::string& operators) {
-        std::ofstream(file("look.json"))
-            << R"({"schema_version": 1, "input": "srgb", "operators": [)" << operators << "]}";
-        start_unsized({"--size", "880x530", "picture.ppm", "--b", "look.json"});
-        click("tab.Look");
-    }
-    nlohmann::json saved() {
-        key("ctrl+s");
-        return nlohmann::json::parse(contents("look.json"));
-    }
     /// Wheels up or down until the control is seen whole.
     void scroll_to(const std::string& name) {
         const Area all = place("panels");
@@ -33,7 +21,7 @@ class WindowCurves : public Window {
 };
 
 TEST_F(WindowCurves, are_square_with_knots_that_are_typed_and_channels_of_their_own) {
-    start_with("");
+    start_with("", "880x530");
     click("page.Curves");
     const Screen neutral = first_screen();
     const Area plot = place("page.curves.master");
@@ -76,7 +64,7 @@ TEST_F(WindowCurves, are_square_with_knots_that_are_typed_and_channels_of_their_
 }
 
 TEST_F(WindowCurves, get_a_knot_at_the_hue_that_is_picked_in_the_picture) {
-    start_with(R"({"op": "hue-vs-sat"})");
+    start_with(R"({"op": "hue-vs-sat"})", "880x530");
     first_screen();
     click("op0");
     scroll_to("op0.curve.pick");
@@ -99,7 +87,7 @@ TEST_F(WindowCurves, get_a_knot_at_the_hue_that_is_picked_in_the_picture) {
 }
 
 TEST_F(WindowCurves, white_balance_makes_what_is_picked_neutral) {
-    start_with(R"({"op": "white-balance"})");
+    start_with(R"({"op": "white-balance"})", "880x530");
     first_screen();
     key("F3");
     click("op0");

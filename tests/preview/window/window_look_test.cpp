@@ -1,25 +1,12 @@
 // The panel Look by mouse and keys: wheels, pages, operators off, alone, faded and in another
 // order.
-#include "tests/preview/window/window_fixture.h"
-
-#include <nlohmann/json.hpp>
+#include "tests/preview/window/look_window.h"
 
 namespace desktop {
 namespace {
 
-class WindowLook : public Window {
+class WindowLook : public LookWindow {
   protected:
-    /// Opens a picture between no look and a recipe of these operators, in the panel Look.
-    void start_with(const std::string& operators) {
-        std::ofstream(file("look.json"))
-            << R"({"schema_version": 1, "input": "srgb", "operators": [)" << operators << "]}";
-        start({"picture.ppm", "--b", "look.json"});
-        click("tab.Look");
-    }
-    nlohmann::json saved() {
-        key("ctrl+s");
-        return nlohmann::json::parse(contents("look.json"));
-    }
     void double_click(Point at) {
         act(mouse_to(at) + Words{"click", "--repeat", "2", "--delay", "60", "1"});
     }

@@ -85,9 +85,10 @@ double gaussian(double dx, double dy, double sigma) {
 
 Image convolved(const Image& picture, int margin,
                 const std::function<double(double, double)>& kernel) {
-    // The picture with its margins, and once more the kernel's reach of zeros.
-    const int width = fast_length(picture.width + 4 * margin),
-              height = fast_length(picture.height + 4 * margin);
+    // The picture with its margins, and the kernel's reach of zeros, over which nothing wraps
+    // around.
+    const int width = fast_length(picture.width + 3 * margin),
+              height = fast_length(picture.height + 3 * margin);
     Plane filter(width, height);
     filter.clear();
     double total = 0;
@@ -108,14 +109,14 @@ Image convolved(const Image& picture, int margin,
         plane.clear();
         for (int y = -margin; y < picture.height + margin; ++y) {
             for (int x = -margin; x < picture.width + margin; ++x) {
-                plane.at(x + 2 * margin, y + 2 * margin) = picture.clamped(x, y)[channel];
+                plane.at(x + margin, y + margin) = picture.clamped(x, y)[channel];
             }
         }
         plane.to_spectrum();
         plane.convolve_with(filter, total);
         for (int y = 0; y < picture.height; ++y) {
             for (int x = 0; x < picture.width; ++x) {
-                out.at(x, y)[channel] = plane.at(x + 2 * margin, y + 2 * margin);
+                out.at(x, y)[channel] = plane.at(x + margin, y + margin);
             }
         }
     });

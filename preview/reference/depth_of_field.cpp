@@ -2,6 +2,8 @@
 
 #include "preview/reference/hash.h"
 
+#include <tbb/parallel_for.h>
+
 namespace preview::reference {
 
 namespace {
@@ -103,7 +105,7 @@ double circle_radius(const ThinLens& lens, double z, int rows) {
 Image focused(const Image& light, const std::vector<double>& radii) {
     const Layer before = spread(light, radii);
     Image out = light;
-    for (int y = 0; y < light.height; ++y) {
+    tbb::parallel_for(0, light.height, [&](int y) {
         for (int x = 0; x < light.width; ++x) {
             const std::size_t at = index_of(light, x, y);
             const double blur = std::max(near_share(radii[at]), far_share(radii[at]));
@@ -118,7 +120,7 @@ Image focused(const Image& light, const std::vector<double>& radii) {
                 out.at(x, y) = mixed(out.at(x, y), before.color.at(x, y) * (1 / all), opacity);
             }
         }
-    }
+    });
     return out;
 }
 

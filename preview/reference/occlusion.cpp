@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <tbb/parallel_for.h>
 
 namespace preview::reference {
 
@@ -226,13 +227,13 @@ std::vector<double> occlusion_of_every_pixel(const SeenSurfaces& seen,
                                              const OcclusionModel& model) {
     constexpr std::array<std::uint32_t, 3> middle{0x80000000U, 0x80000000U, 0x80000000U};
     std::vector<double> out(seen.depth.size(), 1);
-    for (int y = 0; y < seen.height; ++y) {
+    tbb::parallel_for(0, seen.height, [&](int y) {
         for (int x = 0; x < seen.width; ++x) {
             if (seen.shows(x, y)) {
                 out[seen.index(x, y)] = occlusion_at(seen, model, x, y, middle);
             }
         }
-    }
+    });
     return out;
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <vector>
 
 namespace preview::report {
@@ -122,7 +124,14 @@ PictureError picture_error(const Image& got, const Image& wanted) {
             std::max({out.largest, std::abs(apart.r), std::abs(apart.g), std::abs(apart.b)});
     }
     std::vector<double> cie(wanted.pixels.size()), itp(wanted.pixels.size());
-    lutlib::Eye(lutlib::Viewing()).both(got.pixels, wanted.pixels, cie, itp);
+    const lutlib::Eye eye{lutlib::Viewing()};
+    constexpr std::size_t grain = 4096;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cie.size(), grain), [&](const auto& part) {
+        const auto of = [&](auto& all) {
+            return std::span(all).subspan(part.begin(), part.size());
+        };
+        eye.both(of(got.pixels), of(wanted.pixels), of(cie), of(itp));
+    });
     out.delta_e_2000 = lutlib::error_stats(std::move(cie));
     out.delta_e_itp = lutlib::error_stats(std::move(itp));
     return out;

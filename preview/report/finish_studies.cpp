@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 namespace preview::report {
 
@@ -148,12 +150,18 @@ std::vector<Variant> lookups(const Situation&, const StudyTools& tools) {
 Truth look_truth(const TruthRequest& request) {
     Truth out;
     out.finished = request.tools.renderer.render(request.base).finished;
-    request.tools.look.exact(out.finished.pixels);
-    for (lutlib::RgbD& pixel : out.finished.pixels) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            pixel[c] = std::clamp(pixel[c], 0.0, 1.0);
-        }
-    }
+    auto& pixels = out.finished.pixels;
+    constexpr std::size_t grain = 4096;
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, pixels.size(), grain), [&](const auto& part) {
+            const std::span some = std::span(pixels).subspan(part.begin(), part.size());
+            request.tools.look.exact(some);
+            for (lutlib::RgbD& pixel : some) {
+                for (std::size_t c = 0; c < 3; ++c) {
+                    pixel[c] = std::clamp(pixel[c], 0.0, 1.0);
+                }
+            }
+        });
     out.result = out.finished;
     return out;
 }

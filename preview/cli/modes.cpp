@@ -12,12 +12,14 @@
 #include "preview/cli/rendering.h"
 #include "preview/cli/report_mode.h"
 #include "preview/cli/sequence.h"
+#include "preview/frame/measured.h"
 #include "preview/frame/shown.h"
 #include "preview/look/look_file.h"
 #include "terminal/table.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <set>
 
@@ -46,6 +48,28 @@ void tell_left_out(const Options& options, const std::vector<Withheld>& withheld
             tell(line);
         }
     }
+}
+
+/// Takes the exposure that --meter asks for.
+void meter(const Options& options, Rendering& rendering, Executor& executor) {
+    if (options.meter.empty() || rendering.shown->display_encoded()) {
+        return;
+    }
+    FrameSettings& settings = rendering.settings;
+    std::optional<ProbePlace> place;
+    if (options.meter != "all") {
+        place =
+            parse_place("--meter", options.meter, picture_size(settings.output, *settings.compare));
+    }
+    const std::optional<float> metered =
+        metered_exposure(executor, rendering.inputs(), settings, place);
+    if (!metered) {
+        throw lutlib::UsageError("--meter finds no light there: name another texel, or all");
+    }
+    const NumberRow<PictureSettings>& row = picture_number("exposure");
+    settings.exposure = std::clamp(settings.exposure + *metered, static_cast<float>(row.min),
+                                   static_cast<float>(row.max));
+    tell(fmt::format("metered: --exposure {:.2f}", static_cast<double>(settings.exposure)));
 }
 
 void render_once(const Options& options, const Rendering& rendering, Executor& executor,
@@ -177,7 +201,7 @@ void render(const Options& options) {
     } else {
         refuse_hashes(options.output);
     }
-    const Rendering rendering(options);
+    Rendering rendering(options);
     tell_empty_view(rendering);
     if (options.json && !prints && rendering.settings.compare != &compare_difference) {
         throw lutlib::UsageError(
@@ -188,6 +212,7 @@ void render(const Options& options) {
         tell("rendered by " + rendering.device.name());
     }
     Executor executor(rendering.device);
+    meter(options, rendering, executor);
     if (frames.range) {
         render_sequence(options, rendering, executor, *frames.range);
         print_validation(rendering.device);

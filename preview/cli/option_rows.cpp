@@ -115,6 +115,11 @@ constexpr OptionRow rows[] = {
      .help = "Print the colour of this texel before the looks and after each side's",
      .of = [](O& o) -> std::string& { return o.probe; },
      .type = "X,Y"},
+    {.flag = "--meter",
+     .help = "Set the exposure so that this texel, or with 'all' the picture's mean, is 18 % grey; "
+             "--exposure is added. A sequence keeps what --time shows",
+     .of = [](O& o) -> std::string& { return o.meter; },
+     .type = "X,Y or all"},
     {.flag = "--focus-at",
      .help = "Focus depth of field on what is at this texel",
      .of = [](O& o) -> std::string& { return o.focus_at; },

@@ -46,7 +46,7 @@ struct Options {
     std::vector<std::optional<float>> surroundings_numbers =
         std::vector<std::optional<float>>(preview::surroundings_numbers().size());
     const RasterChoice* raster = &rasters().front();
-    std::string size, probe, scope_size, focus_at;
+    std::string size, probe, meter, scope_size, focus_at;
     double seconds = 0;
     std::string camera_name; ///< of the file's cameras; empty: the first
     /// Of each row of camera_numbers(): added to the scene's.

@@ -121,7 +121,7 @@ Rule study_rule(const Options& options) {
              "--explain",    "--force-all",  "--timings",    "--frames",
              "--frame-rate", "--resume",     "--font",       "--watch-engine-folder",
              "--places",     "--exr",        "--dither",     "--debug-view",
-             "--heat-scale"},
+             "--heat-scale", "--meter"},
             false,
             why_no_picture(options)};
 }
@@ -158,6 +158,7 @@ std::vector<Rule> rules_of(const Options& o) {
          !output_holds_light(o) || (!o.frame.shows_intermediate() && o.frame.scope == nullptr),
          "it is for the picture, not for what --debug-view and --scope show"},
         {{"--font", "--places", "--watch-engine-folder"}, window, "no window opens"},
+        {{"--meter"}, !window, "the panel View has a meter; this one is for a picture"},
         {{"--quiet", "--verbose"}, !window, "the window prints nothing"},
         {{"--split", "--split-angle"},
          compare == &compare_split || window,
@@ -267,7 +268,7 @@ std::vector<std::string> unused_options(const Options& options, const KnownInput
          "a picture is shown"},
         {picture_flags("bloom"), input.has_codes || settings.bloom != bloom_named("none"),
          "there is no bloom (--bloom none)"},
-        {joined(bloom_flags(), {"--tonemap"}), !input.has_codes,
+        {joined(bloom_flags(), {"--tonemap", "--meter"}), !input.has_codes,
          "the picture is display-encoded already"},
     };
     if (output_holds_light(options) && options.exr_light) {

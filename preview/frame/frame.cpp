@@ -291,7 +291,7 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
     resolve(graph, inputs, settings, size, handles);
     if (settings.only_maximum && handles.hdr_maximum) {
         graph.present(handles.hdr_maximum);
-        if (settings.reuses_light()) {
+        if (settings.reuses_light() || settings.keep_hdr) {
             graph.present(handles.hdr);
         }
         return handles;

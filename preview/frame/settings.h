@@ -62,7 +62,7 @@ struct FrameSettings : PictureSettings {
     bool shows_numbers = false;
     /// Present the HDR result before tone mapping too.
     bool keep_hdr = false;
-    /// Present the HDR maximum and nothing else but light that is kept.
+    /// Present the HDR maximum, light that is kept or asked for, and nothing else.
     bool only_maximum = false;
     /// Keep the light that the looks get, and what blooms of it, for the executor's next frame: of
     /// the same scene, camera and exposure that one only finishes it. The price is memory that is

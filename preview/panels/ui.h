@@ -91,6 +91,7 @@ struct Ui {
     std::string engine_folder; ///< where strips go at the press of a key; empty: nobody named one
     std::string exported;      ///< what went there and what that lost, till it is closed
     bool wants_new_screen = false; ///< everything on the GPU shall be made anew
+    bool wants_metering = false;   ///< the exposure shall be that of the picture's mean
     /// How large text and controls are, times the desktop's; the program keeps it in its range.
     float text_scale = 1;
     float panels_width = 0; ///< in heights of the text; 0: nobody has chosen one
@@ -122,6 +123,7 @@ struct Ui {
     std::array<bool, key_count> down{}; ///< which keys are held
     /// Files to open as look or picture, for the program to take.
     std::vector<std::string> to_open;
+    std::string surround_with;   ///< a picture to put about the scene; empty: none
     std::string save_picture_to; ///< where the program shall save the picture; empty: nowhere
     int picture_width = 0; ///< of a picture that is saved; 0: its own, of a scene as it is seen
     /// With picture_width, in the proportions that are seen.

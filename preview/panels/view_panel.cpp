@@ -1,12 +1,17 @@
 // What is compared, and how the picture is made.
 #include "preview/editor/commands.h"
 #include "preview/effects/effect.h"
+#include "preview/finish/metering.h"
+#include "preview/panels/eyedropper.h"
+#include "preview/panels/file_dialog.h"
 #include "preview/panels/parameter_control.h"
 #include "preview/panels/tip.h"
 #include "preview/panels/ui.h"
 #include "preview/scene/camera_settings.h"
 
 #include <imgui.h>
+
+#include <algorithm>
 
 namespace preview::panels {
 
@@ -74,6 +79,29 @@ void bloom_controls(Ui& ui) {
         return;
     }
     numbers_of(ui, "bloom-");
+}
+
+void set_exposure(Ui& ui, double stops) {
+    const NumberRow<PictureSettings>& row = picture_number("exposure");
+    ui.history.draft().exposure = static_cast<float>(std::clamp(stops, row.min, row.max));
+}
+
+/// The exposure by what the picture shows.
+void metering(Ui& ui) {
+    if (ImGui::Button("Meter")) {
+        ui.wants_metering = true;
+    }
+    mark(ui, "meter");
+    tip("The exposure with which the picture's mean, in stops, is 18 % grey", {}, false);
+    ImGui::SameLine();
+    if (pick_button(ui, "Meter a place", "The exposure with which what is clicked is 18 % grey",
+                    "meter.pick")) {
+        start_pick(ui, "Click what shall be 18 % grey", [](Ui& at, const Probe& probe) {
+            if (const std::optional<double> stops = stops_to_grey(probe.light)) {
+                set_exposure(at, static_cast<double>(at.history.draft().exposure) + *stops);
+            }
+        });
+    }
 }
 
 /// A switch for every effect, with the parameters of those in use.
@@ -166,7 +194,7 @@ void side_controls(Ui& ui, Side& side, const std::string& name, const std::strin
     ImGui::PopID();
 }
 
-/// What stands around the scene; a picture of it comes from the command line.
+/// What stands around the scene.
 void surroundings_controls(Ui& ui, Surroundings& surroundings) {
     const auto kinds = surroundings_kinds();
     const SurroundingsInfo& chosen = kinds[static_cast<std::size_t>(surroundings.kind)];
@@ -182,6 +210,13 @@ void surroundings_controls(Ui& ui, Surroundings& surroundings) {
         }
         ImGui::EndCombo();
     }
+    if (ImGui::Button("Open a picture of them ...")) {
+        ask_for_file(ui, {.title = "Surround the scene with",
+                          .button = "Open",
+                          .chosen = [&ui](const std::string& path) { ui.surround_with = path; }});
+    }
+    mark(ui, "surroundings.open");
+    tip("An equirectangular picture of all directions, as an .exr or .hdr of a sky", {}, false);
     for (const NumberRow<Surroundings>& row : chosen.numbers) {
         number(ui, row, surroundings);
     }
@@ -232,6 +267,7 @@ void view_panel(Ui& ui) {
     ImGui::TextDisabled("%s on %s", ui.facts.input.c_str(), ui.facts.device.c_str());
     number(ui, "exposure");
     ImGui::BeginDisabled(ui.facts.display_encoded);
+    metering(ui);
     choice(ui, "tonemap");
     bloom_controls(ui);
     ImGui::EndDisabled();

@@ -122,6 +122,25 @@ void App::open(const std::string& path) {
     }
 }
 
+/// The scene among what the picture that was chosen shows; a step of undo.
+void App::surround() {
+    const std::string path = std::exchange(ui_.surround_with, {});
+    if (path.empty()) {
+        return;
+    }
+    panels::attempt(ui_, [&] {
+        editor::State& state = ui_.history.draft();
+        Shown named;
+        named.name = state.shown->name;
+        named.seconds = ui_.seconds;
+        named.surroundings_file = path;
+        take_shown_again(state, std::make_shared<const Shown>(load_again(named)));
+        state.surroundings.kind = SurroundingsKind::picture;
+        editor::remember_file(ui_.recent, path);
+    });
+    follow_shown();
+}
+
 /// Opening, undoing and redoing change what the state shows.
 void App::follow_shown() {
     const std::shared_ptr<const Shown>& shown = ui_.history.draft().shown;
@@ -323,6 +342,7 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
     for (const std::string& path : paths) {
         panels::attempt(ui_, [&] { open(path); });
     }
+    surround();
     take_left_behind();
     panels::attempt(ui_, [this] { move_time(); });
     following_.take(ui_, [this] { follow_shown(); });
@@ -351,6 +371,9 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
     if (const std::string to = std::exchange(ui_.save_picture_to, {}); !to.empty()) {
         panels::attempt(ui_, [&] { save_picture(to); });
         wake();
+    }
+    if (std::exchange(ui_.wants_metering, false)) {
+        meter();
     }
     render(area);
     show_title();

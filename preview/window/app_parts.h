@@ -34,6 +34,7 @@ class App {
     void tell(const std::string& notice);
     void open(const std::string& path);
     void make_screen();
+    void surround();
     void follow_shown();
     void resize_if_asked();
     void frame(const std::vector<editor::InputEvent>& events);
@@ -50,6 +51,7 @@ class App {
     void move_time();
     FrameInputs frame_inputs() const;
     void save_picture(const std::string& path);
+    void meter();
 
     WindowSetup setup_;
     MemoryFile memory_;

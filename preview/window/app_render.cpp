@@ -3,6 +3,7 @@
 
 #include "lutlib/error.h"
 #include "preview/frame/frame.h"
+#include "preview/frame/measured.h"
 #include "preview/window/present.h"
 
 #include <algorithm>
@@ -87,6 +88,24 @@ void App::save_picture(const std::string& path) {
     for (const std::string& phrase : lost) {
         ui_.report += "  lost: " + phrase + "\n";
     }
+}
+
+/// A step of undo. The dark and display-encoded pictures keep their exposure.
+void App::meter() {
+    FrameSettings settings = window_settings(ui_, setup_.frame, ui_.picture_size());
+    settings.keeps_light = false;
+    settings.raster =
+        setup_.raster->on(screen_->device, picture_size(settings.output, *settings.compare));
+    const std::optional<float> metered =
+        metered_exposure(screen_->executor, frame_inputs(), settings, {});
+    if (metered) {
+        ui_.history.draft().exposure = *metered;
+        ui_.history.settle();
+    } else {
+        ui_.errors.emplace_back("show something that shines: there is no light to meter");
+    }
+    drawn_.reset();
+    wake();
 }
 
 void App::render(const panels::Rect& area) {

@@ -74,6 +74,18 @@ int status_of(const std::string& arguments) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+TEST(Meter, says_the_exposure_that_it_has_found_and_where_there_is_no_light) {
+    const std::string path = testing::TempDir() + "metered.png", given = " --headless -o " + path;
+    const std::string said =
+        lutpreview("studio --size 64x36 --meter all --shadow-size 64" + given + " 2>&1");
+    EXPECT_TRUE(said.starts_with("lutpreview: metered: --exposure ")) << said;
+    EXPECT_EQ(lutpreview("studio --size 64x36 --meter 64,0" + given + " 2>&1"),
+              "lutpreview: --meter needs X,Y within the picture of 64x36, got '64,0'\n");
+    EXPECT_EQ(lutpreview(path + " --meter all --headless -o " + testing::TempDir() +
+                         "metered_twice.png 2>&1"),
+              "lutpreview: --meter changes nothing here: the picture is display-encoded already\n");
+}
+
 TEST(Report, refuses_what_says_two_things_or_nothing) {
     const auto refused = [](const std::string& arguments) {
         return lutpreview("report plain --size 32x18 " + arguments + " 2>&1");

@@ -1,6 +1,8 @@
 // What measures a frame on a device: scopes, the probe and counts along curves' axes.
 #include "lutlib/error.h"
 #include "preview/finish/curve_counts.h"
+#include "preview/finish/metering.h"
+#include "preview/frame/measured.h"
 #include "preview/look/gpu_look.h"
 #include "preview/look/look_bake.h"
 #include "tests/preview/frame/frame_fixture.h"
@@ -85,6 +87,32 @@ TEST_F(FrameTest, a_probe_tells_both_sides_of_the_same_texel_whatever_is_compare
     }
     settings.probe.reset();
     EXPECT_FALSE(kept(render_frame(executor, inputs, settings), "probe"));
+}
+
+TEST_F(FrameTest, metering_makes_the_place_or_the_mean_18_percent_grey_and_takes_one_frame) {
+    const Loaded loaded(scene_at(*scene_named("studio"), 0));
+    FrameSettings settings = settings_for(loaded.scene);
+    settings.bloom = bloom_named("none");
+    settings.exposure = 1.5F; // which metering does not add to
+    Executor executor(device());
+    constexpr ProbePlace place{80, 60};
+    settings.exposure = metered_exposure(executor, loaded.inputs(), settings, place).value();
+    settings.probe = place;
+    const Rendered spot = render_frame(executor, loaded.inputs(), settings);
+    const lutlib::RgbD light = spot.probe.value().light;
+    EXPECT_NEAR(0.2126 * light.r + 0.7152 * light.g + 0.0722 * light.b, metered_grey, 2e-4);
+
+    settings.exposure = metered_exposure(executor, loaded.inputs(), settings, {}).value();
+    settings.keep_hdr = true;
+    const Rendered all = render_frame(executor, loaded.inputs(), settings);
+    double stops = 0;
+    for (std::size_t at = 0; at < all.hdr.size(); at += 4) {
+        const auto channel = [&](std::size_t c) { return static_cast<double>(all.hdr[at + c]); };
+        stops += std::log2(
+            std::max(0.2126 * channel(0) + 0.7152 * channel(1) + 0.0722 * channel(2), 1e-6));
+    }
+    EXPECT_NEAR(std::exp2(4 * stops / static_cast<double>(all.hdr.size())), metered_grey, 2e-3);
+    EXPECT_EQ(all.hdr_size, size);
 }
 
 TEST_F(FrameTest, axes_are_counted_only_while_a_curve_is_seen) {

@@ -4,21 +4,7 @@
 namespace desktop {
 namespace {
 
-class WindowCurves : public LookWindow {
-  protected:
-    /// Wheels up or down until the control is seen whole.
-    void scroll_to(const std::string& name) {
-        const Area all = place("panels");
-        for (int i = 0; i < 40; ++i) {
-            const Area at = place(name);
-            if (at.y > 120 && at.y + at.height < all.height) {
-                return;
-            }
-            act(mouse_to(all.at(0.96, 0.9)) + Words{"click", at.y > 120 ? "5" : "4"});
-        }
-        throw std::runtime_error(name + " cannot be scrolled to");
-    }
-};
+class WindowCurves : public LookWindow {};
 
 TEST_F(WindowCurves, are_square_with_knots_that_are_typed_and_channels_of_their_own) {
     start_with("", "880x530");

@@ -150,6 +150,18 @@ class Window : public ::testing::Test {
         }
         return found->second;
     }
+    /// Wheels up or down until the control is seen whole.
+    void scroll_to(const std::string& name) {
+        const Area all = place("panels");
+        for (int i = 0; i < 40; ++i) {
+            const Area at = place(name);
+            if (at.y > 120 && at.y + at.height < all.height) {
+                return;
+            }
+            act(mouse_to(all.at(0.96, 0.9)) + Words{"click", at.y > 120 ? "5" : "4"});
+        }
+        throw std::runtime_error(name + " cannot be scrolled to");
+    }
     int frame() const { return place("frame").x; }
 
     /// xdotool's commands, then the pointer away; returns when all that they led to is drawn.

@@ -46,6 +46,28 @@ TEST_F(WindowDialog, opens_what_is_found_by_typing_in_a_folder_and_what_was_open
     screen_where(is(before), "the picture");
 }
 
+TEST_F(WindowDialog, puts_a_picture_of_surroundings_about_the_scene) {
+    gradient(64, 32).write(file("sky.ppm"));
+    std::ofstream(file("no.ppm")) << "x";
+    start({"materials"});
+    const Screen before = first_screen();
+    click("tab.View");
+    const auto surround = [&](const std::string& name) {
+        scroll_to("surroundings.open");
+        click("surroundings.open");
+        type(name);
+        key("Return");
+    };
+    surround("sky.ppm");
+    screen_where([&](const Screen& now) { return now.changed(before, picture()) > 0.3; },
+                 "what surrounds it");
+    key("ctrl+z");
+    screen_where(is(before), "the scene as it was");
+    surround("no.ppm");
+    click("error.close");
+    screen_where(is(before), "the scene as it was");
+}
+
 TEST_F(WindowDialog, saves_under_another_name_and_asks_before_it_writes_over_one) {
     start({"picture.ppm", "--b", "look.cube"});
     first_screen();

@@ -2,6 +2,9 @@
 #include "preview/passes/copy.h"
 #include "tests/preview/graph/gpu_test.h"
 
+#include <cstring>
+#include <memory>
+
 namespace preview {
 namespace {
 
@@ -115,6 +118,26 @@ TEST_F(ExecuteTest, a_repeated_frame_presents_again_and_computes_nothing) {
     EXPECT_EQ(as<float>(executor.read_image(copy)), texels);
     executor.render(graph);
     EXPECT_EQ(as<float>(executor.read_image(copy)), texels);
+}
+
+TEST_F(ExecuteTest, shares_pipelines_with_another_executor_and_outlives_it) {
+    const ImageDesc desc{Format::rgba32f, 16, 9};
+    const auto texels = ramp(desc.width, desc.height);
+    const gpu::Image image = upload(desc, texels);
+    Graph graph;
+    const ImageHandle copy = add_copy(graph, graph.import("source", image, desc), Format::rgba32f);
+    graph.present(copy);
+    auto first = std::make_unique<Executor>(device());
+    first->render(graph);
+    EXPECT_EQ(first->pipeline_count(), 1U);
+    Executor second(device(), 1, *first);
+    second.render(graph);
+    EXPECT_EQ(second.pipeline_count(), 1U);
+    first.reset();
+    second.render(graph);
+    const std::vector<std::byte> bytes = second.read_image(copy);
+    ASSERT_EQ(bytes.size(), texels.size() * sizeof(float));
+    EXPECT_EQ(std::memcmp(bytes.data(), texels.data(), bytes.size()), 0);
 }
 
 TEST_F(ExecuteTest, persistent_resources_are_made_once_and_survive_frames_and_other_shapes) {

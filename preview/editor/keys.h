@@ -18,11 +18,14 @@ enum class Key : std::uint8_t {
     f6,
     f7,
     escape,
+    page_up,
+    page_down,
     a, // from here on what a text field takes for itself
     b,
     c,
     d,
     e,
+    l,
     o,
     p,
     q,
@@ -50,9 +53,9 @@ inline constexpr std::size_t key_count = static_cast<std::size_t>(Key::count_);
 /// What stands on the key; nothing of one that no panel knows.
 constexpr std::string_view text_of(Key key) {
     constexpr std::string_view texts[key_count] = {
-        "",  "",  "F1", "F2", "F3", "F4", "F5", "F6", "F7", "Esc", "A", "B",
-        "C", "D", "E",  "O",  "P",  "Q",  "R",  "S",  "V",  "Y",   "Z", "1",
-        "2", "3", "4",  "5",  "6",  "7",  "8",  "9",  "0",  "+",   "-",
+        "",  "",  "F1", "F2", "F3", "F4", "F5", "F6", "F7", "Esc", "Page Up", "Page Down", "A",
+        "B", "C", "D",  "E",  "L",  "O",  "P",  "Q",  "R",  "S",   "V",       "Y",         "Z",
+        "1", "2", "3",  "4",  "5",  "6",  "7",  "8",  "9",  "0",   "+",       "-",
     };
     return texts[static_cast<std::size_t>(key)];
 }

@@ -52,9 +52,17 @@ void take(Ui& ui, const std::string& path) {
         return;
     }
     const auto chosen = dialog.chosen;
+    const bool picks_folder = dialog.picks_folder;
     ui.last_folder = fs::path(path).parent_path().string();
     dialog = {};
-    chosen(path);
+    chosen(picks_folder ? ui.last_folder : path);
+}
+
+void take_folder(Ui& ui) {
+    const auto chosen = ui.file_dialog.chosen;
+    ui.last_folder = ui.file_dialog.folder;
+    ui.file_dialog = {};
+    chosen(ui.last_folder);
 }
 
 /// What Enter and the button take: a path that is there or that is saved to, else the row chosen.
@@ -243,7 +251,9 @@ void file_dialog(Ui& ui) {
     ImGui::SameLine();
     const bool cancelled = ImGui::Button("Cancel");
     mark(ui, "file.cancel");
-    if (is_here && (entered || pressed)) {
+    if (is_here && pressed && dialog.picks_folder) {
+        take_folder(ui);
+    } else if (is_here && (entered || pressed)) {
         take_typed(ui, rows);
         dialog.wants_focus = entered;
     }

@@ -11,11 +11,12 @@ namespace preview::panels {
 struct Ui;
 
 struct FileDialog {
-    std::string title;    ///< empty: it is not open
-    std::string button;   ///< what choosing does
-    bool saves = false;   ///< the file need not be there
-    std::string folder{}; ///< absolute
-    std::string typed{};  ///< a name, or what narrows the list
+    std::string title;         ///< empty: it is not open
+    std::string button;        ///< what choosing does
+    bool saves = false;        ///< the file need not be there
+    bool picks_folder = false; ///< the folder that is open is chosen, not a file
+    std::string folder{};      ///< absolute
+    std::string typed{};       ///< a name, or what narrows the list
     std::size_t kind = 0;
     bool wants_focus = false; ///< for what is typed
     std::size_t at = 0;       ///< the row that Enter takes where a file is opened

@@ -263,6 +263,8 @@ float begin_panels(Ui& ui, ImVec2 window) {
 Rect draw(Ui& ui) {
     ui.places.clear();
     ui.shows_passes = ui.shows_curves = false;
+    ui.thumbnails.wanted.clear();
+    ui.thumbnails.groups.clear();
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     handle_shortcuts(ui);
     const float width = begin_panels(ui, window);
@@ -292,10 +294,12 @@ Rect draw(Ui& ui) {
     const ScopeChoice& choice = ui.history.draft().scopes_seen;
     const bool any_scope = choice.seen != std::array<bool, scopes.size()>{};
     const float strip = any_scope ? std::floor((window.y - status) * choice.height) : 0;
-    const float bottom = std::max(window.y - status - strip, 1.0F);
+    const float looks = std::min(look_strip_height(ui), (window.y - status - strip) * 0.6F);
+    const float bottom = std::max(window.y - status - strip - looks, 1.0F);
     const Rect area = fitted(ui, {0, 0, left, bottom});
     picture_area(ui, area);
-    scope_strip(ui, {0, bottom, left, strip});
+    look_strip(ui, {0, bottom, left, looks});
+    scope_strip(ui, {0, bottom + looks, left, strip});
     status_line(ui, {0, window.y - status, left, status});
     dialogs(ui);
     return area;

@@ -9,7 +9,9 @@
 #include "preview/finish/probe.h"
 #include "preview/panels/exporting.h"
 #include "preview/panels/file_dialog.h"
+#include "preview/panels/look_strip.h"
 #include "preview/panels/look_use.h"
+#include "preview/panels/thumbnail.h"
 
 #include <functional>
 #include <map>
@@ -106,6 +108,8 @@ struct Ui {
     bool shows_passes = false; ///< set by the passes panel while it is seen: timings are wanted
     bool shows_curves = false; ///< set by curve editors: counts along their axes are wanted
     LookUse look;
+    LookStrip look_strip;
+    Thumbnails thumbnails;
     std::optional<Pick> pick;
     std::optional<ProbePlace> pointer;  ///< the pixel of the picture's place under the mouse
     Rect picture_place;                 ///< in the last frame

@@ -52,7 +52,9 @@ App::~App() {
 
 App::App(WindowSetup setup)
     : setup_(std::move(setup)), memory_(memory_path()), window_(setup_.size, memory_.memory()),
-      ui_(setup_.state), baker_([] { glfwPostEmptyEvent(); }), opened_(setup_.opened) {
+      ui_(setup_.state), baker_([] { glfwPostEmptyEvent(); }),
+      thumbnails_([] { glfwPostEmptyEvent(); }), opened_(setup_.opened) {
+    ui_.thumbnails.draw = &Overlay::draw_thumbnails;
     ui_.engine_folder = setup_.engine_folder;
     ui_.export_engine = export_engine_of(ui_.history.draft());
     ui_.text_scale = memory_.memory().text_scale;
@@ -99,6 +101,7 @@ void App::make_screen() {
     }
     screen_.reset();
     drawn_.reset();
+    thumbnails_.forget_pictures(ui_);
     screen_.emplace(window_, window_.device_options(setup_.device, setup_.validation));
     ui_.facts.device = screen_->device.name();
     events_.resized = true;
@@ -375,7 +378,9 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
     if (std::exchange(ui_.wants_metering, false)) {
         meter();
     }
+    thumbnails_.take(ui_);
     render(area);
+    draw_thumbnail();
     show_title();
     if ((frames_due_ == 0 || ui_.plays) && !baker_.is_busy()) {
         keep_look();

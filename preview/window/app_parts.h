@@ -8,6 +8,7 @@
 #include "preview/window/gui.h"
 #include "preview/window/screen.h"
 #include "preview/window/settings_folder.h"
+#include "preview/window/thumbnail_shelf.h"
 #include "preview/window/window_events.h"
 #include "preview/window/window_frame.h"
 
@@ -41,6 +42,7 @@ class App {
     void request_looks();
     void take_looks();
     void render(const panels::Rect& area);
+    void draw_thumbnail();
     FrameHandles declared(Graph& graph, const FrameInputs& inputs, FrameSettings& settings);
     void keep_look();
     void keep_memory();
@@ -64,6 +66,7 @@ class App {
     bool baking_ = false;
     editor::LookBaker baker_;
     Following following_;
+    ThumbnailShelf thumbnails_;
     Following::Clock::time_point opened_; ///< before all was read that is not followed yet
     FrameReader reader_{frames_in_flight};
     /// Of the last frame; none when something that it reads has been written since.

@@ -108,6 +108,13 @@ void App::meter() {
     wake();
 }
 
+/// For the next frame, behind what this one waits for.
+void App::draw_thumbnail() {
+    const bool is_more = thumbnails_.draw(
+        ui_, *screen_, frame_inputs(), window_settings(ui_, setup_.frame, {1, 1}), *setup_.raster);
+    frames_due_ = is_more ? std::max(frames_due_, 1) : frames_due_;
+}
+
 void App::render(const panels::Rect& area) {
     Screen& screen = *screen_;
     const vk::Extent2D window = screen.swapchain.extent();
@@ -146,7 +153,8 @@ void App::render(const panels::Rect& area) {
             }
         }
         record_present(commands, pictures, screen.swapchain.image(*image));
-        screen.overlay.record(commands, *image);
+        screen.overlay.record(commands, screen.swapchain, *image,
+                              screen.thumbnails ? &*screen.thumbnails : nullptr);
     };
     if (drawn_ && *drawn_ == graph) {
         screen.executor.repeat(end);

@@ -1,6 +1,10 @@
 #include "preview/window/overlay.h"
 
 #include "lutlib/error.h"
+#include "preview/gpu/commands.h"
+#include "preview/panels/thumbnail.h"
+#include "preview/window/thumbnail_cells.h"
+#include "preview/window/thumbnail_place.h"
 
 #include <imgui.h>
 #include <imgui/backends/imgui_impl_vulkan.h>
@@ -90,12 +94,68 @@ void Overlay::begin_frame() {
     ImGui_ImplVulkan_NewFrame();
 }
 
-void Overlay::record(const vk::raii::CommandBuffer& commands, std::uint32_t image) const {
+struct Overlay::Recording {
+    const Overlay& overlay;
+    const vk::raii::CommandBuffer& commands;
+    vk::Image target;
+    std::uint32_t image = 0;
+    const ThumbnailCells* thumbnails = nullptr;
+};
+
+void Overlay::begin_pass(const vk::raii::CommandBuffer& commands, std::uint32_t image) const {
     commands.beginRenderPass(
         vk::RenderPassBeginInfo(*pass_, *framebuffers_[image], {{0, 0}, extent_}),
         vk::SubpassContents::eInline);
+}
+
+void Overlay::record(const vk::raii::CommandBuffer& commands, const gpu::Swapchain& swapchain,
+                     std::uint32_t image, const ThumbnailCells* thumbnails) const {
+    Recording recording{*this, commands, swapchain.image(image), image, thumbnails};
+    ImGui::GetIO().UserData = &recording;
+    begin_pass(commands, image);
     ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), *commands);
     commands.endRenderPass();
+    ImGui::GetIO().UserData = nullptr;
+}
+
+void Overlay::draw_thumbnails(const ImDrawList* /*list*/, const ImDrawCmd* command) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto* const recording = static_cast<const Recording*>(io.UserData);
+    if (recording == nullptr || recording->thumbnails == nullptr) {
+        return;
+    }
+    const vk::raii::CommandBuffer& commands = recording->commands;
+    commands.endRenderPass();
+    using Layout = vk::ImageLayout;
+    constexpr auto color = vk::ImageAspectFlagBits::eColor;
+    constexpr gpu::Scope drawing{vk::PipelineStageFlagBits2::eColorAttachmentOutput,
+                                 vk::AccessFlagBits2::eColorAttachmentWrite};
+    gpu::record(commands, gpu::image_barrier(recording->target, color, drawing, gpu::transfer_write,
+                                             Layout::ePresentSrcKHR, Layout::eTransferDstOptimal));
+    const vk::ImageSubresourceLayers layers(color, 0, 0, 1);
+    const Size target{recording->overlay.extent_.width, recording->overlay.extent_.height};
+    for (const panels::PlacedThumbnail& placed :
+         *static_cast<const panels::ThumbnailGroup*>(command->UserCallbackData)) {
+        const gpu::Image* const picture = recording->thumbnails->picture(placed.cell);
+        if (picture == nullptr) {
+            continue;
+        }
+        const ThumbnailPlace place =
+            place_in(placed, {io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y},
+                     {picture->desc().width, picture->desc().height}, target);
+        if (place.is_empty()) {
+            continue;
+        }
+        const auto corners = [](const PixelBox& box) {
+            return std::array{vk::Offset3D(box.left, box.top, 0),
+                              vk::Offset3D(box.right, box.bottom, 1)};
+        };
+        commands.blitImage(picture->vk(), Layout::eTransferSrcOptimal, recording->target,
+                           Layout::eTransferDstOptimal,
+                           vk::ImageBlit(layers, corners(place.from), layers, corners(place.to)),
+                           vk::Filter::eLinear);
+    }
+    recording->overlay.begin_pass(commands, recording->image);
 }
 
 } // namespace preview

@@ -1,9 +1,14 @@
-// What Dear ImGui draws, onto a window's images with Vulkan.
+// What Dear ImGui draws, onto a window's images with Vulkan, and small pictures among that.
 #pragma once
 
 #include "preview/gpu/swapchain.h"
 
+struct ImDrawCmd;
+struct ImDrawList;
+
 namespace preview {
+
+class ThumbnailCells;
 
 class Overlay {
   public:
@@ -19,12 +24,18 @@ class Overlay {
     void set_targets(const gpu::Swapchain& swapchain);
     /// Before Gui::begin_frame().
     void begin_frame();
-    /// What was drawn since begin_frame(), over an image that stands in eTransferDstOptimal; leaves
-    /// it ready to be presented.
-    void record(const vk::raii::CommandBuffer& commands, std::uint32_t image) const;
+    /// What was drawn since begin_frame(), over an image of the targets that stands in
+    /// eTransferDstOptimal; leaves it ready to be presented. `thumbnails` may be null: none are.
+    void record(const vk::raii::CommandBuffer& commands, const gpu::Swapchain& swapchain,
+                std::uint32_t image, const ThumbnailCells* thumbnails) const;
+    /// As panels::Thumbnails::draw, while record() runs. The picture is copied between two halves
+    /// of the drawing: over what windows have drawn before, under what comes later, as popups do.
+    static void draw_thumbnails(const ImDrawList* list, const ImDrawCmd* command);
 
   private:
+    struct Recording;
     void start();
+    void begin_pass(const vk::raii::CommandBuffer& commands, std::uint32_t image) const;
 
     const gpu::Device& device_;
     vk::raii::DescriptorPool descriptors_;

@@ -12,7 +12,8 @@ void write_places(const panels::Ui& ui, const std::string& path) {
         return;
     }
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    std::string text = fmt::format("frame {} 0 0 0\n", ImGui::GetFrameCount());
+    std::string text = fmt::format("frame {} 0 0 0\nthumbnails-drawn {} 0 0 0\n",
+                                   ImGui::GetFrameCount(), ui.thumbnails.drawn);
     if (ImGui::IsMousePosValid(&mouse)) {
         text += fmt::format("mouse {:.0f} {:.0f} 0 0\n", mouse.x, mouse.y);
     }

@@ -6,7 +6,7 @@ namespace preview {
 
 Screen::Screen(const Window& window, const gpu::DeviceOptions& device_options)
     : device(device_options), swapchain(device, window.make_surface(device)),
-      executor(device, frames_in_flight), looks{LookSlot(device), LookSlot(device)},
+      executor(device, frames_in_flight), looks{LookSlot(device), LookSlot(device)}, thumbnails(),
       overlay(device, swapchain.format()) {}
 
 void Screen::show(std::shared_ptr<const Shown> next) {

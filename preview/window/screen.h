@@ -6,6 +6,7 @@
 #include "preview/graph/execute.h"
 #include "preview/look/look_slot.h"
 #include "preview/window/overlay.h"
+#include "preview/window/thumbnail_cells.h"
 #include "preview/window/window.h"
 
 #include <array>
@@ -32,7 +33,8 @@ struct Screen {
     Executor executor;
     std::optional<GpuShown> shown;
     std::array<LookSlot, 2> looks;
-    Overlay overlay; ///< the last: its end waits for the GPU
+    std::optional<ThumbnailCells> thumbnails; ///< once one was asked for
+    Overlay overlay;                          ///< the last: its end waits for the GPU
 };
 
 /// Whether the error says that the device, or its hold of the window, is lost.

@@ -1,0 +1,37 @@
+// Small pictures on the GPU, each rendered into a cell that keeps it.
+#pragma once
+
+#include "preview/frame/settings.h"
+#include "preview/graph/execute.h"
+#include "preview/look/look_slot.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace preview {
+
+class ThumbnailCells {
+  public:
+    /// Of some 160x90 pixels in 8 bits: less than 4 MB.
+    static constexpr std::size_t count = 64;
+
+    /// What it renders with is mostly what `frames` render with already.
+    ThumbnailCells(const gpu::Device& device, const Executor& frames);
+
+    /// Renders a picture under `look`, of side B, into a cell in place of what that holds, without
+    /// waiting for it. The light is kept for the next one that has the same. Throws as
+    /// build_frame().
+    void draw(std::size_t cell, FrameInputs inputs, const FrameSettings& settings,
+              const LoadedLook& look);
+    /// In eTransferSrcOptimal; null: nothing was drawn there yet.
+    const gpu::Image* picture(std::size_t cell) const;
+
+  private:
+    const gpu::Device& device_;
+    std::vector<std::optional<gpu::Image>> cells_;
+    LookSlot look_;
+    Executor executor_;
+};
+
+} // namespace preview

@@ -1,4 +1,5 @@
 // The lights of the scene, by the table of their controls.
+#include "preview/panels/thumbnail.h"
 #include "preview/panels/tip.h"
 #include "preview/panels/ui.h"
 #include "preview/scene/light_controls.h"
@@ -64,20 +65,38 @@ void control_row(Ui& ui, const LightControl& control, PointLight& light, const P
     }
 }
 
+/// A built-in scene as it looks, its name and what it is; whether it was chosen.
+bool scene_row(Ui& ui, const SceneInfo& row) {
+    constexpr float share = 0.5F; // of the full size of a small picture
+    const std::string name(row.name);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float height = em(thumbnail_height) * share;
+    const bool is_chosen =
+        ImGui::Selectable(("##" + name).c_str(), row.name == ui.facts.input, 0, {0, height});
+    mark(ui, "scene." + name);
+    const ImVec2 next = ImGui::GetCursorScreenPos();
+    place_thumbnail(ui, {ThumbnailKind::scene, name}, low.x, low.y, share);
+    ImGui::SetCursorScreenPos({low.x + em(thumbnail_width) * share + em(0.5F),
+                               low.y + (height - ImGui::GetTextLineHeight()) / 2});
+    ImGui::TextUnformatted((name + ": " + std::string(row.help)).c_str());
+    ImGui::SetCursorScreenPos(next);
+    return is_chosen;
+}
+
 /// The built-in scenes; files come through the panel Files.
 void scene_list(Ui& ui) {
-    const bool open = ImGui::BeginCombo("Scene", ui.facts.input.c_str());
+    const bool open =
+        ImGui::BeginCombo("Scene", ui.facts.input.c_str(), ImGuiComboFlags_HeightLargest);
     mark(ui, "scene.list");
     if (!open) {
         return;
     }
     for (const SceneInfo& row : scenes()) {
-        const std::string text = std::string(row.name) + ": " + std::string(row.help);
-        if (ImGui::Selectable(text.c_str(), row.name == ui.facts.input)) {
+        if (scene_row(ui, row)) {
             ui.to_open.emplace_back(row.name);
         }
-        mark(ui, "scene." + std::string(row.name));
     }
+    show_thumbnails(ui);
     ImGui::EndCombo();
 }
 

@@ -23,6 +23,18 @@ void write_reason(const std::string& reason, ImVec2 low, ImVec2 high) {
     list.PopClipRect();
 }
 
+std::string name_for_mark(const ThumbnailKey& key) {
+    switch (key.kind) {
+    case ThumbnailKind::file:
+        break;
+    case ThumbnailKind::version:
+        return "version." + std::to_string(std::stoul(key.name) + 1);
+    case ThumbnailKind::scene:
+        return "scene." + key.name;
+    }
+    return std::filesystem::path(key.name).filename().string();
+}
+
 /// In the middle of a box, on whole pixels.
 PlacedThumbnail in_box(const ThumbnailFact& fact, ImVec2 low, ImVec2 high, float share) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
@@ -57,7 +69,7 @@ void place_thumbnail(Ui& ui, const ThumbnailKey& key, float x, float y, float sh
     if (found == all.facts.end()) {
         return;
     }
-    const std::string name = std::filesystem::path(key.name).filename().string();
+    const std::string name = name_for_mark(key);
     if (found->second.cell) {
         const PlacedThumbnail placed = in_box(found->second, low, high, share);
         all.placed.push_back(placed);

@@ -20,11 +20,11 @@ namespace preview::panels {
 struct Ui;
 struct Rect;
 
-/// What a picture is of; `name` is a file's path, or the place of a version.
-enum class ThumbnailKind : std::uint8_t { file, version };
+/// What a picture is of: what is shown, under a look in a file or a version, or a built-in scene.
+enum class ThumbnailKind : std::uint8_t { file, version, scene };
 struct ThumbnailKey {
     ThumbnailKind kind = ThumbnailKind::file;
-    std::string name;
+    std::string name; ///< the file's path, the version's place, or the scene's name
     friend auto operator<=>(const ThumbnailKey&, const ThumbnailKey&) = default;
 };
 

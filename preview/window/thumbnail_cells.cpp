@@ -34,6 +34,19 @@ void ThumbnailCells::draw(std::size_t cell, FrameInputs inputs, const FrameSetti
     look_.set(look);
     inputs.look_a = nullptr;
     inputs.look_b = look_.look();
+    render(cell, inputs, settings);
+}
+
+void ThumbnailCells::draw(std::size_t cell, std::shared_ptr<const Shown> scene,
+                          const FrameSettings& settings) {
+    executor_.wait();
+    scene_.reset();
+    scene_.emplace(device_, std::move(scene));
+    render(cell, scene_->inputs(), settings);
+}
+
+void ThumbnailCells::render(std::size_t cell, const FrameInputs& inputs,
+                            const FrameSettings& settings) {
     Graph graph;
     const FrameHandles handles = build_frame(graph, inputs, settings);
     std::optional<gpu::Image>& image = cells_[cell];

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "preview/frame/settings.h"
+#include "preview/frame/shown.h"
 #include "preview/graph/execute.h"
 #include "preview/look/look_slot.h"
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -24,11 +26,16 @@ class ThumbnailCells {
     /// build_frame().
     void draw(std::size_t cell, FrameInputs inputs, const FrameSettings& settings,
               const LoadedLook& look);
+    /// The same of another scene than what is shown, without looks; waits for the picture before.
+    void draw(std::size_t cell, std::shared_ptr<const Shown> scene, const FrameSettings& settings);
     /// In eTransferSrcOptimal; null: nothing was drawn there yet.
     const gpu::Image* picture(std::size_t cell) const;
 
   private:
+    void render(std::size_t cell, const FrameInputs& inputs, const FrameSettings& settings);
+
     const gpu::Device& device_;
+    std::optional<GpuShown> scene_; ///< of the last picture, if it was of another
     std::vector<std::optional<gpu::Image>> cells_;
     LookSlot look_;
     Executor executor_;

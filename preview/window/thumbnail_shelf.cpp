@@ -4,6 +4,7 @@
 #include "preview/editor/look_baker.h"
 #include "preview/frame/frame.h"
 #include "preview/passes/resolve.h"
+#include "preview/window/opening.h"
 #include "preview/window/window_frame.h"
 
 #include <imgui.h>
@@ -26,7 +27,17 @@ std::shared_ptr<const LoadedLook> as_opened(const lutlib::Recipe& recipe,
                                             const PictureCodes& codes) {
     editor::Side side;
     side.source = editor::SideSource::recipe;
-    return std::make_shared<const LoadedLook>(editor::look_of(recipe, side, codes));
+    LoadedLook look = editor::look_of(recipe, side, codes);
+    look.table.reset(); // as large as what is read, and nobody looks at it
+    return std::make_shared<const LoadedLook>(std::move(look));
+}
+
+/// Whether it is better read again than held while its picture is seen: beyond 65 nodes a side.
+bool is_large(const LoadedLook& look) {
+    constexpr std::size_t most_held = std::size_t{8} << 20;
+    const LookData& data = look.data;
+    return data.picture.bytes.size() + data.volume.bytes.size() + data.shaper.bytes.size() >
+           most_held;
 }
 
 const std::shared_ptr<const editor::Version>& version_of(const panels::Ui& ui,
@@ -34,21 +45,31 @@ const std::shared_ptr<const editor::Version>& version_of(const panels::Ui& ui,
     return ui.history.draft().versions.at(static_cast<std::size_t>(std::stoul(key.name)));
 }
 
-/// The largest of the proportions in which all of one side is seen now.
-Size thumbnail_size(const panels::Ui& ui) {
+/// In pixels.
+Size box_size() {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     const auto pixels = [](float length, float per_unit) {
         return std::max(static_cast<std::uint32_t>(std::floor(length) * per_unit), 1U);
     };
-    const Size box{pixels(panels::em(panels::thumbnail_width), scale.x),
-                   pixels(panels::em(panels::thumbnail_height), scale.y)};
+    return {pixels(panels::em(panels::thumbnail_width), scale.x),
+            pixels(panels::em(panels::thumbnail_height), scale.y)};
+}
+
+/// Of a scene that is not shown, as a screen is.
+Size scene_size() {
+    return fitted({1920, 1080}, box_size());
+}
+
+/// The largest of the proportions in which all of one side is seen now.
+Size thumbnail_size(const panels::Ui& ui) {
     if (!ui.facts.is_scene) {
-        return fitted(ui.facts.picture_size, box);
+        return fitted(ui.facts.picture_size, box_size());
     }
-    const bool is_pair = ui.history.draft().compare == &compare_side;
-    return fitted(
-        {pixels(ui.picture_place.width / (is_pair ? 2 : 1), 1), pixels(ui.picture_place.height, 1)},
-        box);
+    const float width =
+        ui.picture_place.width / (ui.history.draft().compare == &compare_side ? 2.0F : 1.0F);
+    return fitted({std::max(static_cast<std::uint32_t>(width), 1U),
+                   std::max(static_cast<std::uint32_t>(ui.picture_place.height), 1U)},
+                  box_size());
 }
 
 /// The picture under a look and nothing over it, all of it.
@@ -67,6 +88,20 @@ FrameSettings of_thumbnail(FrameSettings settings, Size size) {
     settings.scope_sizes = {};
     settings.scope_figures.reset();
     return settings;
+}
+
+/// As it opens, in the finish that it is made for.
+void draw_scene(ThumbnailCells& cells, std::size_t cell, const std::string& name,
+                FrameSettings settings) {
+    auto shown = std::make_shared<const Shown>(load_shown(name, 0));
+    editor::State state = editor::initial_state();
+    take_shown(state, shown);
+    const Size size = settings.output;
+    static_cast<PictureSettings&>(settings) = state;
+    settings.orbit = state.orbit;
+    settings.seconds = 0;
+    settings.keeps_light = false;
+    cells.draw(cell, std::move(shown), of_thumbnail(std::move(settings), size));
 }
 
 } // namespace
@@ -140,6 +175,9 @@ void ThumbnailShelf::ask(panels::Ui& ui) {
         }
         Entry& entry = entries_[key];
         entry.seen = frame_;
+        if (key.kind == ThumbnailKind::scene) {
+            continue;
+        }
         if (key.kind == ThumbnailKind::version && entry.version != version_of(ui, key)) {
             forget_look(ui, key, entry);
             entry.version = version_of(ui, key);
@@ -182,7 +220,9 @@ void ThumbnailShelf::take(panels::Ui& ui) {
     if (const PictureCodes& now = ui.history.draft().picture; now != codes_) {
         codes_ = now;
         for (auto& [key, entry] : entries_) {
-            forget_look(ui, key, entry);
+            if (key.kind != ThumbnailKind::scene) {
+                forget_look(ui, key, entry);
+            }
         }
     }
     take_news(ui);
@@ -230,29 +270,53 @@ std::size_t ThumbnailShelf::cell_for(panels::Ui& ui, const ThumbnailKey& key) {
     return cell;
 }
 
+bool ThumbnailShelf::is_due(const panels::Ui& ui, const ThumbnailKey& key) const {
+    const auto found = entries_.find(key);
+    if (found == entries_.end()) {
+        return false;
+    }
+    if (key.kind != ThumbnailKind::scene) {
+        return found->second.look && found->second.drawn != drawing_ && !ui.plays;
+    }
+    const auto fact = ui.thumbnails.facts.find(key);
+    return found->second.drawn == 0 || fact == ui.thumbnails.facts.end() ||
+           fact->second.size != scene_size();
+}
+
 bool ThumbnailShelf::draw(panels::Ui& ui, Screen& screen, const FrameInputs& inputs,
                           FrameSettings settings, const RasterChoice& raster) {
     const bool is_held = ImGui::IsAnyItemActive() || ImGui::IsAnyMouseDown();
-    if (ui.thumbnails.wanted.empty() || is_held || ui.plays) {
+    if (ui.thumbnails.wanted.empty() || is_held) {
         return false;
     }
     settings = of_thumbnail(std::move(settings), thumbnail_size(ui));
-    notice_what_is_shown(ui, settings);
-    const auto is_due = [&](const ThumbnailKey& key) {
-        return entries_[key].look && entries_[key].drawn != drawing_;
-    };
+    if (!ui.plays) {
+        notice_what_is_shown(ui, settings);
+    }
     const std::vector<ThumbnailKey>& wanted = ui.thumbnails.wanted;
-    const auto next = std::find_if(wanted.begin(), wanted.end(), is_due);
+    const auto next = std::find_if(wanted.begin(), wanted.end(),
+                                   [&](const ThumbnailKey& key) { return is_due(ui, key); });
     if (next == wanted.end()) {
         return false;
     }
     if (!screen.thumbnails) {
         screen.thumbnails.emplace(screen.device, screen.executor);
     }
+    const bool is_scene = next->kind == ThumbnailKind::scene;
+    settings.output = is_scene ? scene_size() : settings.output;
     settings.raster = raster.on(screen.device, settings.output);
     const std::size_t cell = cell_for(ui, *next);
-    screen.thumbnails->draw(cell, inputs, settings, *entries_[*next].look);
-    entries_[*next].drawn = drawing_;
+    if (is_scene) {
+        draw_scene(*screen.thumbnails, cell, next->name, settings);
+    } else {
+        screen.thumbnails->draw(cell, inputs, settings, *entries_[*next].look);
+    }
+    Entry& entry = entries_[*next];
+    entry.drawn = drawing_;
+    if (entry.look && is_large(*entry.look)) {
+        entry.look.reset();
+        entry.ticket = 0;
+    }
     ThumbnailFact& fact = ui.thumbnails.facts[*next];
     fact.cell = cell;
     fact.size = settings.output;

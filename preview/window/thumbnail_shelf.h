@@ -1,8 +1,9 @@
 // What the window knows of the small pictures that its panels ask for: which looks are read for
 // them, which are drawn, and when that is due again.
 //
-// A picture is due when its look, or what is shown, has changed since it was drawn. One is drawn in
-// a frame, while nobody drags anything and no scene plays; pictures that are not seen are not due.
+// A picture is due when its look, or what is shown, has changed since it was drawn; of a scene that
+// is not shown, once. One is drawn in a frame, while nobody drags anything, of what is shown while
+// it does not play; pictures that are not seen are not due.
 #pragma once
 
 #include "preview/editor/look_reader.h"
@@ -52,6 +53,7 @@ class ThumbnailShelf {
     void take_news(panels::Ui& ui);
     void ask(panels::Ui& ui);
     void forget_look(panels::Ui& ui, const panels::ThumbnailKey& key, Entry& entry);
+    bool is_due(const panels::Ui& ui, const panels::ThumbnailKey& key) const;
     void notice_what_is_shown(const panels::Ui& ui, const FrameSettings& settings);
     std::size_t cell_for(panels::Ui& ui, const panels::ThumbnailKey& key);
     editor::LookJob job_for(const panels::ThumbnailKey& key, const Entry& entry) const;

@@ -215,24 +215,39 @@ Surroundings surroundings_of(const Options& options, const Scene& scene) {
 
 namespace {
 
-Orbit named_camera(const Options& options, const Scene& scene) {
+using CamerasOf = std::vector<NamedCamera> (*)(const std::string& input);
+
+const NamedCamera* camera_named(const std::vector<NamedCamera>& cameras, const std::string& name) {
+    const auto found = std::find_if(cameras.begin(), cameras.end(),
+                                    [&](const NamedCamera& row) { return row.name == name; });
+    return found != cameras.end() ? &*found : nullptr;
+}
+
+Orbit named_camera(const Options& options, const Scene& scene, CamerasOf kept) {
+    if (const auto* const own = camera_named(scene.cameras, options.camera_name)) {
+        return own->orbit;
+    }
+    const std::vector<NamedCamera> others = kept(options.input);
+    if (const auto* const other = camera_named(others, options.camera_name)) {
+        return other->orbit;
+    }
     std::vector<std::string_view> names;
-    for (const NamedCamera& camera : scene.cameras) {
-        if (camera.name == options.camera_name) {
-            return camera.orbit;
+    for (const std::vector<NamedCamera>* const list : {&scene.cameras, &others}) {
+        for (const NamedCamera& camera : *list) {
+            names.push_back(camera.name);
         }
-        names.push_back(camera.name);
     }
     if (names.empty()) {
-        throw lutlib::UsageError("--camera: '" + options.input + "' has no cameras");
+        throw lutlib::UsageError("--camera: '" + options.input +
+                                 "' has no cameras; keep one in the window's panel Scene");
     }
     lutlib::refuse_name("camera", options.camera_name, names);
 }
 
 } // namespace
 
-Orbit orbit_of(const Options& options, const Scene& scene) {
-    Orbit orbit = options.camera_name.empty() ? scene.orbit : named_camera(options, scene);
+Orbit orbit_of(const Options& options, const Scene& scene, CamerasOf kept) {
+    Orbit orbit = options.camera_name.empty() ? scene.orbit : named_camera(options, scene, kept);
     for (std::size_t i = 0; i < options.camera.size(); ++i) {
         camera_numbers()[i].of(orbit) += options.camera[i];
     }

@@ -5,6 +5,7 @@
 #include "preview/look/cube_view.h"
 #include "preview/look/look_standing.h"
 #include "preview/scene/camera_settings.h"
+#include "preview/scene/scene.h"
 #include "preview/scene/surroundings.h"
 
 #include <optional>
@@ -110,9 +111,10 @@ Surroundings surroundings_of(const Options& options, const Scene& scene);
 /// The file that --surroundings names; empty where it is none.
 std::string surroundings_file(const Options& options);
 
-/// The scene's camera, or the one of its cameras that is named, moved as the options say. Throws
-/// lutlib::UsageError when none has the name.
-Orbit orbit_of(const Options& options, const Scene& scene);
+/// The scene's camera, or the one that is named, of its cameras or of those that `kept` has of an
+/// input, moved as the options say. Throws lutlib::UsageError when none has the name.
+Orbit orbit_of(const Options& options, const Scene& scene,
+               std::vector<NamedCamera> (*kept)(const std::string& input));
 
 /// How far a number of the camera may be moved: from any place of its range to any other.
 double reach_of(const NumberRow<Orbit>& row);

@@ -5,6 +5,7 @@
 #include "lutlib/io/references.h"
 #include "lutlib/io/terminal.h"
 #include "preview/cli/look_options.h"
+#include "preview/editor/kept_cameras.h"
 #include "preview/look/look_file.h"
 #include "preview/scene/gpu_scene.h"
 #include "preview/scene/nearest.h"
@@ -72,7 +73,7 @@ Rendering::Rendering(const Options& options)
         }
     }
     if (shown->scene) {
-        settings.orbit = orbit_of(options, *shown->scene);
+        settings.orbit = orbit_of(options, *shown->scene, &editor::cameras_kept_of);
         surroundings = surroundings_of(options, *shown->scene);
     }
     for (const std::string& line : unused_options(

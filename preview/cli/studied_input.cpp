@@ -1,6 +1,7 @@
 #include "preview/cli/studied_input.h"
 
 #include "preview/cli/look_options.h"
+#include "preview/editor/kept_cameras.h"
 #include "preview/look/look_file.h"
 
 #include <memory>
@@ -26,7 +27,7 @@ Situation situation_of(const Options& options, const gpu::Device& device) {
         options.raster->on(device, picture_size(out.settings.output, *out.settings.compare));
     out.lights = lights_of(options, out.shown->scene);
     if (out.shown->scene) {
-        out.settings.orbit = orbit_of(options, *out.shown->scene);
+        out.settings.orbit = orbit_of(options, *out.shown->scene, &editor::cameras_kept_of);
         out.surroundings = surroundings_of(options, *out.shown->scene);
     }
     return out;

@@ -4,6 +4,7 @@
 #include "preview/cli/modes.h"
 #include "preview/cli/picture_file.h"
 #include "preview/editor/commands.h"
+#include "preview/editor/kept_cameras.h"
 #include "preview/frame/shown.h"
 #include "preview/window/app.h"
 #include "preview/window/opening.h"
@@ -64,7 +65,7 @@ editor::State opening_state(const Options& options, const FrameSettings& given,
     state.bloom = given.bloom;
     state.lights = lights_of(options, shown->scene);
     if (shown->scene) {
-        state.orbit = orbit_of(options, *shown->scene);
+        state.orbit = orbit_of(options, *shown->scene, &editor::cameras_kept_of);
         state.surroundings = surroundings_of(options, *shown->scene);
     }
     for (std::size_t i = 0; i < state.sides.size(); ++i) {

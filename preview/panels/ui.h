@@ -111,14 +111,17 @@ struct Ui {
     LookStrip look_strip;
     Thumbnails thumbnails;
     std::optional<Pick> pick;
-    std::optional<ProbePlace> pointer;  ///< the pixel of the picture's place under the mouse
-    Rect picture_place;                 ///< in the last frame
-    std::string debug_view;             ///< the intermediate that is shown; empty: the picture
-    double seconds = 0;                 ///< the moment of the scene
-    bool plays = false;                 ///< time goes on by itself
-    std::vector<NamedCamera> bookmarks; ///< cameras that were kept
-    std::vector<PickedColor> picked;    ///< the newest first
-    float display_white = 100;          ///< cd/m2, for which luminances are told
+    std::optional<ProbePlace> pointer;      ///< the pixel of the picture's place under the mouse
+    Rect picture_place;                     ///< in the last frame
+    std::string debug_view;                 ///< the intermediate that is shown; empty: the picture
+    double seconds = 0;                     ///< the moment of the scene
+    bool plays = false;                     ///< time goes on by itself
+    std::vector<NamedCamera> bookmarks;     ///< cameras that were kept of what is shown
+    std::optional<NamedCamera> keep_camera; ///< for the program to keep; without a name it gets one
+    std::string forget_camera;              ///< for the program to keep no longer; empty: none
+    std::string camera_name;                ///< typed for the next one
+    std::vector<PickedColor> picked;        ///< the newest first
+    float display_white = 100;              ///< cd/m2, for which luminances are told
     std::array<Rect, scopes.size()> scope_places{}; ///< where scopes are seen; else empty
     FigureSize scope_figures;      ///< of those that are written over the scopes, in their pixels
     const Compare* held = nullptr; ///< shown instead while a key is held

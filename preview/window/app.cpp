@@ -71,7 +71,7 @@ App::App(WindowSetup setup)
             ui_.errors.push_back(notice);
         }
     }
-    if (settings_folder().empty()) {
+    if (editor::settings_folder().empty()) {
         tell("name a folder in XDG_CONFIG_HOME or HOME: without one an unsaved look is not kept "
              "when "
              "the window ends, and the panels' places are not remembered");
@@ -156,11 +156,11 @@ void App::follow_shown() {
     ui_.facts.left_out = shown->left_out;
     ui_.facts.cameras = shown->scene ? shown->scene->cameras : std::vector<NamedCamera>();
     if (ui_.facts.input != shown->name) {
-        ui_.bookmarks.clear();
+        ui_.facts.input = shown->name;
         ui_.plays = false;
+        take_cameras();
     }
     ui_.seconds = shown->seconds;
-    ui_.facts.input = shown->name;
     ui_.facts.is_scene = shown->scene.has_value();
     ui_.facts.usual_orbit = shown->scene ? shown->scene->orbit : Orbit{};
     ui_.facts.usual_lights = shown->scene ? shown->scene->lights : std::vector<PointLight>{};
@@ -324,6 +324,23 @@ void App::take_left_behind() {
     }
 }
 
+/// Keeps and forgets what somebody has asked for; those of what is shown are offered.
+void App::take_cameras() {
+    const std::string& input = ui_.facts.input;
+    try {
+        if (const auto camera = std::exchange(ui_.keep_camera, {})) {
+            kept_cameras_.keep(input, *camera);
+        }
+        if (const std::string name = std::exchange(ui_.forget_camera, {}); !name.empty()) {
+            kept_cameras_.forget(input, name);
+        }
+        ui_.bookmarks = kept_cameras_.of(input);
+    } catch (const lutlib::Error& error) {
+        tell(error.what());
+        ui_.bookmarks = kept_cameras_.of(input); // the window's own
+    }
+}
+
 void App::resize_if_asked() {
     if (!events_.resized) {
         return;
@@ -368,6 +385,9 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
     ImGui::Render();
     if (!ImGui::IsAnyItemActive()) {
         ui_.history.settle();
+    }
+    if (ui_.keep_camera || !ui_.forget_camera.empty()) {
+        take_cameras();
     }
     request_looks();
     take_looks();

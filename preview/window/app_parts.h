@@ -1,13 +1,14 @@
 // The program of the window; app.cpp has its life, app_render.cpp what it draws.
 #pragma once
 
+#include "preview/editor/kept_cameras.h"
 #include "preview/editor/look_baker.h"
+#include "preview/editor/settings_folder.h"
 #include "preview/window/app.h"
 #include "preview/window/autosave.h"
 #include "preview/window/following.h"
 #include "preview/window/gui.h"
 #include "preview/window/screen.h"
-#include "preview/window/settings_folder.h"
 #include "preview/window/thumbnail_shelf.h"
 #include "preview/window/window_events.h"
 #include "preview/window/window_frame.h"
@@ -50,6 +51,7 @@ class App {
     void show_title();
     bool ends();
     void take_left_behind();
+    void take_cameras();
     void move_time();
     FrameInputs frame_inputs() const;
     void save_picture(const std::string& path);
@@ -57,6 +59,7 @@ class App {
 
     WindowSetup setup_;
     MemoryFile memory_;
+    editor::KeptCameras kept_cameras_{editor::cameras_path()};
     Window window_;
     WindowEvents events_{window_.handle()};
     std::optional<Gui> gui_;
@@ -73,7 +76,7 @@ class App {
     std::optional<Graph> drawn_;
     int frames_due_ = frames_after_event;
     Recovery recovery_;
-    Autosave autosave_{settings_folder()};
+    Autosave autosave_{editor::settings_folder()};
     std::string title_;                               ///< the window's
     std::chrono::steady_clock::time_point played_at_; ///< the last frame of a scene that plays
     std::string keep_failure_;                        ///< why the look is not kept; empty: it is

@@ -1,7 +1,7 @@
 #include "preview/window/gui.h"
 
+#include "preview/editor/settings_folder.h"
 #include "preview/panels/theme.h"
-#include "preview/window/settings_folder.h"
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
@@ -115,7 +115,7 @@ void Gui::begin_frame(const std::vector<editor::InputEvent>& events) {
 }
 
 std::string layout_path() {
-    const std::filesystem::path folder = settings_folder();
+    const std::filesystem::path folder = editor::settings_folder();
     return folder.empty() ? std::string() : (folder / "layout.ini").string();
 }
 

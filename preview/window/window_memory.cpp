@@ -3,7 +3,7 @@
 #include "lutlib/error.h"
 #include "lutlib/io/file.h"
 #include "preview/editor/folder_list.h"
-#include "preview/window/settings_folder.h"
+#include "preview/editor/settings_folder.h"
 
 #include <nlohmann/json.hpp>
 
@@ -103,7 +103,7 @@ void MemoryFile::keep(const WindowMemory& memory) {
 }
 
 std::string memory_path() {
-    const std::filesystem::path folder = settings_folder();
+    const std::filesystem::path folder = editor::settings_folder();
     return folder.empty() ? std::string() : (folder / "window.json").string();
 }
 

@@ -33,6 +33,10 @@ bool is_bad_input(const std::function<void()>& action) {
 
 constexpr Size picture{400, 200};
 
+std::vector<NamedCamera> none_kept(const std::string&) {
+    return {};
+}
+
 TEST(Options, without_any_are_the_settings_defaults_with_the_usual_effects) {
     const FrameSettings usual = settings("");
     PictureSettings expected;
@@ -66,7 +70,7 @@ TEST(Options, move_the_scenes_camera_by_every_number) {
     for (const NumberRow<Orbit>& row : camera_numbers()) {
         const std::string flag = "--" + std::string(row.flag);
         for (const NumberRow<Orbit>& other : camera_numbers()) {
-            EXPECT_EQ(other.value(orbit_of(parsed(flag + " 0.5"), scene)),
+            EXPECT_EQ(other.value(orbit_of(parsed(flag + " 0.5"), scene, &none_kept)),
                       other.value(scene.orbit) + (&other == &row ? 0.5F : 0))
                 << flag << ' ' << other.flag;
         }
@@ -75,6 +79,32 @@ TEST(Options, move_the_scenes_camera_by_every_number) {
         EXPECT_THROW(parsed(flag + "=-" + beyond), CLI::ValidationError) << flag;
         EXPECT_GE(row.value(scene.orbit), static_cast<float>(row.min)) << flag;
         EXPECT_LE(row.value(scene.orbit), static_cast<float>(row.max)) << flag;
+    }
+}
+
+TEST(Options, name_a_camera_of_the_scene_or_one_that_was_kept_of_it) {
+    Scene scene = scene_at(scenes().front(), 0);
+    scene.cameras = {{"own", {.distance = 3}}, {"both", {.distance = 4}}};
+    const auto kept = [](const std::string& input) {
+        return input == "model.glb" ? std::vector<NamedCamera>{{"both", {.distance = 5}},
+                                                               {"kept 1", {.distance = 6}}}
+                                    : std::vector<NamedCamera>{};
+    };
+    const auto distance = [&](const std::string& name, const std::string& input) {
+        Options options = parsed("");
+        options.camera_name = name;
+        options.input = input;
+        return orbit_of(options, scene, kept).distance;
+    };
+    EXPECT_EQ(distance("own", "model.glb"), 3);
+    EXPECT_EQ(distance("both", "model.glb"), 4) << "the file's own first";
+    EXPECT_EQ(distance("kept 1", "model.glb"), 6);
+    EXPECT_THROW(distance("kept 1", "other.glb"), lutlib::UsageError);
+    try {
+        distance("kept 2", "model.glb");
+        ADD_FAILURE() << "there is none";
+    } catch (const lutlib::UsageError& error) {
+        EXPECT_NE(std::string(error.what()).find("kept 1"), std::string::npos) << error.what();
     }
 }
 

@@ -1,9 +1,9 @@
-#include "preview/window/settings_folder.h"
+#include "preview/editor/settings_folder.h"
 
 #include <cstdlib>
 #include <system_error>
 
-namespace preview {
+namespace preview::editor {
 
 namespace fs = std::filesystem;
 
@@ -26,4 +26,4 @@ fs::path settings_folder() {
     return failed ? fs::path() : folder;
 }
 
-} // namespace preview
+} // namespace preview::editor

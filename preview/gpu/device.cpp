@@ -283,7 +283,8 @@ Device::Device(const DeviceOptions& options) : messages_(std::make_unique<Messag
 
 Device::~Device() {
     if (*device_) {
-        (*device_).waitIdle(*device_.getDispatcher());
+        // The answer of a lost device is no matter here, and vk::Device would throw it.
+        device_.getDispatcher()->vkDeviceWaitIdle(*device_);
     }
 }
 

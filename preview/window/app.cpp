@@ -27,21 +27,11 @@ constexpr int code_of_lost_display = 2;
 // What a slow machine does not draw is left out beyond this: the scene plays slower.
 constexpr double longest_step = 0.5;
 
-std::string shown_path(const std::filesystem::path& path) {
-    return lutlib::io::shown_text(path.string());
-}
-
 /// The row of engine_lookups() that side B is for.
 std::size_t export_engine_of(const editor::State& state) {
     const std::vector<const GpuLookup*> rows = editor::engine_lookups();
     return static_cast<std::size_t>(std::find(rows.begin(), rows.end(), state.sides[1].engine) -
                                     rows.begin());
-}
-
-void print_validation(const gpu::Device& device) {
-    for (const std::string& message : device.validation_messages()) {
-        lutlib::io::print_err("lutpreview: " + lutlib::io::shown_text(message) + "\n");
-    }
 }
 
 } // namespace
@@ -85,11 +75,7 @@ App::App(WindowSetup setup)
     at_end_of_display(
         [this] {
             keep_look();
-            lutlib::io::print_err("lutpreview: the display server has ended" +
-                                  (autosave_.kept()
-                                       ? "; the unsaved look is in " + shown_path(*autosave_.kept())
-                                       : std::string()) +
-                                  "\n");
+            lutlib::io::print_err("lutpreview: the display server has ended" + where_kept() + "\n");
         },
         code_of_lost_display);
     make_screen();
@@ -169,49 +155,6 @@ void App::follow_shown() {
     ui_.facts.display_encoded = shown->display_encoded();
 }
 
-void App::run() {
-    while (!ends()) {
-        if (frames_due_ > 0) {
-            glfwPollEvents();
-        } else {
-            glfwWaitEvents();
-            frames_due_ = frames_after_event;
-        }
-        const Size size = window_.framebuffer_size();
-        if (size.width == 0 || size.height == 0) { // minimised
-            frames_due_ = 0;
-            continue;
-        }
-        const std::vector<editor::InputEvent> events = events_.input.next_frame();
-        if (!events.empty() || !events_.dropped.empty() || events_.resized ||
-            std::exchange(events_.moved, false)) {
-            wake();
-        }
-        if (ui_.pick && ui_.pick->place) { // waits for frames that measure it
-            wake();
-        }
-        --frames_due_;
-        try {
-            if (std::exchange(ui_.wants_new_screen, false)) {
-                make_screen();
-            }
-            frame(events);
-            recovery_.drew();
-        } catch (const vk::SystemError& error) {
-            if (!is_lost(error)) {
-                glfwPollEvents(); // which ends the program when the display server is gone
-                throw;
-            }
-            ui_.errors.push_back(recovery_.lost(error));
-            wake();
-            make_screen();
-        }
-    }
-    autosave_.forget();
-    keep_memory();
-    print_validation(screen_->device);
-}
-
 /// In the window, and on standard error for who started it from there.
 void App::tell(const std::string& notice) {
     ui_.errors.push_back(notice);
@@ -262,19 +205,6 @@ void App::show_title() {
         glfwSetWindowTitle(window_.handle(), title.c_str());
         title_ = std::move(title);
     }
-}
-
-/// Who closes the window is asked as by the key, in a window that can be seen.
-bool App::ends() {
-    if (glfwWindowShouldClose(window_.handle()) == GLFW_TRUE) {
-        glfwSetWindowShouldClose(window_.handle(), GLFW_FALSE);
-        panels::ask_to_quit(ui_);
-        if (ui_.asks_to_quit) {
-            glfwRestoreWindow(window_.handle());
-            wake();
-        }
-    }
-    return ui_.quits;
 }
 
 /// The scene at the moment that the panel has, in every state that undo knows: time is no step.

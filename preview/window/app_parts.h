@@ -20,6 +20,9 @@
 
 namespace preview {
 
+/// What the validation layers have said, on standard error.
+void print_validation(const gpu::Device& device);
+
 class App {
   public:
     // Dear ImGui needs a frame to notice an event, and one to show what it led to.
@@ -32,6 +35,8 @@ class App {
     void run();
 
   private:
+    void loop();
+    void recover(const vk::SystemError& error);
     void wake() { frames_due_ = frames_after_event; }
     void tell(const std::string& notice);
     void open(const std::string& path);
@@ -46,6 +51,8 @@ class App {
     void draw_thumbnail();
     FrameHandles declared(Graph& graph, const FrameInputs& inputs, FrameSettings& settings);
     void keep_look();
+    /// "; the unsaved look is in PATH", or nothing.
+    std::string where_kept() const;
     void keep_memory();
     void scale_if_asked();
     void show_title();

@@ -36,6 +36,9 @@ vk::raii::RenderPass make_pass(const gpu::Device& device, vk::Format format) {
 }
 
 void check(VkResult result) {
+    if (result == VK_ERROR_DEVICE_LOST) {
+        throw vk::DeviceLostError("drawing the panels");
+    }
     if (result < 0) {
         throw lutlib::Error("the window cannot be drawn: " +
                             vk::to_string(static_cast<vk::Result>(result)));
@@ -69,7 +72,7 @@ void Overlay::start() {
 }
 
 Overlay::~Overlay() {
-    (*device_.vk()).waitIdle(*device_.vk().getDispatcher());
+    device_.vk().getDispatcher()->vkDeviceWaitIdle(*device_.vk()); // lost or not
     ImGui_ImplVulkan_Shutdown();
 }
 

@@ -21,18 +21,26 @@ using lutlib::Parameter;
 
 constexpr int ribbon_steps = 72;
 
-/// Curves of a channel, by their names; others are white.
+/// Curves of a channel, and those that share a plot over hue, by their names; others are white.
 struct OwnColor {
     std::string_view name;
     int r, g, b;
 };
-constexpr std::array<OwnColor, 3> own_colors{{
+constexpr std::array<OwnColor, 6> own_colors{{
     {"red", 255, 96, 88},
     {"green", 96, 224, 104},
     {"blue", 112, 152, 255},
+    {"hue-vs-hue", 255, 150, 255},
+    {"hue-vs-sat", 255, 214, 80},
+    {"hue-vs-lum", 255, 255, 255},
 }};
 
-ImU32 color_of(const Parameter& parameter, int opacity) {
+/// Dimmed curves over a ribbon of hues keep their colours apart from it.
+constexpr int edited_opacity = 240, dimmed_opacity = 150, dimmed_on_dark = 120;
+
+} // namespace
+
+ImU32 curve_color(const Parameter& parameter, int opacity) {
     for (const OwnColor& row : own_colors) {
         if (row.name == parameter.name) {
             return IM_COL32(row.r, row.g, row.b, opacity);
@@ -40,6 +48,8 @@ ImU32 color_of(const Parameter& parameter, int opacity) {
     }
     return IM_COL32(255, 255, 255, opacity);
 }
+
+namespace {
 
 /// A display colour of that hue, at a lightness and chroma that sRGB holds at every hue.
 ImU32 hue_color(double dial, float alpha) {
@@ -162,8 +172,11 @@ void draw_curve(const Canvas& canvas, const Parameter& parameter, const Knots& k
             canvas.view.x_min + (canvas.view.x_max - canvas.view.x_min) * i / std::max(steps, 1);
         points.push_back(canvas.at({x, neutral_diagonal ? x : curve(x)}));
     }
+    const int opacity = is_edited                 ? edited_opacity
+                        : parameter.axis.periodic ? dimmed_opacity
+                                                  : dimmed_on_dark;
     ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()),
-                                            color_of(parameter, is_edited ? 240 : 120), 0,
+                                            curve_color(parameter, opacity), 0,
                                             is_edited ? 1.8F : 1.2F);
 }
 

@@ -25,7 +25,9 @@ struct Canvas {
 /// What is behind the curves: the colours of a hue axis, a grid, how often the picture has the
 /// values of the parameter's axis, and the neutral curve.
 void draw_backdrop(const Ui& ui, const Canvas& canvas, const lutlib::Parameter& parameter);
-/// In the channel's own colour; faint where another curve is edited.
+/// The curve's own colour, of 0 to 255 parts opacity.
+ImU32 curve_color(const lutlib::Parameter& parameter, int opacity);
+/// In the curve's own colour; faint where another curve is edited.
 void draw_curve(const Canvas& canvas, const lutlib::Parameter& parameter,
                 const lutlib::Knots& knots, bool is_edited);
 void draw_knots(const Canvas& canvas, const lutlib::Knots& knots, std::optional<std::size_t> lit);

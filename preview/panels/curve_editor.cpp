@@ -22,7 +22,8 @@ using lutlib::Knot;
 using lutlib::Knots;
 using lutlib::Parameter;
 
-constexpr float reach = 0.72F; // from which a knot is caught, in heights of the text
+constexpr float key_length = 0.9F; // of a colour's line, in heights of the text
+constexpr float reach = 0.72F;     // from which a knot is caught, in heights of the text
 
 /// A place that the mouse has chosen, with no more digits than it can tell apart.
 Knot rounded(const CurveView& view, const Knot& knot) {
@@ -58,14 +59,44 @@ bool edit_knots(const Parameter& parameter, Knots& knots, const Knot& mouse,
     return changed;
 }
 
+/// A line in the curve's colour: whose it is in the plot.
+void color_key(const Parameter& curve) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float length = em(key_length), middle = at.y + ImGui::GetFrameHeight() / 2;
+    ImGui::GetWindowDrawList()->AddLine({at.x, middle}, {at.x + length, middle},
+                                        curve_color(curve, 255), em(0.2F));
+    ImGui::Dummy({length, ImGui::GetFrameHeight()});
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+}
+
+/// Where another curve is drawn in the plot of the edited one: at the same places of the axis, and
+/// over its own heights where its range is another.
+Canvas canvas_beside(const Canvas& edited, const Parameter& of_edited, const Parameter& other,
+                     const Knots& knots) {
+    Canvas out = edited;
+    if (other.min != of_edited.min || other.max != of_edited.max ||
+        other.fallback != of_edited.fallback) {
+        const CurveView own = view_of(other, knots);
+        out.view.y_min = own.y_min;
+        out.view.y_max = own.y_max;
+    }
+    return out;
+}
+
 /// Which curve is edited, and which of the others are seen.
 void choose_curve(Ui& ui, CurveUse& use, std::span<const Parameter> curves,
                   const std::string& place) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     for (std::size_t i = 0; i < curves.size(); ++i) {
-        if (i > 0) {
+        const float width = em(key_length) + 2 * ImGui::GetFrameHeight() +
+                            3 * style.ItemInnerSpacing.x +
+                            ImGui::CalcTextSize(curves[i].label.data()).x;
+        if (i > 0 && ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= right) {
             ImGui::SameLine();
         }
         ImGui::PushID(static_cast<int>(i));
+        color_key(curves[i]);
         const std::string name(curves[i].name);
         if (ImGui::RadioButton(std::string(curves[i].label).c_str(), use.edited == i)) {
             use.edited = i;
@@ -76,7 +107,7 @@ void choose_curve(Ui& ui, CurveUse& use, std::span<const Parameter> curves,
         tip("The curve that is edited; the others are seen beside it where they are ticked", {},
             false);
         bool is_seen = !use.hidden[i];
-        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        ImGui::SameLine(0, style.ItemInnerSpacing.x);
         if (ImGui::Checkbox("##seen", &is_seen)) {
             use.hidden[i] = !is_seen;
         }
@@ -125,7 +156,9 @@ bool plot(Ui& ui, CurveUse& use, std::span<const Parameter> curves, std::span<lu
     ImGui::PushClipRect(origin, {origin.x + size.x, origin.y + size.y}, true);
     for (std::size_t i = 0; i < curves.size(); ++i) {
         if (i != use.edited && !use.hidden[i]) {
-            draw_curve(canvas, curves[i], std::get<Knots>(values[i]), false);
+            const Knots& others = std::get<Knots>(values[i]);
+            draw_curve(canvas_beside(canvas, parameter, curves[i], others), curves[i], others,
+                       false);
         }
     }
     draw_curve(canvas, parameter, knots, true);

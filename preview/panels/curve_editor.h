@@ -9,7 +9,8 @@
 
 namespace preview::panels {
 
-/// Of those of the parameters that are curves, which share their axes. A click sets a knot, which
+/// Of curves over one axis; those whose ranges differ have each their own heights in the plot, and
+/// the axis names are those of the curve that is edited. A click sets a knot, which
 /// can be dragged; the right button deletes one. `start_picking` gets a colour for a knot: of the
 /// parameter of that number. True when a curve changed.
 bool curve_editor(Ui& ui, std::span<const lutlib::Parameter> parameters,

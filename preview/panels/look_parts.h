@@ -12,6 +12,7 @@ struct LookPage {
     std::string_view name;
     std::string_view help;
     std::span<const std::string_view> ops; ///< empty: the recipe's own, in their order
+    bool is_over_one_axis = false; ///< each of them is a curve over the same axis as the others'
 };
 std::span<const LookPage> look_pages();
 

@@ -26,6 +26,7 @@ struct LookUse {
     std::optional<std::size_t> chosen;  ///< the operator that keys are for
     std::optional<std::size_t> dragged; ///< the operator whose heading the mouse holds
     std::map<std::string, CurveUse> curves;
+    bool one_plot = true; ///< of a page whose curves lie over one axis
 };
 
 } // namespace preview::panels

@@ -29,23 +29,6 @@ Operation* operation_at(State& state, std::size_t at, const lutlib::Op& op) {
     return is_there ? &state.recipe.operations[at] : nullptr;
 }
 
-void start_picking_knot(Ui& ui, const lutlib::Op& op, std::size_t at, std::size_t parameter,
-                        const std::string& place) {
-    const Parameter& row = op.parameters[parameter];
-    start_pick(ui, "Click the colour for a knot of " + std::string(op.label),
-               [&op, &row, at, parameter, place](Ui& picking, const Probe& probe) {
-                   State& state = picking.history.draft();
-                   Operation* const operation = operation_at(state, at, op);
-                   if (operation == nullptr) {
-                       return;
-                   }
-                   const double x =
-                       place_on_axis(*operation, parameter, color_into(state, probe, at));
-                   picking.look.curves[place].knot = add_knot_on_curve(
-                       row, std::get<lutlib::Knots>(operation->values[parameter]), x);
-               });
-}
-
 /// What can be picked of the operator as a whole.
 void picker_buttons(Ui& ui, const lutlib::Op& op, std::size_t at, const std::string& place) {
     for (const Picker& picker : pickers()) {
@@ -73,6 +56,23 @@ bool is_curve(const Parameter& parameter) {
 }
 
 } // namespace
+
+void start_picking_knot(Ui& ui, const lutlib::Op& op, std::size_t at, std::size_t parameter,
+                        const std::string& plot) {
+    const Parameter& row = op.parameters[parameter];
+    start_pick(ui, "Click the colour for a knot of " + std::string(op.label),
+               [&op, &row, at, parameter, plot](Ui& picking, const Probe& probe) {
+                   State& state = picking.history.draft();
+                   Operation* const operation = operation_at(state, at, op);
+                   if (operation == nullptr) {
+                       return;
+                   }
+                   const double x =
+                       place_on_axis(*operation, parameter, color_into(state, probe, at));
+                   picking.look.curves[plot].knot = add_knot_on_curve(
+                       row, std::get<lutlib::Knots>(operation->values[parameter]), x);
+               });
+}
 
 bool operator_controls(Ui& ui, Operation& operation, std::size_t at, const std::string& place) {
     const lutlib::Op& op = *operation.op;

@@ -14,4 +14,9 @@ namespace preview::panels {
 bool operator_controls(Ui& ui, lutlib::Operation& operation, std::size_t at,
                        const std::string& place);
 
+/// Waits for a colour of the picture, which sets a knot of the operator's curve `parameter`; the
+/// plot is called `plot`.
+void start_picking_knot(Ui& ui, const lutlib::Op& op, std::size_t at, std::size_t parameter,
+                        const std::string& plot);
+
 } // namespace preview::panels

@@ -131,6 +131,9 @@ void camera_controls(Ui& ui) {
     camera_buttons(ui, ui.facts.cameras, "camera.");
     camera_buttons(ui, ui.bookmarks, "camera.kept.",
                    [](Ui& of, const NamedCamera& camera) { of.forget_camera = camera.name; });
+    if (ImGui::GetCursorPosX() > ImGui::GetCursorStartPos().x) {
+        ImGui::NewLine(); // the buttons left room in theirs
+    }
     if (ImGui::Button("Keep this camera")) {
         ui.keep_camera = {std::exchange(ui.camera_name, {}), ui.history.draft().orbit};
     }

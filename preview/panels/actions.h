@@ -21,6 +21,13 @@ struct Action {
 
 const std::vector<Action>& actions();
 
+/// A line of the list that F1 shows.
+struct HelpRow {
+    std::string keys, help;
+};
+/// Every action with its keys, then what else keys and the mouse do.
+std::vector<HelpRow> help_rows();
+
 /// The action's keys as people read them: "Ctrl+Shift+Z".
 std::string keys_of(const Action& action);
 /// Whether this press asks for the action.

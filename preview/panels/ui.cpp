@@ -34,57 +34,6 @@ bool is_held(const Ui& ui, Key key) {
     return ui.down[static_cast<std::size_t>(key)];
 }
 
-constexpr const char* mouse_help[][2] = {
-    {"hold A, hold B", "that side alone, while held"},
-    {"drag the line, or the box's sides", "move the border of a comparison"},
-    {"with the right button, of a box", "draw another"},
-    {"drag the picture", "turn the camera about what it looks at"},
-    {"with Shift, or the middle button", "carry both to the side"},
-    {"with the right button", "turn the camera where it stands"},
-    {"wheel", "the camera nearer or farther; of a picture larger or smaller pixels"},
-    {"Ctrl with the wheel", "larger or smaller pixels, of a scene too"},
-    {"drag a picture, Ctrl with a scene", "carry what is seen of it, where that is a part"},
-    {"point at the picture", "its colour before and after the looks, in the line below"},
-    {"drag the cube", "turn it"},
-};
-
-void mark_window(Ui& ui, const std::string& name) {
-    const ImVec2 low = ImGui::GetWindowPos();
-    const ImVec2 size = ImGui::GetWindowSize();
-    ui.places[name] = {low.x, low.y, size.x, size.y};
-}
-
-void help_window(Ui& ui) {
-    if (!ui.shows_help) {
-        return;
-    }
-    const ImVec2 room = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({em(2), em(2)}, ImGuiCond_Appearing);
-    ImGui::SetNextWindowSizeConstraints(
-        {0, 0}, {std::max(room.x - em(4), em(4)), std::max(room.y - em(4), em(4))});
-    const bool open = ImGui::Begin("Help", &ui.shows_help, ImGuiWindowFlags_AlwaysAutoResize);
-    mark_window(ui, "help");
-    if (open && ImGui::BeginTable("keys", 2)) {
-        const auto row = [](const char* keys, const char* help) {
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(keys);
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(help);
-        };
-        for (const Action& action : actions()) {
-            const std::string keys = action.listed.value_or(keys_of(action));
-            if (!keys.empty()) {
-                row(keys.c_str(), action.help.c_str());
-            }
-        }
-        for (const auto& line : mouse_help) {
-            row(line[0], line[1]);
-        }
-        ImGui::EndTable();
-    }
-    ImGui::End();
-}
-
 void error_window(Ui& ui) {
     if (ui.errors.empty()) {
         return;
@@ -143,6 +92,12 @@ std::vector<std::string> panel_names() {
 
 float em(float heights) {
     return heights * ImGui::GetFontSize();
+}
+
+void mark_window(Ui& ui, const std::string& name) {
+    const ImVec2 low = ImGui::GetWindowPos();
+    const ImVec2 size = ImGui::GetWindowSize();
+    ui.places[name] = {low.x, low.y, size.x, size.y};
 }
 
 void mark(Ui& ui, std::string name) {

@@ -183,6 +183,8 @@ void colors_panel(Ui& ui);
 void pick_color(Ui& ui);
 void dialogs(Ui& ui);
 void closing_dialog(Ui& ui);
+/// The list of keys, while it is asked for.
+void help_window(Ui& ui);
 /// What a person must know of files and of what is shown, above the panels.
 void notices(Ui& ui);
 void handle_shortcuts(Ui& ui);
@@ -209,5 +211,7 @@ float em(float heights);
 
 /// Remembers where the last item is; the name without blanks.
 void mark(Ui& ui, std::string name);
+/// Remembers where the window is that is being drawn.
+void mark_window(Ui& ui, const std::string& name);
 
 } // namespace preview::panels

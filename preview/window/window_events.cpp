@@ -60,6 +60,8 @@ constexpr KeyName keys[] = {
     {GLFW_KEY_F7, editor::Key::f7},
 };
 
+} // namespace
+
 editor::Key key_of(int glfw) {
     if (glfw >= GLFW_KEY_LEFT_SHIFT && glfw <= GLFW_KEY_RIGHT_SUPER) {
         return editor::Key::modifier;
@@ -68,8 +70,6 @@ editor::Key key_of(int glfw) {
                                          [&](const KeyName& it) { return it.glfw == glfw; });
     return row == std::end(keys) ? editor::Key::none : row->key;
 }
-
-} // namespace
 
 WindowEvents::WindowEvents(GLFWwindow* window) {
     glfwSetWindowUserPointer(window, this);

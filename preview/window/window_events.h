@@ -10,6 +10,9 @@ struct GLFWwindow;
 
 namespace preview {
 
+/// What panels call a key of GLFW's.
+editor::Key key_of(int glfw);
+
 struct WindowEvents {
     /// Sets the window's callbacks and must outlive them.
     explicit WindowEvents(GLFWwindow* window);

@@ -3,11 +3,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "common/scope.glsl"
+#include "common/scope_area.glsl"
 layout(local_size_x = 256) in;
 
 layout(binding = 0) uniform sampler2D picture;
 layout(binding = 1) buffer Counts { uint counts[]; };
-layout(push_constant) uniform Push { uint first, width; } push;
 
 const uint planes = 4u;
 shared uint bins[planes * levels];
@@ -19,10 +19,13 @@ void main() {
     }
     barrier();
 
-    uint texels = push.width * uint(textureSize(picture, 0).y);
+    uint texels = push.total * push.height;
     uvec4 held = uvec4(0u), run = uvec4(0u);
     for (uint i = gl_GlobalInvocationID.x; i < texels; i += threads * gl_NumWorkGroups.x) {
-        ivec2 at = ivec2(push.first + i % push.width, i / push.width);
+        ivec2 at = texel_of(i % push.total, i / push.total);
+        if (!is_counted(at)) {
+            continue;
+        }
         uvec3 codes = codes_of(texelFetch(picture, at, 0).rgb);
         uvec4 all_codes = uvec4(codes, luma_of(codes));
         for (uint plane = 0u; plane < planes; ++plane) {

@@ -4,11 +4,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "common/scope.glsl"
+#include "common/scope_area.glsl"
 layout(local_size_x = 256) in;
 
 layout(binding = 0) uniform sampler2D picture;
 layout(binding = 1) buffer Counts { uint counts[]; };
-layout(push_constant) uniform Push { uint first, width; } push;
 
 const uint side = 64u; // of the middle
 const uint corner = 128u - side / 2u;
@@ -30,11 +30,14 @@ void main() {
     }
     barrier();
 
-    uint texels = push.width * uint(textureSize(picture, 0).y);
+    uint texels = push.total * push.height;
     uvec2 held = uvec2(0u);
     uint run = 0u;
     for (uint i = gl_GlobalInvocationID.x; i < texels; i += threads * gl_NumWorkGroups.x) {
-        ivec2 at = ivec2(push.first + i % push.width, i / push.width);
+        ivec2 at = texel_of(i % push.total, i / push.total);
+        if (!is_counted(at)) {
+            continue;
+        }
         uvec2 chroma = chroma_of(codes_of(texelFetch(picture, at, 0).rgb));
         if (chroma != held) {
             if (run > 0u) {

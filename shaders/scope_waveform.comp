@@ -4,12 +4,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "common/scope.glsl"
+#include "common/scope_area.glsl"
 layout(local_size_x = 256) in;
-layout(constant_id = 0) const uint planes = 1u;
+layout(constant_id = 1) const uint planes = 1u;
 
 layout(binding = 0) uniform sampler2D picture;
 layout(binding = 1) writeonly buffer Counts { uint counts[]; };
-layout(push_constant) uniform Push { uint first, width, columns; } push;
 
 shared uint bins[planes * levels];
 
@@ -20,12 +20,15 @@ void main() {
     }
     barrier();
 
-    uint from = (column * push.width + push.columns - 1u) / push.columns;
-    uint to = ((column + 1u) * push.width + push.columns - 1u) / push.columns;
-    uint wide = to - from, texels = wide * uint(textureSize(picture, 0).y);
+    uint from = (column * push.total + push.columns - 1u) / push.columns;
+    uint to = ((column + 1u) * push.total + push.columns - 1u) / push.columns;
+    uint wide = to - from, texels = wide * push.height;
     uvec3 held = uvec3(0u), run = uvec3(0u);
     for (uint i = thread; i < texels; i += levels) {
-        ivec2 at = ivec2(push.first + from + i % wide, i / wide);
+        ivec2 at = texel_of(from + i % wide, i / wide);
+        if (!is_counted(at)) {
+            continue;
+        }
         uvec3 codes = codes_of(texelFetch(picture, at, 0).rgb);
         if (planes == 1u) {
             codes.r = luma_of(codes);

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 namespace preview {
@@ -129,6 +130,25 @@ ProbePlace parse_place(std::string_view option, const std::string& text, Size pi
                                          option, picture.width, picture.height, text));
 }
 
+ScopeRegion parse_region(std::string_view option, const std::string& text, Size picture) {
+    std::array<std::uint32_t, 4> n{}; // x, y, width, height
+    const std::size_t comma = text.find(',', text.find(',') + 1);
+    const bool is_read = comma != std::string::npos &&
+                         reads_pair(text.substr(0, comma), ',', n[0], n[1]) &&
+                         reads_pair(text.substr(comma + 1), ',', n[2], n[3]);
+    if (!is_read || n[2] == 0 || n[3] == 0 || std::uint64_t{n[0]} + n[2] > picture.width ||
+        std::uint64_t{n[1]} + n[3] > picture.height) {
+        throw lutlib::UsageError(
+            fmt::format("{} needs X,Y,WIDTH,HEIGHT within the picture of {}x{}, got '{}'", option,
+                        picture.width, picture.height, text));
+    }
+    const auto share = [](std::uint32_t texels, std::uint32_t length) {
+        return static_cast<float>(texels) / static_cast<float>(length);
+    };
+    return {share(n[0], picture.width), share(n[1], picture.height), share(n[2], picture.width),
+            share(n[3], picture.height)};
+}
+
 bool is_given(const Options& options, const std::string& flag) {
     return std::find(options.given.begin(), options.given.end(), flag) != options.given.end();
 }
@@ -166,6 +186,10 @@ FrameSettings settings_of(const Options& options, Size input_size) {
     if (!options.focus_at.empty()) {
         focus_at(settings.effects, options.focus_at,
                  picture_size(settings.output, *settings.compare));
+    }
+    if (!options.scope_region.empty()) {
+        settings.scope_region = parse_region("--scope-region", options.scope_region,
+                                             picture_size(settings.output, *settings.compare));
     }
     for (const std::string& name : options.without) {
         leave_out(settings, name);

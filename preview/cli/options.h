@@ -47,7 +47,7 @@ struct Options {
     std::vector<std::optional<float>> surroundings_numbers =
         std::vector<std::optional<float>>(preview::surroundings_numbers().size());
     const RasterChoice* raster = &rasters().front();
-    std::string size, probe, meter, scope_size, focus_at;
+    std::string size, probe, meter, scope_size, scope_region, focus_at;
     double seconds = 0;
     std::string camera_name; ///< of the file's cameras; empty: the first
     /// Of each row of camera_numbers(): added to the scene's.
@@ -123,5 +123,7 @@ double reach_of(const NumberRow<Orbit>& row);
 Size parse_size(std::string_view option, const std::string& text);
 /// X,Y within a picture of that size. Throws lutlib::UsageError that names the option.
 ProbePlace parse_place(std::string_view option, const std::string& text, Size picture);
+/// X,Y,WIDTH,HEIGHT within a picture of that size. Throws lutlib::UsageError that names the option.
+ScopeRegion parse_region(std::string_view option, const std::string& text, Size picture);
 
 } // namespace preview

@@ -116,12 +116,12 @@ std::vector<std::string> report_flags() {
 
 /// The options that a study, which makes no picture for anybody, does not take.
 Rule study_rule(const Options& options) {
-    return {{"--depth",      "--cube-view",  "--cube-nodes", "--probe",
+    return {{"--depth",      "--cube-view",  "--cube-nodes", "--scope-region",
              "--scope",      "--scope-size", "--scope-side", "--scope-scale",
              "--explain",    "--force-all",  "--timings",    "--frames",
              "--frame-rate", "--resume",     "--font",       "--watch-engine-folder",
              "--places",     "--exr",        "--dither",     "--debug-view",
-             "--heat-scale", "--meter"},
+             "--heat-scale", "--probe",      "--meter"},
             false,
             why_no_picture(options)};
 }
@@ -146,7 +146,7 @@ std::vector<Rule> rules_of(const Options& o) {
          is_look(o.look_b) || window,
          "side B has no look"},
         {cube_flags(), window, "no --cube-view is drawn"},
-        {{"--scope-size", "--scope-side", "--scope-scale"},
+        {{"--scope-size", "--scope-region", "--scope-side", "--scope-scale"},
          o.frame.scope != nullptr || window,
          "no --scope is shown"},
         {report_flags(), false, "it is for 'lutpreview report'"},

@@ -213,7 +213,7 @@ void Bench::time_finishing() {
 
 /// Counting reads the picture once; drawing costs the same for every picture.
 void Bench::time_scopes() {
-    const ColumnRange all{0, size_.width};
+    const ScopeArea all{.width = size_.width, .height = size_.height};
     for (const Scope& scope : scopes) {
         const std::string name(scope.name);
         const auto declare = [&](Graph& graph) {

@@ -58,6 +58,7 @@ editor::State opening_state(const Options& options, const FrameSettings& given,
         state.scopes_seen.seen[index_of(*given.scope)] = true;
     }
     state.scopes_seen.side = given.scope_side;
+    state.scopes_seen.region = given.scope_region;
     state.scopes_seen.logarithmic = given.scope_logarithmic;
     take_shown(state, shown);
     state.effects = given.effects;

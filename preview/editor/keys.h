@@ -25,6 +25,7 @@ enum class Key : std::uint8_t {
     c,
     d,
     e,
+    f,
     l,
     o,
     p,
@@ -54,8 +55,8 @@ inline constexpr std::size_t key_count = static_cast<std::size_t>(Key::count_);
 constexpr std::string_view text_of(Key key) {
     constexpr std::string_view texts[key_count] = {
         "",  "",  "F1", "F2", "F3", "F4", "F5", "F6", "F7", "Esc", "Page Up", "Page Down", "A",
-        "B", "C", "D",  "E",  "L",  "O",  "P",  "Q",  "R",  "S",   "V",       "Y",         "Z",
-        "1", "2", "3",  "4",  "5",  "6",  "7",  "8",  "9",  "0",   "+",       "-",
+        "B", "C", "D",  "E",  "F",  "L",  "O",  "P",  "Q",  "R",   "S",       "V",         "Y",
+        "Z", "1", "2",  "3",  "4",  "5",  "6",  "7",  "8",  "9",   "0",       "+",         "-",
     };
     return texts[static_cast<std::size_t>(key)];
 }

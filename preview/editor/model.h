@@ -69,6 +69,7 @@ std::string title_of(const Side& side);
 struct ScopeChoice {
     std::array<bool, scopes.size()> seen{};
     const ScopeSide* side = &scope_side_shown;
+    ScopeRegion region;
     std::optional<bool> logarithmic; ///< empty: each scope's own
     float height = 0.34F;            ///< of the window's
     friend bool operator==(const ScopeChoice&, const ScopeChoice&) = default;

@@ -43,43 +43,7 @@ std::vector<ScopeLabel> bar_labels(const ScopePlot& plot, FigureSize figures) {
     return labels;
 }
 
-/// Columns of a picture that is A on one side of a line and B on the other. The line is as wide as
-/// shaders/common/finish.glsl draws it, and antialiasing blends one texel beside it.
-ColumnRange beside_line(bool left, float split, std::uint32_t width, std::uint32_t height) {
-    const double line = static_cast<double>(split) * width;
-    const double reach = std::max(height / 1080.0, 0.5) + 1;
-    const auto column = [&](double x) {
-        return static_cast<std::uint32_t>(std::clamp(x, 0.0, static_cast<double>(width)));
-    };
-    if (left) {
-        return {0, column(std::ceil(line - reach - 0.5))};
-    }
-    const std::uint32_t first = column(std::floor(line + reach - 0.5) + 1);
-    return {first, width - first};
-}
-
 } // namespace
-
-ColumnRange scope_range(const ScopeSide& side, const Compare& compare, float split,
-                        std::uint32_t width, std::uint32_t height) {
-    if (&compare == &compare_difference) {
-        return {};
-    }
-    if (&side == &scope_side_shown) {
-        return {0, width};
-    }
-    const bool is_a = &side == &scope_sides[1];
-    if (!(is_a ? compare.shows_a : compare.shows_b)) {
-        return {};
-    }
-    if (!compare.shows_a || !compare.shows_b) {
-        return {0, width};
-    }
-    if (&compare == &compare_side) {
-        return {is_a ? 0 : width / 2, width / 2};
-    }
-    return beside_line(is_a, split, width, height);
-}
 
 ScopePlot scope_plot(const Scope& scope, std::uint32_t width, std::uint32_t height,
                      std::optional<FigureSize> figures) {

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "lutlib/named.h"
-#include "preview/finish/compare.h"
+#include "preview/finish/scope_area.h"
 
 #include <array>
 #include <cstddef>
@@ -72,24 +72,6 @@ constexpr std::size_t scope_counts(const Scope& scope, std::uint32_t columns) {
     return std::size_t{scope.planes} * scope_levels;
 }
 
-/// Columns of a picture: all that a scope looks at.
-struct ColumnRange {
-    std::uint32_t first = 0, count = 0;
-    friend bool operator==(const ColumnRange&, const ColumnRange&) = default;
-};
-
-/// Which part of the shown picture a scope looks at.
-struct ScopeSide {
-    std::string_view name;
-    std::string_view label;
-};
-inline constexpr std::array<ScopeSide, 3> scope_sides{{
-    {"shown", "all that is shown"},
-    {"a", "what is shown of side A"},
-    {"b", "what is shown of side B"},
-}};
-inline constexpr const ScopeSide& scope_side_shown = lutlib::row_named(scope_sides, "shown");
-
 /// How counts become brightness or height.
 struct ScopeScale {
     std::string_view name;
@@ -101,11 +83,6 @@ inline constexpr std::array<ScopeScale, 3> scope_scales{{
     {"log", "by the logarithm of the counts", true},
     {"linear", "in proportion to the counts", false},
 }};
-
-/// The side's columns of a finished picture of that size, without the split line; a count of 0
-/// where nothing of the side is shown, or where a heat map is.
-ColumnRange scope_range(const ScopeSide& side, const Compare& compare, float split,
-                        std::uint32_t width, std::uint32_t height);
 
 /// How much room a character of a scope's figures takes, in pixels.
 struct FigureSize {

@@ -67,8 +67,4 @@ float split_at(float split_angle, float x, float y, Size size) {
     return static_cast<float>(std::clamp(along / way.length, 0.0, 1.0));
 }
 
-bool is_upright(const Wipe& wipe) {
-    return normal_of(wipe.split_angle) == std::array<double, 2>{1, 0};
-}
-
 } // namespace preview

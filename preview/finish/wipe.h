@@ -32,7 +32,5 @@ WipeShape placed(const WipeShape& shape, const Compare& compare, float left, flo
 bool shows_a(const WipeShape& shape, const Compare& compare, double x, double y);
 /// The share of the line's way that is at a place of a picture of that size.
 float split_at(float split_angle, float x, float y, Size size);
-/// Whether the line is upright with A on its left.
-bool is_upright(const Wipe& wipe);
 
 } // namespace preview

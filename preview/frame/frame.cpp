@@ -315,7 +315,8 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
         show_effect(graph, settings, handles);
         return handles;
     }
-    add_instruments(graph, settings, finishing, probe_place(inputs, settings, size), handles);
+    add_instruments(graph, inputs, settings, finishing, probe_place(inputs, settings, size),
+                    handles);
     const WipeShape wipe =
         zoom_in(graph, inputs, settings, no_view_because(settings).empty(), handles);
     view_picture(graph, settings, wipe, handles);

@@ -1,6 +1,7 @@
 #include "preview/frame/instruments.h"
 
 #include "lutlib/error.h"
+#include "preview/gpu/memory.h"
 #include "preview/passes/axes.h"
 #include "preview/passes/pass.h"
 #include "preview/passes/probe.h"
@@ -12,29 +13,50 @@ namespace preview {
 
 namespace {
 
-void add_scopes(Graph& graph, const FrameSettings& settings, FrameHandles& handles) {
-    const Size size = size_of(graph, handles.output);
-    const ColumnRange range = scope_range(*settings.scope_side, *settings.compare, settings.split,
-                                          size.width, size.height);
-    const bool is_part = settings.scope_side != &scope_side_shown && settings.compare->shows_one;
-    const bool has_columns = settings.compare != &compare_box && is_upright(settings);
-    for (std::size_t i = 0; i < scopes.size(); ++i) {
-        if (settings.scope_sizes[i] == Size{}) {
-            graph.withhold(scopes[i].name, "it is not shown");
-        } else if (is_part && !has_columns) {
-            graph.withhold(scopes[i].name, "its side is not columns of the picture: turn the split "
-                                           "upright, or choose another comparison");
-        } else if (range.count == 0) {
-            graph.withhold(scopes[i].name, settings.compare == &compare_difference
-                                               ? "a heat map has no code values to count"
-                                               : "its side is not shown");
+/// In their usual size those that nobody sees.
+ScopeDrawing drawing_of(const FrameSettings& settings, const Scope& scope) {
+    const Size size = settings.scope_sizes[index_of(scope)];
+    return {size == Size{} ? Size{scope.width, scope.height} : size,
+            settings.scope_logarithmic.value_or(scope.logarithmic), settings.scope_figures};
+}
+
+ScopeCounts imported(Graph& graph, const Scope& scope, const KeptScope& kept) {
+    return {graph.import("frozen counts of " + std::string(scope.name), *kept.counts,
+                         kept.counts->bytes()),
+            kept.columns, kept.width, kept.height};
+}
+
+void add_scopes(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
+                FrameHandles& handles) {
+    const ScopeArea area = scope_area(*settings.scope_side, *settings.compare, settings,
+                                      settings.scope_region, size_of(graph, handles.output));
+    const std::string_view reason =
+        no_scope_because(area, *settings.scope_side, *settings.compare, settings.scope_region);
+    for (const Scope& scope : scopes) {
+        const std::size_t i = index_of(scope);
+        const bool is_seen = settings.scope_sizes[i] != Size{};
+        const bool is_kept = inputs.kept_scopes[i].counts != nullptr;
+        const ScopeDrawing drawing = drawing_of(settings, scope);
+        if (!is_seen && !settings.keeps_scopes) {
+            graph.withhold(scope.name, "it is not shown");
+            continue;
+        }
+        if (!is_kept && !reason.empty()) {
+            graph.withhold(scope.name, reason);
+            continue;
+        }
+        if (is_kept) {
+            graph.withhold("count " + std::string(scope.name),
+                           "it is frozen, and shows what was counted then");
+            handles.scope_counts[i] = imported(graph, scope, inputs.kept_scopes[i]);
         } else {
-            handles.scope_pictures[i] =
-                add_scope(graph, handles.output, scopes[i], range,
-                          {settings.scope_sizes[i],
-                           settings.scope_logarithmic.value_or(scopes[i].logarithmic),
-                           settings.scope_figures})
-                    .picture;
+            handles.scope_counts[i] = count_scope(graph, handles.output, scope, area, drawing);
+        }
+        if (settings.keeps_scopes) {
+            graph.present(handles.scope_counts[i].counts);
+        }
+        if (is_seen) {
+            handles.scope_pictures[i] = draw_scope(graph, scope, handles.scope_counts[i], drawing);
             graph.present(handles.scope_pictures[i]);
         }
     }
@@ -50,9 +72,10 @@ ProbePlace before_comparison(ProbePlace place, const FrameSettings& settings, Si
 
 } // namespace
 
-void add_instruments(Graph& graph, const FrameSettings& settings, const Finishing& finishing,
-                     std::optional<ProbePlace> probe, FrameHandles& handles) {
-    add_scopes(graph, settings, handles);
+void add_instruments(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
+                     const Finishing& finishing, std::optional<ProbePlace> probe,
+                     FrameHandles& handles) {
+    add_scopes(graph, inputs, settings, handles);
     if (settings.scope != nullptr) {
         handles.output = handles.scope_pictures[index_of(*settings.scope)];
         if (!handles.output) {

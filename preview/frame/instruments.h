@@ -11,7 +11,8 @@ namespace preview {
 /// finishing pass had, whose texel `probe` is settings.probe in a picture of which all is seen or a
 /// part. With FrameSettings::scope that scope becomes the output. Throws
 /// lutlib::UsageError for one that this frame has nothing for.
-void add_instruments(Graph& graph, const FrameSettings& settings, const Finishing& finishing,
-                     std::optional<ProbePlace> probe, FrameHandles& handles);
+void add_instruments(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
+                     const Finishing& finishing, std::optional<ProbePlace> probe,
+                     FrameHandles& handles);
 
 } // namespace preview

@@ -9,6 +9,7 @@
 #include "preview/frame/rasters.h"
 #include "preview/passes/bloom.h"
 #include "preview/passes/gbuffer.h"
+#include "preview/passes/scope.h"
 #include "preview/passes/surroundings.h"
 #include "preview/passes/visibility.h"
 #include "preview/scene/scene.h"
@@ -46,7 +47,10 @@ struct FrameSettings : PictureSettings {
     /// Of each row of scopes; {}: nobody looks at it.
     std::array<Size, scopes.size()> scope_sizes{};
     const ScopeSide* scope_side = &scope_side_shown;
+    ScopeRegion scope_region;
     std::optional<bool> scope_logarithmic; ///< empty: each scope's own
+    /// Count all scopes, seen or not, and present what they count.
+    bool keeps_scopes = false;
     /// Of figures that the window writes over the scopes; empty: they have their own.
     std::optional<FigureSize> scope_figures;
     /// Tell the colour of this place of the output, before the looks and after each.
@@ -76,6 +80,12 @@ struct FrameSettings : PictureSettings {
     bool shows_intermediate() const { return view != nullptr || effect_view != nullptr; }
 };
 
+/// What a scope has counted in an earlier frame.
+struct KeptScope {
+    const gpu::Buffer* counts = nullptr;              ///< null: nothing is kept
+    std::uint32_t columns = 0, width = 0, height = 0; ///< as ScopeCounts has them
+};
+
 /// What there is to render. Either a scene with its GPU part, or a picture.
 struct FrameInputs {
     const Scene* scene = nullptr;
@@ -88,6 +98,8 @@ struct FrameInputs {
     const GpuLook* look_b = nullptr;
     std::array<std::string_view, 2> no_look{"there is none",
                                             "there is none"}; ///< why a side has none
+    /// Of each row of scopes: drawn in place of what it would count now.
+    std::array<KeptScope, scopes.size()> kept_scopes{};
     /// What a comparison calls its sides; both empty: it names none.
     std::array<std::string_view, 2> names{};
     /// The largest value of the HDR picture, measured in an earlier frame of the same scene, view
@@ -110,6 +122,7 @@ struct FrameHandles {
     Bloomed bloomed;                   ///< `bloom` is its glow
     BufferHandle hdr_maximum, figures; ///< a picture that no resolve changes has no maximum
     std::array<ImageHandle, scopes.size()> scope_pictures; ///< of those looked at, presented
+    std::array<ScopeCounts, scopes.size()> scope_counts;   ///< presented if the settings keep them
     BufferHandle probe, axis_counts;
     std::vector<EffectPicture> effects; ///< of those drawn, in the order of the frame
     /// What views of the picture read: it before it is rounded, and before the looks.

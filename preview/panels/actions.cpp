@@ -35,6 +35,7 @@ void close_all(Ui& ui) {
     ui.exported.clear();
     ui.to_replace.clear();
     ui.pick.reset();
+    ui.region_drag.reset();
     ui.asks_to_quit = false;
     ui.file_dialog = {};
     ui.exporting.ready.reset();
@@ -105,11 +106,16 @@ std::vector<Action> own_actions() {
         {.help = "keep the colour under the mouse, in the panel Colours",
          .key = Key::c,
          .act = &pick_color},
+        {.help =
+             "freeze the scopes: they keep what they show while the picture changes; or let them "
+             "follow it again",
+         .key = Key::f,
+         .act = [](Ui& ui) { ui.scopes_frozen = !ui.scopes_frozen; }},
         {.help = "list of keys",
          .key = Key::f1,
          .act = [](Ui& ui) { ui.shows_help = !ui.shows_help; }},
         {.help = "close what lies over the panels: lists, errors, questions, what was exported; "
-                 "pick no colour",
+                 "pick no colour and drag no region",
          .key = Key::escape,
          .act = &close_all},
         {.help = "find anything that can be done by typing",

@@ -48,6 +48,9 @@ void add_switches(std::vector<Action>& out) {
             is_seen = !is_seen;
         });
     }
+    add(out, "scopes: drag the region that they count", [](Ui& ui) { ui.region_drag.emplace(); });
+    add(out, "scopes: count all of the picture",
+        [](Ui& ui) { ui.history.draft().scopes_seen.region = {}; });
     for (const EffectInfo& row : effects) {
         add(out, "part of the frame on or off: " + std::string(row.label), [&row](Ui& ui) {
             EffectSet& without = ui.history.draft().without;

@@ -1,7 +1,8 @@
 // The mouse on the picture: the line of a comparison, the camera, which part of it is seen, and the
 // colour under it.
 #include "preview/panels/eyedropper.h"
-#include "preview/panels/ui.h"
+#include "preview/panels/scope_region.h"
+#include "preview/panels/seen.h"
 
 #include <imgui.h>
 
@@ -12,46 +13,6 @@
 namespace preview::panels {
 
 namespace {
-
-/// The picture's part of the window, in its pixels, and what of the picture is seen there.
-struct Seen {
-    Size own, output; ///< the picture's, and that of one side's part of the window
-    Zoom zoom;        ///< as the frame takes it
-    OutputPoint mouse;
-    float left = 0, top = 0, scale = 1; ///< of the picture of one side, in the output's pixels
-    Size whole;                         ///< the size that its comparison is told of
-};
-
-Seen seen_in(const Ui& ui, const Rect& area) {
-    const State& state = ui.history.draft();
-    const ImGuiIO& io = ImGui::GetIO();
-    const ImVec2 pixels = io.DisplayFramebufferScale;
-    const auto length = [](float pixels_long) {
-        return std::max(static_cast<std::uint32_t>(pixels_long), 1U);
-    };
-    Seen out;
-    out.output = picture_size({length(area.width * pixels.x), length(area.height * pixels.y)},
-                              *state.compare);
-    out.own = ui.facts.is_scene ? out.output : ui.facts.picture_size;
-    out.zoom = state.zoom;
-    if (ui.facts.is_scene && out.zoom.scale > 0) {
-        out.zoom.scale = std::max(out.zoom.scale, 1.0F);
-    }
-    out.mouse = {(io.MousePos.x - area.x) * pixels.x, (io.MousePos.y - area.y) * pixels.y};
-    const auto half = static_cast<float>(out.output.width);
-    if (state.compare == &compare_side && out.mouse.x >= half) {
-        out.mouse.x -= half;
-    }
-    out.whole = out.output;
-    if (out.zoom.scale > 0) {
-        const ZoomPlace place = zoom_place(out.zoom, out.own, out.own, out.output);
-        out.left = static_cast<float>(place.left);
-        out.top = static_cast<float>(place.top);
-        out.scale = place.scale;
-        out.whole = out.own;
-    }
-    return out;
-}
 
 /// Which part of a comparison's border the mouse takes.
 struct Grip {
@@ -81,15 +42,6 @@ Grip grip_at(const State& state, const Seen& seen, float reach) {
     out.upper = is_across && std::abs(at.y - shape[1]) < reach;
     out.lower = is_across && !out.upper && std::abs(at.y - shape[3]) < reach;
     return out;
-}
-
-/// The mouse in shares of the picture.
-OutputPoint share_at_mouse(const Seen& seen) {
-    const auto share = [&](float at, float begin, std::uint32_t length) {
-        return std::clamp((at - begin) / seen.scale / static_cast<float>(length), 0.0F, 1.0F);
-    };
-    return {share(seen.mouse.x, seen.left, seen.whole.width),
-            share(seen.mouse.y, seen.top, seen.whole.height)};
 }
 
 /// Moves a box's side that begins at `begin` and is `length` long.
@@ -216,7 +168,8 @@ void picture_area(Ui& ui, const Rect& area) {
         ui.pointer = {static_cast<int>((io.MousePos.x - area.x) * io.DisplayFramebufferScale.x),
                       static_cast<int>((io.MousePos.y - area.y) * io.DisplayFramebufferScale.y)};
     }
-    if (takes_mouse_for_pick(ui)) {
+    show_scope_region(ui, area);
+    if (takes_mouse_for_pick(ui) || takes_mouse_for_region(ui, seen)) {
         ImGui::End();
         return;
     }

@@ -1,5 +1,6 @@
 // The scopes: which of them are seen under the picture, and what of it they look at.
-#include "preview/panels/ui.h"
+#include "preview/panels/scope_region.h"
+#include "preview/panels/tip.h"
 
 #include <imgui.h>
 
@@ -49,6 +50,20 @@ void write_figures(const Ui& ui, const Scope& scope, const Rect& place) {
     }
 }
 
+/// Nobody shall take what was counted before for what is there now.
+void write_frozen(const Rect& place) {
+    constexpr const char* words = "FROZEN  F: follow again";
+    constexpr ImU32 color = IM_COL32(255, 176, 32, 255);
+    const ImVec2 size = ImGui::CalcTextSize(words);
+    const float room = em(0.3F);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRect({place.x, place.y}, {place.x + place.width, place.y + place.height}, color, 0, 0,
+                 2);
+    const ImVec2 low{std::max(place.x + place.width - size.x - 2 * room, place.x), place.y};
+    list.AddRectFilled(low, {place.x + place.width, place.y + size.y + 2 * room}, color);
+    list.AddText({low.x + room, low.y + room}, IM_COL32(0, 0, 0, 255), words);
+}
+
 } // namespace
 
 void scopes_panel(Ui& ui) {
@@ -60,6 +75,11 @@ void scopes_panel(Ui& ui) {
             ImGui::SetTooltip("%s", std::string(scopes[i].help).c_str());
         }
     }
+    if (ImGui::Button(ui.scopes_frozen ? "Follow the picture again (F)" : "Freeze (F)")) {
+        ui.scopes_frozen = !ui.scopes_frozen;
+    }
+    mark(ui, "scope.freeze");
+    tip("they keep what they show while the picture changes", {}, false);
     ImGui::Separator();
     ImGui::TextUnformatted("What they measure");
     for (const ScopeSide& side : scope_sides) {
@@ -68,6 +88,7 @@ void scopes_panel(Ui& ui) {
         }
         mark(ui, "scope.side." + std::string(side.name));
     }
+    scope_region_controls(ui);
     ImGui::TextUnformatted("Their brightness and height");
     for (const ScopeScale& row : scope_scales) {
         if (ImGui::RadioButton(row.label.data(), choice.logarithmic == row.logarithmic)) {
@@ -112,11 +133,14 @@ void scope_strip(Ui& ui, const Rect& area) {
                               std::string(scopes[i].help).c_str());
         }
         write_figures(ui, scopes[i], ui.scope_places[i]);
+        if (ui.scopes_frozen) {
+            write_frozen(ui.scope_places[i]);
+        }
         x += widths[i];
     }
-    if (ui.history.draft().compare == &compare_difference) {
+    if (!ui.facts.no_scopes.empty()) {
         ImGui::SetCursorScreenPos({area.x + em(0.86F), area.y + em(0.57F)});
-        ImGui::TextDisabled("a heat map has no code values to count");
+        ImGui::TextDisabled("%s", ui.facts.no_scopes.c_str());
     }
     ImGui::End();
 }

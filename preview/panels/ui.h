@@ -59,6 +59,7 @@ struct Facts {
     std::array<std::string, 2> look_standings; ///< where each stands and what it is fed
     std::array<std::shared_ptr<const lutlib::Lut>, 2> tables; ///< of the sides; null: no look
     std::vector<PassTime> passes;
+    std::string no_scopes;   ///< why those that are asked for count nothing; empty: they do
     std::string explanation; ///< a line for each pass, kept or left out, and why
 };
 
@@ -74,6 +75,11 @@ struct Pick {
     std::function<void(struct Ui& ui, const Probe& probe)> use;
     std::optional<ProbePlace> place{}; ///< where it was clicked; empty: not yet
     int frames = 0;                    ///< since then
+};
+
+/// The region for the scopes that is being dragged, see scope_region.h.
+struct RegionDrag {
+    std::optional<OutputPoint> from; ///< where it began, in shares of the picture; empty: not yet
 };
 
 struct Ui {
@@ -111,6 +117,7 @@ struct Ui {
     LookStrip look_strip;
     Thumbnails thumbnails;
     std::optional<Pick> pick;
+    std::optional<RegionDrag> region_drag;
     std::optional<ProbePlace> pointer;      ///< the pixel of the picture's place under the mouse
     Rect picture_place;                     ///< in the last frame
     std::string debug_view;                 ///< the intermediate that is shown; empty: the picture
@@ -122,6 +129,7 @@ struct Ui {
     std::string camera_name;                ///< typed for the next one
     std::vector<PickedColor> picked;        ///< the newest first
     float display_white = 100;              ///< cd/m2, for which luminances are told
+    bool scopes_frozen = false;             ///< they show what they counted when this was set
     std::array<Rect, scopes.size()> scope_places{}; ///< where scopes are seen; else empty
     FigureSize scope_figures;      ///< of those that are written over the scopes, in their pixels
     const Compare* held = nullptr; ///< shown instead while a key is held

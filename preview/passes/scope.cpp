@@ -33,20 +33,32 @@ std::vector<LabelRow> label_rows(std::span<const ScopeLabel> labels) {
     return rows;
 }
 
-BufferHandle count_columns(Graph& graph, ImageHandle picture, const Scope& scope, ColumnRange range,
-                           std::uint32_t columns, BufferHandle counts) {
+/// Of shaders/common/scope_area.glsl.
+struct CountPush {
+    std::uint32_t x, y, width, height, total, stride, columns, unused;
+    WipeShape border;
+    float reach;
+};
+
+CountPush push_of(const ScopeArea& area, std::uint32_t columns) {
+    return {area.x,      area.y,  area.width, area.height, area.columns(),
+            area.stride, columns, 0,          area.border, area.reach};
+}
+
+BufferHandle count_columns(Graph& graph, ImageHandle picture, const Scope& scope,
+                           const ScopeArea& area, std::uint32_t columns, BufferHandle counts) {
     Pass pass =
         graph.compute(std::string("count ") + std::string(scope.name), "scope_waveform.comp");
     pass.read(picture);
     counts = pass.write(counts);
-    pass.constants({scope.planes});
-    pass.push(std::array{range.first, range.count, columns});
+    pass.constants({static_cast<std::uint32_t>(area.part), scope.planes});
+    pass.push(push_of(area, columns));
     pass.dispatch(columns);
     return counts;
 }
 
 BufferHandle count_privately(Graph& graph, ImageHandle picture, const Scope& scope,
-                             ColumnRange range, BufferHandle counts) {
+                             const ScopeArea& area, BufferHandle counts) {
     const std::string name(scope.name);
     counts = graph.fill("clear " + name, counts, 0);
     Pass pass =
@@ -54,8 +66,9 @@ BufferHandle count_privately(Graph& graph, ImageHandle picture, const Scope& sco
                                                                        : "scope_histogram.comp");
     pass.read(picture);
     counts = pass.modify(counts);
-    pass.push(std::array{range.first, range.count});
-    pass.dispatch(counting_groups(std::uint64_t{range.count} * graph.image_desc(picture).height));
+    pass.constants({static_cast<std::uint32_t>(area.part)});
+    pass.push(push_of(area, 0));
+    pass.dispatch(counting_groups(std::uint64_t{area.columns()} * area.height));
     return counts;
 }
 
@@ -73,26 +86,32 @@ const char* drawing_shader(ScopeBins bins) {
 
 } // namespace
 
-std::uint32_t scope_columns(const Scope& scope, ColumnRange range, const ScopeDrawing& drawing) {
+std::uint32_t scope_columns(const Scope& scope, const ScopeArea& area,
+                            const ScopeDrawing& drawing) {
     const ScopePlot plot =
         scope_plot(scope, drawing.size.width, drawing.size.height, drawing.room_for);
-    return std::min(static_cast<std::uint32_t>(plot.width), range.count);
+    return std::min(static_cast<std::uint32_t>(plot.width), area.columns());
 }
 
-ScopePicture add_scope(Graph& graph, ImageHandle picture, const Scope& scope, ColumnRange range,
+ScopeCounts count_scope(Graph& graph, ImageHandle picture, const Scope& scope,
+                        const ScopeArea& area, const ScopeDrawing& drawing) {
+    ScopeCounts out{{}, scope_columns(scope, area, drawing), area.columns(), area.height};
+    out.counts = graph.buffer("counts of " + std::string(scope.name),
+                              sizeof(std::uint32_t) * scope_counts(scope, out.columns));
+    out.counts = scope.bins == ScopeBins::columns
+                     ? count_columns(graph, picture, scope, area, out.columns, out.counts)
+                     : count_privately(graph, picture, scope, area, out.counts);
+    return out;
+}
+
+ImageHandle draw_scope(Graph& graph, const Scope& scope, const ScopeCounts& counted,
                        const ScopeDrawing& drawing) {
     const std::string name(scope.name);
     const Size size = drawing.size;
-    const std::uint32_t columns = scope_columns(scope, range, drawing);
-    const BufferHandle counts = graph.buffer("counts of " + name, 4 * scope_counts(scope, columns));
-    ScopePicture out;
-    out.counts = scope.bins == ScopeBins::columns
-                     ? count_columns(graph, picture, scope, range, columns, counts)
-                     : count_privately(graph, picture, scope, range, counts);
-
     Pass pass = graph.compute("draw " + name, drawing_shader(scope.bins));
-    pass.storage(out.counts);
-    out.picture = pass.write(graph.image(name, {Format::rgba8, size.width, size.height}));
+    pass.storage(counted.counts);
+    const ImageHandle picture =
+        pass.write(graph.image(name, {Format::rgba8, size.width, size.height}));
     if (scope.bins == ScopeBins::columns) {
         pass.constants({scope.planes, scope.is_overlaid ? 1U : 0U});
     }
@@ -103,10 +122,16 @@ ScopePicture add_scope(Graph& graph, ImageHandle picture, const Scope& scope, Co
     }
     const std::vector<LabelRow> rows = label_rows(labels);
     pass.storage(graph.data("figures of " + name, std::as_bytes(std::span<const LabelRow>(rows))));
-    pass.push(DrawPush{plot, columns, range.count, graph.image_desc(picture).height,
-                       drawing.logarithmic, static_cast<std::uint32_t>(labels.size())});
+    pass.push(DrawPush{plot, counted.columns, counted.width, counted.height, drawing.logarithmic,
+                       static_cast<std::uint32_t>(labels.size())});
     pass.dispatch_over(size.width, size.height);
-    return out;
+    return picture;
+}
+
+ScopePicture add_scope(Graph& graph, ImageHandle picture, const Scope& scope, const ScopeArea& area,
+                       const ScopeDrawing& drawing) {
+    const ScopeCounts counted = count_scope(graph, picture, scope, area, drawing);
+    return {counted.counts, draw_scope(graph, scope, counted, drawing)};
 }
 
 } // namespace preview

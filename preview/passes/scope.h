@@ -8,8 +8,15 @@
 
 namespace preview {
 
+/// What a scope has counted.
+struct [[nodiscard]] ScopeCounts {
+    BufferHandle counts;                 ///< shaped as Scope::bins says
+    std::uint32_t columns = 0;           ///< of ScopeBins::columns
+    std::uint32_t width = 0, height = 0; ///< of what was counted, in texels
+};
+
 struct [[nodiscard]] ScopePicture {
-    BufferHandle counts; ///< shaped as Scope::bins says
+    BufferHandle counts;
     ImageHandle picture; ///< rgba8
 };
 
@@ -20,12 +27,18 @@ struct ScopeDrawing {
     std::optional<FigureSize> room_for = std::nullopt;
 };
 
-/// Of those columns of an rgba8 `picture`. Every texel is counted once in each plane.
-ScopePicture add_scope(Graph& graph, ImageHandle picture, const Scope& scope, ColumnRange range,
+/// Counts that area of an rgba8 `picture`. Every texel of it is counted once in each plane.
+ScopeCounts count_scope(Graph& graph, ImageHandle picture, const Scope& scope,
+                        const ScopeArea& area, const ScopeDrawing& drawing);
+/// Draws what was counted, in this size or another.
+ImageHandle draw_scope(Graph& graph, const Scope& scope, const ScopeCounts& counted,
+                       const ScopeDrawing& drawing);
+/// Both.
+ScopePicture add_scope(Graph& graph, ImageHandle picture, const Scope& scope, const ScopeArea& area,
                        const ScopeDrawing& drawing);
 
 /// How many columns ScopeBins::columns counts: one for each texel of its plots' width, but no more
-/// than the picture has.
-std::uint32_t scope_columns(const Scope& scope, ColumnRange range, const ScopeDrawing& drawing);
+/// than the area has.
+std::uint32_t scope_columns(const Scope& scope, const ScopeArea& area, const ScopeDrawing& drawing);
 
 } // namespace preview

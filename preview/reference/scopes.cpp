@@ -19,19 +19,23 @@ std::size_t weighed(const int (&weights)[3], const std::uint8_t* rgb, int neutra
 } // namespace
 
 std::vector<std::uint32_t> scope_counts(const Scope& scope, std::span<const std::uint8_t> rgba,
-                                        std::uint32_t width, ColumnRange range,
+                                        std::uint32_t width, const ScopeArea& area,
                                         std::uint32_t columns) {
     std::vector<std::uint32_t> counts(preview::scope_counts(scope, columns));
-    const std::size_t height = rgba.size() / 4 / width;
-    for (std::size_t y = 0; y < height; ++y) {
-        for (std::size_t x = 0; x < range.count; ++x) {
-            const std::uint8_t* const rgb = &rgba[4 * (y * width + range.first + x)];
+    for (std::uint32_t row = 0; row < area.height; ++row) {
+        for (std::uint32_t i = 0; i < area.columns(); ++i) {
+            const std::uint32_t x = area.x + i % area.width + i / area.width * area.stride;
+            const std::uint32_t y = area.y + row;
+            if (!is_counted(area, x, y)) {
+                continue;
+            }
+            const std::uint8_t* const rgb = &rgba[4 * (std::size_t{y} * width + x)];
             const std::size_t luma = weighed(luma_weights, rgb, 0);
             switch (scope.bins) {
             case ScopeBins::columns:
                 for (std::size_t plane = 0; plane < scope.planes; ++plane) {
                     const std::size_t level = scope.planes == 1 ? luma : rgb[plane];
-                    const std::size_t column = x * columns / range.count;
+                    const std::size_t column = std::size_t{i} * columns / area.columns();
                     ++counts[(plane * columns + column) * scope_levels + level];
                 }
                 break;

@@ -12,7 +12,7 @@ namespace preview::reference {
 /// Of a picture of four 8-bit codes a texel, `width` texels wide. `columns` as scope_columns()
 /// says.
 std::vector<std::uint32_t> scope_counts(const Scope& scope, std::span<const std::uint8_t> rgba,
-                                        std::uint32_t width, ColumnRange range,
+                                        std::uint32_t width, const ScopeArea& area,
                                         std::uint32_t columns);
 
 } // namespace preview::reference

@@ -7,6 +7,7 @@
 #include "preview/window/app.h"
 #include "preview/window/autosave.h"
 #include "preview/window/following.h"
+#include "preview/window/frozen_scopes.h"
 #include "preview/window/gui.h"
 #include "preview/window/screen.h"
 #include "preview/window/thumbnail_shelf.h"
@@ -49,6 +50,7 @@ class App {
     void take_looks();
     void render(const panels::Rect& area);
     void draw_thumbnail();
+    void freeze_scopes(const FrameHandles& handles);
     FrameHandles declared(Graph& graph, const FrameInputs& inputs, FrameSettings& settings);
     void keep_look();
     /// "; the unsaved look is in PATH", or nothing.
@@ -71,6 +73,7 @@ class App {
     WindowEvents events_{window_.handle()};
     std::optional<Gui> gui_;
     std::optional<Screen> screen_;
+    FrozenScopes frozen_;
     panels::Ui ui_;
     editor::LookRequest requested_;
     bool baking_ = false;

@@ -115,6 +115,16 @@ void App::draw_thumbnail() {
     frames_due_ = is_more ? std::max(frames_due_, 1) : frames_due_;
 }
 
+/// From the next frame on they show what this one has counted.
+void App::freeze_scopes(const FrameHandles& handles) {
+    if (!frozen_.take(screen_->executor, handles, screen_->frozen)) {
+        ui_.scopes_frozen = false;
+        ui_.errors.push_back("show something that the scopes count before you freeze them" +
+                             (ui_.facts.no_scopes.empty() ? "" : ": " + ui_.facts.no_scopes));
+    }
+    wake();
+}
+
 void App::render(const panels::Rect& area) {
     Screen& screen = *screen_;
     const vk::Extent2D window = screen.swapchain.extent();
@@ -127,8 +137,13 @@ void App::render(const panels::Rect& area) {
     for (std::size_t i = 0; i < scopes.size(); ++i) {
         settings.scope_sizes[i] = {scope_places[i].extent.width, scope_places[i].extent.height};
     }
+    if (!ui_.scopes_frozen) {
+        frozen_.thaw();
+    }
+    settings.keeps_scopes = ui_.scopes_frozen && !frozen_.is_frozen();
     const editor::State& state = ui_.history.draft();
     FrameInputs inputs = frame_inputs();
+    inputs.kept_scopes = frozen_.on(screen.device, screen.frozen);
     const std::array names{title_of(state.sides[0]), title_of(state.sides[1])};
     inputs.names = {names[0], names[1]};
     inputs.hdr_maximum = reader_.hdr_maximum_for(settings, state.lights, state.surroundings);
@@ -167,6 +182,9 @@ void App::render(const panels::Rect& area) {
     }
     if (reader_.read(screen.executor, graph, handles, ui_)) {
         frames_due_ = std::max(frames_due_, 1);
+    }
+    if (settings.keeps_scopes) {
+        freeze_scopes(handles);
     }
     drawn_ = std::move(graph);
 }

@@ -5,6 +5,7 @@
 #include "preview/frame/shown.h"
 #include "preview/graph/execute.h"
 #include "preview/look/look_slot.h"
+#include "preview/window/frozen_scopes.h"
 #include "preview/window/overlay.h"
 #include "preview/window/thumbnail_cells.h"
 #include "preview/window/window.h"
@@ -33,6 +34,7 @@ struct Screen {
     Executor executor;
     std::optional<GpuShown> shown;
     std::array<LookSlot, 2> looks;
+    FrozenCounts frozen;
     std::optional<ThumbnailCells> thumbnails; ///< once one was asked for
     Overlay overlay;                          ///< the last: its end waits for the GPU
 };

@@ -25,6 +25,7 @@ constexpr KeyName keys[] = {
     {GLFW_KEY_A, editor::Key::a},
     {GLFW_KEY_B, editor::Key::b},
     {GLFW_KEY_E, editor::Key::e},
+    {GLFW_KEY_F, editor::Key::f},
     {GLFW_KEY_D, editor::Key::d},
     {GLFW_KEY_L, editor::Key::l},
     {GLFW_KEY_PAGE_UP, editor::Key::page_up},

@@ -73,6 +73,7 @@ FrameSettings window_settings(const panels::Ui& ui, FrameSettings given, Size ou
         settings.heat_scale = heat_scale_for(*ui.facts.measured.figures);
     }
     settings.scope_side = state.scopes_seen.side;
+    settings.scope_region = state.scopes_seen.region;
     settings.scope_logarithmic = state.scopes_seen.logarithmic;
     settings.scope_figures = ui.scope_figures;
     if (ui.pointer) {
@@ -103,8 +104,29 @@ std::optional<float> FrameReader::hdr_maximum_for(const FrameSettings& settings,
     return hdr_maximum_;
 }
 
+namespace {
+
+/// Why no scope counts that somebody looks at.
+std::string_view no_scopes_because(const Graph& graph, const panels::Ui& ui) {
+    const editor::ScopeChoice& choice = ui.history.draft().scopes_seen;
+    for (const Withheld& item : graph.withheld()) {
+        const Scope* const scope = lutlib::find_named(scopes, item.name);
+        if (scope != nullptr && choice.seen[index_of(*scope)]) {
+            return item.reason;
+        }
+    }
+    return {};
+}
+
+} // namespace
+
 bool FrameReader::read(Executor& executor, const Graph& graph, const FrameHandles& handles,
                        panels::Ui& ui) {
+    const std::string_view no_scopes = no_scopes_because(graph, ui);
+    const bool is_news = ui.facts.no_scopes != no_scopes;
+    if (is_news) {
+        ui.facts.no_scopes = no_scopes;
+    }
     ui.facts.explanation = explain(graph, executor.plan()) + order_text(handles);
     if (ui.shows_passes) {
         ui.facts.passes.clear();
@@ -132,7 +154,7 @@ bool FrameReader::read(Executor& executor, const Graph& graph, const FrameHandle
         measured.axis_counts = words_of(executor.finished_buffer("axis counts"));
     }
     if (measured == ui.facts.measured) {
-        return false;
+        return is_news;
     }
     ui.facts.measured = std::move(measured);
     return true;

@@ -260,6 +260,19 @@ TEST(Options, show_a_scope_in_its_own_size_or_the_one_given) {
     EXPECT_EQ(own.scope_logarithmic, false);
     const FrameSettings given = settings("--scope parade --scope-size 30x20");
     EXPECT_EQ(given.scope_sizes[index_of(*given.scope)], (Size{30, 20}));
+    EXPECT_EQ(own.scope_region, ScopeRegion{});
+    // Of a picture of 400x200, also where it is shown beside itself.
+    for (const char* compare : {"a", "side"}) {
+        EXPECT_EQ(settings(std::string("--scope parade --scope-region 40,50,100,150 --compare ") +
+                               compare,
+                           picture)
+                      .scope_region,
+                  (ScopeRegion{0.1F, 0.25F, 0.25F, 0.75F}));
+    }
+    for (const char* wrong : {"", "1", "1,2", "1,2,3", "1,2,3,4,5", "0,0,0,1", "0,0,1,0",
+                              "-1,0,2,2", "300,0,101,1", "0,1,1,200", "a,b,c,d", "1,2,3,4 "}) {
+        EXPECT_THROW(parse_region("--scope-region", wrong, picture), lutlib::UsageError) << wrong;
+    }
 }
 
 TEST(Options, give_a_picture_its_own_size_or_its_proportions_within_the_one_given) {

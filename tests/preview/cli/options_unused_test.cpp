@@ -18,8 +18,8 @@ TEST(Options, that_change_nothing_in_a_run_are_said) {
     const std::string run = "--headless -o x.png --b look.cube ";
     for (const char* const flag :
          {"--engine-a unity", "--look-input-a srgb", "--cube-nodes 5", "--scope-size 64x64",
-          "--scope-side a", "--frames 5", "--frame-rate 30", "--resume", "--exr picture",
-          "--font x.ttf", "--watch-engine-folder x", "--heat-scale 8"}) {
+          "--scope-side a", "--scope-region 1,1,2,2", "--frames 5", "--frame-rate 30", "--resume",
+          "--exr picture", "--font x.ttf", "--watch-engine-folder x", "--heat-scale 8"}) {
         const std::vector<std::string> lines = said(run + flag);
         ASSERT_EQ(lines.size(), 1U) << flag;
         const std::string text(flag), option = text.substr(0, text.find(' '));

@@ -45,8 +45,6 @@ TEST(Wipe, has_a_on_the_side_that_its_angle_says) {
     EXPECT_FALSE(a_at(45, 190, 90));
     // Upright it is exact, as it was before it could be turned.
     EXPECT_EQ(wipe_shape({.split = 0.25F}, compare_split, size), (WipeShape{1, 0, 50, 0}));
-    EXPECT_TRUE(is_upright({.split_angle = 360}));
-    EXPECT_FALSE(is_upright({.split_angle = 180}));
 }
 
 TEST(Wipe, is_where_the_mouse_takes_it) {

@@ -32,6 +32,10 @@ RgbaCodes flat(std::uint32_t width, std::uint32_t height, std::array<std::uint8_
     return codes;
 }
 
+ScopeArea all_of(std::uint32_t width, std::uint32_t height) {
+    return {.width = width, .height = height};
+}
+
 class EveryScope : public FinishTest, public testing::WithParamInterface<Scope> {
   protected:
     struct Result {
@@ -39,13 +43,13 @@ class EveryScope : public FinishTest, public testing::WithParamInterface<Scope> 
         RgbaCodes picture; ///< the drawing
     };
 
-    static Result run(const RgbaCodes& codes, std::uint32_t width, ColumnRange range,
+    static Result run(const RgbaCodes& codes, std::uint32_t width, const ScopeArea& area,
                       const ScopeDrawing& drawn) {
         const auto height = static_cast<std::uint32_t>(codes.size() / 4 / width);
         const gpu::Image image = upload({Format::rgba8, width, height}, codes);
         Graph graph;
         const ScopePicture out =
-            add_scope(graph, graph.import("codes", image, image.desc()), GetParam(), range, drawn);
+            add_scope(graph, graph.import("codes", image, image.desc()), GetParam(), area, drawn);
         graph.present(out.counts);
         graph.present(out.picture);
         Executor executor(device());
@@ -55,9 +59,9 @@ class EveryScope : public FinishTest, public testing::WithParamInterface<Scope> 
     }
 
     static std::vector<std::uint32_t> wanted(const RgbaCodes& codes, std::uint32_t width,
-                                             ColumnRange range, Size size) {
-        return reference::scope_counts(GetParam(), codes, width, range,
-                                       scope_columns(GetParam(), range, {size}));
+                                             const ScopeArea& area, Size size) {
+        return reference::scope_counts(GetParam(), codes, width, area,
+                                       scope_columns(GetParam(), area, {size}));
     }
 };
 
@@ -66,23 +70,66 @@ constexpr Size drawing{301, 203};
 TEST_P(EveryScope, counts_what_its_twin_counts_and_each_texel_once_in_each_plane) {
     struct Picture {
         std::uint32_t width, height;
-        ColumnRange range;
+        ScopeArea area;
     };
-    for (const Picture& picture : {Picture{1, 1, {0, 1}},
-                                   {1, 37, {0, 1}},
-                                   {613, 1, {0, 613}},
-                                   {257, 131, {0, 257}},
-                                   {640, 400, {0, 640}},
-                                   {257, 131, {100, 33}},
-                                   {64, 64, {63, 1}}}) {
+    for (const Picture& picture : {Picture{1, 1, all_of(1, 1)},
+                                   {1, 37, all_of(1, 37)},
+                                   {613, 1, all_of(613, 1)},
+                                   {257, 131, all_of(257, 131)},
+                                   {640, 400, all_of(640, 400)},
+                                   {257, 131, {.x = 100, .width = 33, .height = 131}},
+                                   {257, 131, {.x = 100, .y = 20, .width = 33, .height = 110}},
+                                   {257, 131, {.x = 256, .y = 130, .width = 1, .height = 1}},
+                                   {64, 64, {.x = 63, .width = 1, .height = 64}}}) {
         SCOPED_TRACE(std::to_string(picture.width) + "x" + std::to_string(picture.height));
         const RgbaCodes codes = noise(picture.width, picture.height, picture.width);
-        const auto got = run(codes, picture.width, picture.range, {drawing}).counts;
-        EXPECT_EQ(got, wanted(codes, picture.width, picture.range, drawing));
+        const auto got = run(codes, picture.width, picture.area, {drawing}).counts;
+        EXPECT_EQ(got, wanted(codes, picture.width, picture.area, drawing));
         const std::uint64_t planes = GetParam().bins == ScopeBins::chroma ? 1 : GetParam().planes;
         EXPECT_EQ(std::accumulate(got.begin(), got.end(), std::uint64_t{0}),
-                  planes * picture.range.count * picture.height);
+                  planes * picture.area.width * picture.area.height);
     }
+}
+
+// Every way in which a comparison divides a picture, at angles that no texel's edge has.
+TEST_P(EveryScope, counts_one_side_of_any_border_as_its_twin_does) {
+    constexpr std::uint32_t width = 257, height = 131;
+    const RgbaCodes codes = noise(width, height, 5);
+    const std::uint64_t planes = GetParam().bins == ScopeBins::chroma ? 1 : GetParam().planes;
+    for (const Compare* compare : {&compare_split, &compare_box}) {
+        for (const float angle : {0.0F, 17.3F, 45.0F, 90.0F, 211.7F, 270.0F}) {
+            const Wipe wipe{.split = 0.41F, .split_angle = angle, .box_width = angle / 300};
+            for (std::size_t side = 1; side < scope_sides.size(); ++side) {
+                SCOPED_TRACE(std::string(compare->name) + " " + std::to_string(angle) + " " +
+                             std::string(scope_sides[side].name));
+                const ScopeArea area =
+                    scope_area(scope_sides[side], *compare, wipe, {}, {width, height});
+                if (area.is_empty()) {
+                    EXPECT_EQ(angle, 0) << "a box without width has no inside";
+                    continue;
+                }
+                const auto got = run(codes, width, area, {drawing}).counts;
+                EXPECT_EQ(got, wanted(codes, width, area, drawing));
+                std::uint64_t texels = 0;
+                for (std::uint32_t i = 0; i < area.width * area.height; ++i) {
+                    texels += is_counted(area, area.x + i % area.width, area.y + i / area.width);
+                }
+                EXPECT_EQ(std::accumulate(got.begin(), got.end(), std::uint64_t{0}),
+                          planes * texels);
+            }
+        }
+    }
+}
+
+TEST_P(EveryScope, counts_a_rectangle_in_both_pictures_side_by_side) {
+    constexpr std::uint32_t width = 2 * 90, height = 40;
+    const RgbaCodes codes = noise(width, height, 9);
+    const ScopeArea area{.x = 7, .y = 3, .width = 31, .height = 20, .copies = 2, .stride = 90};
+    const auto got = run(codes, width, area, {drawing}).counts;
+    EXPECT_EQ(got, wanted(codes, width, area, drawing));
+    const std::uint64_t planes = GetParam().bins == ScopeBins::chroma ? 1 : GetParam().planes;
+    EXPECT_EQ(std::accumulate(got.begin(), got.end(), std::uint64_t{0}),
+              planes * 2 * area.width * area.height);
 }
 
 TEST_P(EveryScope, counts_black_white_and_full_colors_in_their_outermost_places) {
@@ -93,8 +140,8 @@ TEST_P(EveryScope, counts_black_white_and_full_colors_in_their_outermost_places)
                                                   {0, 0, 255, 255},
                                                   {0, 255, 0, 0}}) {
         const RgbaCodes codes = flat(300, 70, code);
-        const auto got = run(codes, 300, {0, 300}, {drawing}).counts;
-        EXPECT_EQ(got, wanted(codes, 300, {0, 300}, drawing));
+        const auto got = run(codes, 300, all_of(300, 70), {drawing}).counts;
+        EXPECT_EQ(got, wanted(codes, 300, all_of(300, 70), drawing));
         if (GetParam().bins == ScopeBins::chroma && code[0] == code[1] && code[1] == code[2]) {
             EXPECT_EQ(got[128 * 256 + 128], 300U * 70);
         }
@@ -111,24 +158,24 @@ TEST_P(EveryScope, counts_the_codes_that_broken_light_became) {
         add_finish(graph, {graph.import("colours", image, image.desc()), {}, nullptr, nullptr, {}})
             .picture;
     const Size size = size_of(graph, picture);
-    const ColumnRange range{0, size.width};
-    const ScopePicture scope = add_scope(graph, picture, GetParam(), range, {drawing});
+    const ScopeArea area = all_of(size.width, size.height);
+    const ScopePicture scope = add_scope(graph, picture, GetParam(), area, {drawing});
     graph.present(picture);
     graph.present(scope.counts);
     Executor executor(device());
     executor.render(graph);
     EXPECT_EQ(as<std::uint32_t>(executor.read_buffer(scope.counts)),
-              wanted(as<std::uint8_t>(executor.read_image(picture)), size.width, range, drawing));
+              wanted(as<std::uint8_t>(executor.read_image(picture)), size.width, area, drawing));
 }
 
 TEST_P(EveryScope, draws_in_any_size_and_another_picture_for_other_codes) {
     const RgbaCodes dark = flat(40, 30, {20, 24, 60, 255}), bright = noise(40, 30, 3);
     for (const Size size : {Size{1, 1}, {7, 3}, {64, 200}, {640, 360}}) {
         for (const bool logarithmic : {false, true}) {
-            const auto a = run(dark, 40, {0, 40}, {size, logarithmic}).picture;
+            const auto a = run(dark, 40, all_of(40, 30), {size, logarithmic}).picture;
             ASSERT_EQ(a.size(), std::size_t{4} * size.width * size.height);
             if (size.width == 640) {
-                EXPECT_NE(a, run(bright, 40, {0, 40}, {size, logarithmic}).picture);
+                EXPECT_NE(a, run(bright, 40, all_of(40, 30), {size, logarithmic}).picture);
             }
         }
     }
@@ -138,7 +185,7 @@ TEST_P(EveryScope, draws_in_any_size_and_another_picture_for_other_codes) {
 TEST_P(EveryScope, has_its_own_figures_unless_room_for_others_is_asked_for) {
     const RgbaCodes codes = flat(40, 30, {20, 20, 20, 255});
     const auto inked = [&](const ScopeDrawing& drawn) {
-        const RgbaCodes picture = run(codes, 40, {0, 40}, drawn).picture;
+        const RgbaCodes picture = run(codes, 40, all_of(40, 30), drawn).picture;
         int count = 0;
         for (std::size_t i = 0; i < picture.size(); i += 4) {
             count += picture[i] == 184 && picture[i + 1] == 163 && picture[i + 2] == 117 ? 1 : 0;
@@ -172,8 +219,8 @@ TEST_P(EveryScope, marks_clipped_texels_where_they_are_and_nothing_else) {
         const std::size_t at = (static_cast<std::size_t>(y) * drawing.width + x) * 4;
         return picture[at] < 100 && picture[at + 2] > 200;
     };
-    const RgbaCodes clipped = run(thirds({0, 128, 255}), 30, {0, 30}, {drawing}).picture;
-    const RgbaCodes whole = run(thirds({1, 128, 254}), 30, {0, 30}, {drawing}).picture;
+    const RgbaCodes clipped = run(thirds({0, 128, 255}), 30, all_of(30, 10), {drawing}).picture;
+    const RgbaCodes whole = run(thirds({1, 128, 254}), 30, all_of(30, 10), {drawing}).picture;
     const int left = plot.x + 1, right = plot.x + plot.width - 2, top = plot.y;
     const int middle = plot.x + plot.width / 2;
     const int bottom = GetParam().bins == ScopeBins::levels ? top : plot.y + plot.height - 1;
@@ -188,42 +235,6 @@ TEST_P(EveryScope, marks_clipped_texels_where_they_are_and_nothing_else) {
 INSTANTIATE_TEST_SUITE_P(Table, EveryScope, testing::ValuesIn(scopes),
                          [](const auto& row) { return std::string(row.param.name); });
 
-TEST(ScopeRangeTest, of_a_side_has_no_column_of_the_other_nor_of_the_line) {
-    constexpr std::uint32_t width = 200, height = 2160;
-    const ScopeSide &a = scope_sides[1], &b = scope_sides[2];
-    for (const Compare& compare : compares) {
-        for (const float split : {0.0F, 0.3F, 0.5F, 1.0F}) {
-            SCOPED_TRACE(std::string(compare.name) + " " + std::to_string(split));
-            const auto range = [&](const ScopeSide& side) {
-                return scope_range(side, compare, split, width, height);
-            };
-            const bool heat = &compare == &compare_difference;
-            EXPECT_EQ(range(scope_side_shown), heat ? ColumnRange{} : (ColumnRange{0, width}));
-            EXPECT_LE(range(a).first + range(a).count, width);
-            EXPECT_LE(range(b).first + range(b).count, width);
-            if (heat || !compare.shows_a || !compare.shows_b) {
-                EXPECT_EQ(range(a).count, compare.shows_a && !heat ? width : 0);
-                EXPECT_EQ(range(b).count, compare.shows_b && !heat ? width : 0);
-                continue;
-            }
-            EXPECT_LE(range(a).count, range(b).first);
-            if (&compare == &compare_side) {
-                EXPECT_EQ(range(a), (ColumnRange{0, 100}));
-                EXPECT_EQ(range(b), (ColumnRange{100, 100}));
-            } else if (split == 0.5F) {
-                // The line is four texels wide at 2160 lines; antialiasing takes one more each
-                // side.
-                EXPECT_EQ(range(a), (ColumnRange{0, 97}));
-                EXPECT_EQ(range(b), (ColumnRange{103, 97}));
-            } else if (split == 0.0F) {
-                EXPECT_EQ(range(a).count, 0U);
-            } else if (split == 1.0F) {
-                EXPECT_EQ(range(b).count, 0U);
-            }
-        }
-    }
-}
-
 TEST(ScopeTwinTest, luma_and_differences_lie_within_half_a_code_of_bt709) {
     for (int r = 0; r < 256; r += 15) {
         for (int g = 0; g < 256; g += 15) {
@@ -231,12 +242,12 @@ TEST(ScopeTwinTest, luma_and_differences_lie_within_half_a_code_of_bt709) {
                 const RgbaCodes code{static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
                                      static_cast<std::uint8_t>(b), 0};
                 const double luma = 0.2126 * r + 0.7152 * g + 0.0722 * b;
-                const auto waveform = reference::scope_counts(scopes[0], code, 1, {0, 1}, 1);
+                const auto waveform = reference::scope_counts(scopes[0], code, 1, all_of(1, 1), 1);
                 const auto level =
                     std::find(waveform.begin(), waveform.end(), 1U) - waveform.begin();
                 // Half a code of rounding, and 3 weights that are each 2^-17 off.
                 EXPECT_NEAR(static_cast<double>(level), luma, 0.506);
-                const auto chroma = reference::scope_counts(scopes[3], code, 1, {0, 1}, 1);
+                const auto chroma = reference::scope_counts(scopes[3], code, 1, all_of(1, 1), 1);
                 const auto place = std::find(chroma.begin(), chroma.end(), 1U) - chroma.begin();
                 // The largest difference, 127.5, rounds to a code that 8 bits do not have.
                 EXPECT_NEAR(static_cast<double>(place % 256) - 128, (b - luma) / 1.8556, 0.506);

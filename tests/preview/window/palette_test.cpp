@@ -49,6 +49,13 @@ TEST(Palette, commands_change_what_they_say) {
     EXPECT_TRUE(ui.history.draft().without.has(Effect::names));
     act("part frame names");
     EXPECT_FALSE(ui.history.draft().without.has(Effect::names));
+    act("scopes: drag the region");
+    EXPECT_TRUE(ui.region_drag);
+    ui.history.draft().scopes_seen.region = {0.1F, 0.2F, 0.3F, 0.4F};
+    act("scopes: count all");
+    EXPECT_EQ(ui.history.draft().scopes_seen.region, ScopeRegion{});
+    act("freeze the scopes");
+    EXPECT_TRUE(ui.scopes_frozen);
     act("panel: Cube");
     EXPECT_EQ(panel_names()[ui.panel], "Cube");
 }

@@ -82,7 +82,7 @@ LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side, const Picture
             {look_data(baked.picture, baked.size, *side.engine), {}, {}, table_of(baked)}, where);
     }
     }
-    return {no_look(), "there is none", {}, nullptr};
+    return no_look_of(picture);
 }
 
 LookBaker::LookBaker(std::function<void()> on_ready)

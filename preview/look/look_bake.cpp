@@ -93,9 +93,16 @@ Lut without_lattice(Lut look, const GpuLookup& lookup) {
 
 void set_standing(LoadedLook& look, const LookStanding& standing) {
     look.data.conversion = standing.conversion;
+    look.shown = standing.shown;
     if (standing.conversion && look.table) {
         look.skip_reason.clear();
     }
+}
+
+LoadedLook no_look_of(const PictureCodes& picture) {
+    LoadedLook look{no_look(), "there is none", {}, nullptr};
+    look.shown = picture.encoding;
+    return look;
 }
 
 std::shared_ptr<const Lut> table_of(const lutlib::Bake& baked) {

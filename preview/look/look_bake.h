@@ -22,6 +22,7 @@ struct LoadedLook {
     /// What the reading of its file lost, guessed or did not act on, a line each.
     std::vector<std::string> told{};
     std::string encodings{}; ///< what of its encodings is known and follows, a sentence
+    lutlib::Encoding shown = lutlib::srgb(); ///< what the codes are that are shown of it
 };
 
 /// Puts the look where it stands. One before the tone map is never left out, as it ends the light,
@@ -30,6 +31,9 @@ void set_standing(LoadedLook& look, const LookStanding& standing);
 
 /// The lattice that a baked picture holds, of values as its engine's sampler sees them.
 std::shared_ptr<const lutlib::Lut> table_of(const lutlib::Bake& baked);
+
+/// What shows such a picture as it is.
+LoadedLook no_look_of(const PictureCodes& picture);
 
 /// A lattice whose channels do not mix is three curves, which a lookup that interpolates in floats
 /// reads at a fraction of the price: each channel within 1e-6, everywhere. Any other look as it is.

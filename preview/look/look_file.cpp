@@ -82,7 +82,7 @@ std::string look_title(const std::string& path) {
 
 LoadedLook load_look(const std::string& path, const LookUse& use) {
     if (path.empty() || path == "none") {
-        return {no_look(), "there is none", {}, nullptr};
+        return no_look_of(use.picture);
     }
     const lutlib::Engine* const engine = use.lookup != nullptr ? use.lookup->engine : nullptr;
     return look_for(lutlib::io::Look::open(path, {.engine = engine, .encodings = use.encodings}),

@@ -90,6 +90,16 @@ std::string mismatch_of(const lutlib::LookEncodings& look, bool is_before,
     return "";
 }
 
+/// Behind a tone map, and of a look whose results nobody knows: the picture's own.
+Encoding shown_encoding(const LookStanding& standing, const PictureCodes& picture) {
+    if (standing.conversion) {
+        return standing.conversion->is_picture ? lutlib::srgb() : picture.encoding;
+    }
+    return standing.place.applied().converts()
+               ? lutlib::srgb()
+               : standing.place.look.output.value_or(picture.encoding);
+}
+
 void add(std::string& text, const std::string& more) {
     text += text.empty() || more.empty() ? more : "; " + more;
 }
@@ -121,6 +131,7 @@ LookStanding standing_of(const lutlib::LookEncodings& look, const GpuLookup* loo
             out.place = {look, out.conversion->fed, out.conversion->gives, true};
         }
     }
+    out.shown = shown_encoding(out, picture);
     const std::string mismatch = mismatch_of(look, out.is_before(), picture);
     add(out.sentence, mismatch);
     out.is_told = out.is_told || !mismatch.empty();

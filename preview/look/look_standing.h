@@ -43,6 +43,8 @@ struct LookStanding {
     std::optional<LookConversion> conversion;
     /// Among what codes the look's table stands: what must be converted in the table itself.
     lutlib::LookPlace place;
+    /// What the codes are that are shown of it.
+    lutlib::Encoding shown = lutlib::srgb();
     /// What follows, a sentence without its full stop.
     std::string sentence;
     /// The look is not fed what it is made for, or that is not known, or something is converted.

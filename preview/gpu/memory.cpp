@@ -177,6 +177,14 @@ Image make_image(const Device& device, const ImageDesc& desc, std::span<const st
     return image;
 }
 
+Image make_target(const Device& device, const ImageDesc& desc) {
+    Image image(device, desc, vk::ImageUsageFlagBits::eStorage);
+    device.run_once([&](const vk::raii::CommandBuffer& commands) {
+        move_layout(commands, image, vk::ImageLayout::eUndefined, vk::ImageLayout::eGeneral);
+    });
+    return image;
+}
+
 Buffer make_buffer(const Device& device, std::span<const std::byte> bytes) {
     using Usage = vk::BufferUsageFlagBits;
     Buffer buffer(device, bytes.size(),

@@ -88,6 +88,9 @@ void move_layout(const vk::raii::CommandBuffer& commands, const Image& image, vk
 /// A sampled image with these texels, rows from the top, tightly packed in its format.
 Image make_image(const Device& device, const ImageDesc& desc, std::span<const std::byte> texels);
 
+/// An image that shaders may write, ready for that, without contents.
+Image make_target(const Device& device, const ImageDesc& desc);
+
 /// A storage, uniform and index buffer with these contents.
 Buffer make_buffer(const Device& device, std::span<const std::byte> bytes);
 

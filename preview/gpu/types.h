@@ -42,6 +42,11 @@ constexpr const FormatInfo& info(Format format) {
     return formats[static_cast<std::size_t>(format)];
 }
 
+/// Whether its texels are whole numbers.
+constexpr bool is_integer(Format format) {
+    return format == Format::rg16ui || format == Format::r32ui;
+}
+
 /// The shape of an image. A `depth` makes it three-dimensional (sampler3D), `layers` an array
 /// (sampler2DArray); with neither it is a plain sampler2D.
 struct ImageDesc {
@@ -67,13 +72,14 @@ inline constexpr int sampler_count = 5;
 
 /// What stands in for an image that the frame withholds.
 enum class Neutral : std::uint8_t {
-    black,     ///< 1x1, all channels 0
-    white,     ///< 1x1, all channels 1
-    black_3d,  ///< 1x1x1, all channels 0
-    lit,       ///< 1x1 depth array of one layer at the far plane: nothing is in shadow
-    no_buffer, ///< a storage or uniform buffer of zeros
+    black,         ///< 1x1, all channels 0
+    white,         ///< 1x1, all channels 1
+    black_3d,      ///< 1x1x1, all channels 0
+    lit,           ///< 1x1 depth array of one layer at the far plane: nothing is in shadow
+    black_integer, ///< 1x1 of whole numbers, 0
+    no_buffer,     ///< a storage or uniform buffer of zeros
 };
-inline constexpr int neutral_count = 5;
+inline constexpr int neutral_count = 6;
 
 /// Which descriptor a shader sees.
 enum class BindingType : std::uint8_t {

@@ -211,6 +211,19 @@ void Graph::refuse_overwriting_what_was_read(std::uint32_t version, std::string_
     }
 }
 
+std::optional<std::uint32_t> read_targets(const PassRecord& pass,
+                                          const std::vector<bool>& version_lives) {
+    std::optional<std::uint32_t> bits;
+    std::uint32_t bit = 1;
+    for (const Use& use : pass.uses) {
+        if (use.only_if_read) {
+            bits = bits.value_or(0) | (version_lives[use.version] ? bit : 0U);
+            bit <<= 1U;
+        }
+    }
+    return bits;
+}
+
 PassRecord& Pass::record() {
     return graph_->passes_[index_];
 }
@@ -292,6 +305,12 @@ ImageHandle Pass::write(ImageHandle image) {
 
 BufferHandle Pass::write(BufferHandle buffer) {
     return {add_write(buffer.version, written(BindingType::storage_buffer), false)};
+}
+
+ImageHandle Pass::write_if_read(ImageHandle image) {
+    Use use = written(BindingType::storage_image);
+    use.only_if_read = true;
+    return {add_write(image.version, use, false)};
 }
 
 ImageHandle Pass::modify(ImageHandle image) {

@@ -51,6 +51,7 @@
 #include <cstring>
 #include <functional>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -146,7 +147,8 @@ struct Use {
     Neutral neutral = Neutral::black;
     std::uint32_t layer = 0; ///< of an attachment
     bool writes = false;
-    bool clears = false; ///< an attachment that starts from `clear`
+    bool only_if_read = false; ///< see Pass::write_if_read()
+    bool clears = false;       ///< an attachment that starts from `clear`
     std::array<float, 4> clear{};
     friend bool operator==(const Use&, const Use&) = default;
 };
@@ -179,6 +181,10 @@ struct PassRecord {
     friend bool operator==(const PassRecord&, const PassRecord&) = default;
 };
 
+/// The bits of the targets that are only written where they are read; nothing for a pass without.
+std::optional<std::uint32_t> read_targets(const PassRecord& pass,
+                                          const std::vector<bool>& version_lives);
+
 /// Something that the scene or the settings withheld before it became a pass.
 struct Withheld {
     std::string name;
@@ -199,6 +205,10 @@ class Pass {
     /// Overwrites all that is read later; earlier contents are lost. Returns the new version.
     ImageHandle write(ImageHandle image);
     BufferHandle write(BufferHandle buffer);
+    /// As write(); while nobody reads the image it gets no memory, and the shader must not write
+    /// it. It is told by a last specialisation constant of the pass, whose bits stand for its
+    /// targets of this kind in their order: 1 for one that is read.
+    ImageHandle write_if_read(ImageHandle image);
     /// Reads and writes; earlier contents count. Returns the new version.
     ImageHandle modify(ImageHandle image);
     BufferHandle modify(BufferHandle buffer);

@@ -200,9 +200,10 @@ class Planner {
         }
     }
 
-    /// A colour target that nobody reads is no part of its pass.
+    /// A colour target that nobody reads is no part of its pass, nor is one of write_if_read().
     bool dropped(const Use& use) const {
-        return use.access == Access::color_write && !plan_.version_lives[use.version];
+        return (use.access == Access::color_write || use.only_if_read) &&
+               !plan_.version_lives[use.version];
     }
 
     void sweep_forwards() {

@@ -75,6 +75,9 @@ gpu::PipelineKey key_of(const Graph& graph, const Plan& plan, const PassRecord& 
     key.constants = pass.constants;
     key.push_bytes = pass.push_bytes;
     key.state = pass.raster;
+    if (const std::optional<std::uint32_t> bits = read_targets(pass, plan.version_lives)) {
+        key.constants.push_back(*bits);
+    }
     for (const Use& use : pass.uses) {
         if (use.binding != BindingType::none) {
             key.bindings.push_back(use.binding);
@@ -158,6 +161,10 @@ NeutralResources::NeutralResources(const gpu::Device& device)
     images.push_back(gpu::make_image(device, {Format::rgba8, 1, 1}, ones));
     images.push_back(gpu::make_image(device, {Format::rgba8, 1, 1, 1}, zeros));
     images.push_back(gpu::make_image(device, {Format::d32, 1, 1, 0, 1}, bytes_of(1)));
+    images.push_back(gpu::make_image(device, {Format::r32ui, 1, 1}, zeros));
+    for (const Format format : {Format::rgba8, Format::r32ui}) {
+        targets.push_back(gpu::make_target(device, {format, 1, 1}));
+    }
 }
 
 Realised::Realised(const gpu::Device& device, gpu::Pipelines& pipelines,
@@ -181,7 +188,7 @@ Realised::Realised(const gpu::Device& device, gpu::Pipelines& pipelines,
         }
         passes_[index].pipeline = &pipelines_.get(keys[index]);
         if (!keys[index].bindings.empty()) {
-            write_set(graph, pass, passes_[index]);
+            write_set(graph, pass, plan.version_lives, passes_[index]);
         }
     }
 }
@@ -348,7 +355,19 @@ void Realised::make_descriptor_pool(const std::vector<gpu::PipelineKey>& keys) {
     }
 }
 
-void Realised::write_set(const Graph& graph, const PassRecord& pass, RealisedPass& step) {
+const gpu::Image& Realised::bound_image(const Graph& graph, const Use& use,
+                                        const std::vector<bool>& version_lives) const {
+    if (use.version == Version::none) {
+        return neutral_.images[static_cast<std::size_t>(use.neutral)];
+    }
+    if (use.only_if_read && !version_lives[use.version]) {
+        return neutral_.targets[is_integer(graph.resource_of(use.version).image.format) ? 1 : 0];
+    }
+    return image(graph, use.version);
+}
+
+void Realised::write_set(const Graph& graph, const PassRecord& pass,
+                         const std::vector<bool>& version_lives, RealisedPass& step) {
     vk::raii::DescriptorSets sets(device_.vk(), {*descriptors_, *step.pipeline->set_layout});
     step.set = std::move(sets.front());
     std::vector<vk::DescriptorImageInfo> images(pass.uses.size());
@@ -364,9 +383,7 @@ void Realised::write_set(const Graph& graph, const PassRecord& pass, RealisedPas
                                      gpu::descriptor_type(use.binding));
         if (use.binding == BindingType::sampled_image ||
             use.binding == BindingType::storage_image) {
-            const gpu::Image& bound = given
-                                          ? image(graph, use.version)
-                                          : neutral_.images[static_cast<std::size_t>(use.neutral)];
+            const gpu::Image& bound = bound_image(graph, use, version_lives);
             images[index] = vk::DescriptorImageInfo(pipelines_.sampler(use.sampler), bound.view(),
                                                     vk_layout(layout_of(use.access)));
             write.pImageInfo = &images[index];

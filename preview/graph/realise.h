@@ -39,6 +39,9 @@ using DataBlocks = std::map<std::string, DataBlock>;
 struct NeutralResources {
     explicit NeutralResources(const gpu::Device& device);
     std::vector<gpu::Image> images;
+    /// Where nothing is written, of numbers and of whole numbers: in place of targets that nobody
+    /// reads.
+    std::vector<gpu::Image> targets;
     gpu::Buffer buffer;
 };
 
@@ -81,7 +84,10 @@ class Realised {
               std::span<const Extent> extents);
     void make_data_blocks(const Graph& graph);
     void make_descriptor_pool(const std::vector<gpu::PipelineKey>& keys);
-    void write_set(const Graph& graph, const PassRecord& pass, RealisedPass& step);
+    const gpu::Image& bound_image(const Graph& graph, const Use& use,
+                                  const std::vector<bool>& version_lives) const;
+    void write_set(const Graph& graph, const PassRecord& pass,
+                   const std::vector<bool>& version_lives, RealisedPass& step);
 
     const gpu::Device& device_;
     gpu::Pipelines& pipelines_;

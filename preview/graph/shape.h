@@ -26,6 +26,7 @@ inline void add_binding(ByteText& text, const Use& use) {
     text.add(use.neutral);
     text.add(use.layer);
     text.add(use.writes);
+    text.add(use.only_if_read);
 }
 
 inline void add_raster_state(ByteText& text, const RasterState& state) {

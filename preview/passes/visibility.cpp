@@ -117,12 +117,12 @@ GBuffer add_visibility(Graph& graph, const SceneHandles& scene, Size size,
     pass.uniform(scene.view);
     pass.storage(keys);
     GBuffer out;
-    out.normal = pass.write(target("normal", Format::rg16ui));
-    out.material = pass.write(target("material", Format::r32ui));
+    out.normal = pass.write_if_read(target("normal", Format::rg16ui));
+    out.material = pass.write_if_read(target("material", Format::r32ui));
     out.depth = pass.write(depth_image(graph, Format::r32f, size, keeps_depth));
     if (has_detail) {
-        out.albedo = pass.write(target("albedo", Format::rgba16f));
-        out.emission = pass.write(target("emission", Format::rgba16f));
+        out.albedo = pass.write_if_read(target("albedo", Format::rgba16f));
+        out.emission = pass.write_if_read(target("emission", Format::rgba16f));
         read_detail(pass, scene);
     }
     pass.dispatch_over(size.width, size.height);

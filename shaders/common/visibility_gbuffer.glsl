@@ -5,6 +5,10 @@
 #include "common/normal_filter.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(constant_id = 0) const bool filters_normals = false;
+// Targets that the frame reads, by bits; the depth always is.
+layout(constant_id = 1) const uint read_targets = 15u;
+const bool writes_normal = (read_targets & 1u) != 0u, writes_material = (read_targets & 2u) != 0u;
+const bool writes_albedo = (read_targets & 4u) != 0u, writes_emission = (read_targets & 8u) != 0u;
 layout(std430, binding = 0) readonly buffer Vertices { Vertex vertices[]; };
 layout(std430, binding = 1) readonly buffer Indices { uint indices[]; };
 layout(std430, binding = 2) readonly buffer Objects { Object objects[]; };
@@ -26,6 +30,27 @@ layout(std430, binding = 12) readonly buffer Materials { Material materials[]; }
 #include "common/triangle_detail.glsl"
 #endif
 
+void store(ivec2 at, vec3 normal, uint word, float depth) {
+    if (writes_normal) {
+        imageStore(normals, at, uvec4(to_bits(encode_octahedral(normal)), 0u, 0u));
+    }
+    if (writes_material) {
+        imageStore(material_numbers, at, uvec4(word));
+    }
+    imageStore(depths, at, vec4(depth));
+}
+
+#ifdef HAS_DETAIL
+void store_colors(ivec2 at, vec4 albedo, vec4 emission) {
+    if (writes_albedo) {
+        imageStore(albedos, at, albedo);
+    }
+    if (writes_emission) {
+        imageStore(emissions, at, emission);
+    }
+}
+#endif
+
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     ivec2 size = imageSize(depths);
@@ -34,12 +59,15 @@ void main() {
     }
     uvec2 key = keys[key_index(at, size)];
     if (key.y == ~0u) {
-        imageStore(normals, at, uvec4(0u));
-        imageStore(material_numbers, at, uvec4(0u));
+        if (writes_normal) {
+            imageStore(normals, at, uvec4(0u));
+        }
+        if (writes_material) {
+            imageStore(material_numbers, at, uvec4(0u));
+        }
         imageStore(depths, at, vec4(1.0));
 #ifdef HAS_DETAIL
-        imageStore(albedos, at, vec4(0.0));
-        imageStore(emissions, at, vec4(0.0));
+        store_colors(at, vec4(0.0), vec4(0.0));
 #endif
         return;
     }
@@ -76,12 +104,9 @@ void main() {
                            point.color, point.tangent, normal, coverage);
     s.roughness = filtered_roughness(s.roughness, added);
     uint word = pack_surface(s);
-    imageStore(albedos, at, vec4(s.albedo, 1.0));
-    imageStore(emissions, at, vec4(s.emission, 1.0));
+    store_colors(at, vec4(s.albedo, 1.0), vec4(s.emission, 1.0));
 #else
     uint word = (object.material.x + 1u) | (filters_normals ? pack_added(added) : 0u);
 #endif
-    imageStore(normals, at, uvec4(to_bits(encode_octahedral(normal)), 0u, 0u));
-    imageStore(material_numbers, at, uvec4(word));
-    imageStore(depths, at, vec4(uintBitsToFloat(key.y)));
+    store(at, normal, word, uintBitsToFloat(key.y));
 }

@@ -86,6 +86,29 @@ TEST(GraphTest, a_color_target_that_nobody_reads_gets_no_memory) {
     EXPECT_EQ(plan.steps[0].barriers.size(), 2U);
 }
 
+TEST(GraphTest, an_image_that_is_written_only_if_it_is_read_gets_no_memory_and_the_shader_is_told) {
+    Graph graph;
+    Pass pass = graph.compute("g-buffer", "x.comp");
+    std::ignore = pass.write_if_read(graph.image("normal", small));
+    const ImageHandle albedo = pass.write_if_read(graph.image("albedo", small));
+    std::ignore = pass.write(graph.image("depth", small));
+    const ImageHandle emission = pass.write_if_read(graph.image("emission", small));
+    const ImageHandle lit = node(graph, "lit", {albedo});
+    graph.present(lit);
+    const Plan plan = make_plan(graph);
+    EXPECT_NO_THROW(life(graph, plan, "albedo"));
+    EXPECT_NO_THROW(life(graph, plan, "depth")); // its pass writes it in any case
+    EXPECT_THROW(life(graph, plan, "normal"), std::runtime_error);
+    EXPECT_THROW(life(graph, plan, "emission"), std::runtime_error);
+    EXPECT_EQ(plan.steps[0].barriers.size(), 2U);
+    EXPECT_EQ(read_targets(graph.passes()[0], plan.version_lives), 2U);
+    EXPECT_EQ(read_targets(graph.passes()[1], plan.version_lives), std::nullopt);
+    graph.present(emission);
+    const Plan more = make_plan(graph);
+    EXPECT_NO_THROW(life(graph, more, "emission"));
+    EXPECT_EQ(read_targets(graph.passes()[0], more.version_lives), 6U);
+}
+
 TEST(GraphTest, reading_a_retired_version_is_an_error_that_names_both) {
     Graph graph;
     const ImageHandle first = node(graph, "picture", {});

@@ -113,6 +113,9 @@ void add_lights(Graph& graph, SceneHandles& handles, std::span<const PointLight>
     for (const PointLight& light : lights) {
         handles.area_shapes |= area_shape_of(light);
     }
+    handles.has_ends =
+        force_all || std::any_of(lights.begin(), lights.end(),
+                                 [](const PointLight& light) { return light.ends(); });
     handles.has_suns =
         force_all || std::any_of(lights.begin(), lights.end(),
                                  [](const PointLight& light) { return light.is_sun; });
@@ -151,10 +154,17 @@ DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const Frame
     const Scene& scene = *inputs.scene;
     const GpuScene& gpu_scene = *inputs.gpu_scene;
     const Surroundings surroundings = shown_surroundings(graph, inputs, settings);
-    const std::vector<PointLight> lights =
-        shining_lights(graph, lights_of(inputs, surroundings), settings);
-
     DeclaredScene out;
+    const auto no_floor =
+        settings.without.has(Effect::floor) ? scene.floor : std::optional<std::uint32_t>{};
+    out.takes_light = settings.force_all || scene.takes_light(no_floor);
+    std::vector<PointLight> lights;
+    if (out.takes_light) {
+        lights = shining_lights(graph, lights_of(inputs, surroundings), settings);
+    } else if (!settings.without.has(Effect::lights)) {
+        graph.withhold("lights", "every surface is unlit: no light changes any");
+    }
+
     out.shadows.are_kept = !settings.force_all;
     out.shadows.size = settings.shadow_size > 0 ? settings.shadow_size : scene.shadow_size;
     const std::vector<LightBlock> blocks = blocks_of(graph, lights, inputs, settings, out.shadows);
@@ -167,6 +177,7 @@ DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const Frame
     out.blended = draws_of(scene, gpu_scene.geometry, coverings.blended);
 
     out.handles = import_scene(graph, scene, gpu_scene, view);
+    out.handles.has_own_light |= settings.force_all;
     add_lights(graph, out.handles, lights, blocks, settings.force_all);
     add_environment(graph, out.handles, scene.environment);
     out.surroundings = declare_surroundings(graph, surroundings, inputs, settings);

@@ -15,6 +15,7 @@ struct DeclaredScene {
     SceneHandles handles;
     SurroundingsHandles surroundings;
     ShadowMaps shadows;
+    bool takes_light = true;           ///< some surface does; else no light has reached the frame
     std::vector<Draw> opaque, blended; ///< of what is visible; the farthest of the blended first
 };
 

@@ -20,6 +20,7 @@ struct DebugView {
     ImageHandle (*handle)(const FrameHandles& handles);
     View view;
     const GeometryView* geometry = nullptr; ///< drawn for this view alone, into handles.geometry
+    bool counts_lights = false; ///< counted for this view alone, into handles.light_counts
 };
 std::span<const DebugView> debug_views();
 const DebugView* debug_view_named(std::string_view name);

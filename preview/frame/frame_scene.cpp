@@ -29,7 +29,7 @@ bool keeps_depth(const FrameSettings& settings) {
 
 /// Empty where the frame has none; says why.
 ImageHandle occlusion_of(Graph& graph, const Scene& scene, const SceneHandles& declared,
-                         const GBuffer& surfaces, const FrameSettings& settings,
+                         const GBuffer& surfaces, const FrameSettings& settings, bool takes_light,
                          bool has_surroundings) {
     const float strength = std::clamp(settings.occlusion.strength * scene.occlusion, 0.0F, 2.0F);
     if (settings.without.has(Effect::occlusion)) {
@@ -37,6 +37,7 @@ ImageHandle occlusion_of(Graph& graph, const Scene& scene, const SceneHandles& d
     }
     const std::string_view reason = settings.occlusion.strength <= 0 ? "its strength is 0"
                                     : scene.occlusion <= 0 ? "the scene does not ask for it"
+                                    : !takes_light         ? "every surface is unlit"
                                     : !has_surroundings    ? "there is no light of surroundings"
                                                            : "";
     if (!reason.empty()) {
@@ -77,6 +78,7 @@ ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSet
     }
     handles.materials = declared.handles.materials;
     LightingInputs lighting;
+    lighting.takes_light = declared.takes_light;
     lighting.surfaces = handles.surfaces;
     lighting.shadow_maps = handles.shadow_maps;
     lighting.surroundings = declared.surroundings;
@@ -97,13 +99,19 @@ ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSet
         lit = picture.lit;
         lighting.surfaces.depth = handles.surfaces.depth = picture.depth;
     } else {
-        lighting.occlusion = handles.occlusion = occlusion_of(
-            graph, scene, declared.handles, handles.surfaces, settings, lighting.environment);
+        lighting.occlusion = handles.occlusion =
+            occlusion_of(graph, scene, declared.handles, handles.surfaces, settings,
+                         declared.takes_light, lighting.environment);
         lighting.lists_lights = !settings.force_all && may_list_lights(declared.handles);
         if (lighting.lists_lights) {
-            graph.withhold("lights beyond their cones", "tile by tile: none of it is lit by them");
+            graph.withhold("lights beyond their cones and reach",
+                           "tile by tile: none of it is lit by them");
         }
         lit = add_lighting(graph, declared.handles, lighting);
+        if (settings.view != nullptr && settings.view->counts_lights) {
+            lighting.counts_lights = true;
+            handles.light_counts = add_lighting(graph, declared.handles, lighting);
+        }
     }
     if (declared.blended.empty()) {
         graph.withhold("see-through surfaces", "nothing in the picture lets light through");

@@ -118,7 +118,7 @@ struct EffectPicture {
 struct FrameHandles {
     GBuffer surfaces;
     BufferHandle materials; ///< the scene's buffer
-    ImageHandle shadow_maps, occlusion, lit, hdr, bloom, graded, geometry;
+    ImageHandle shadow_maps, occlusion, lit, light_counts, hdr, bloom, graded, geometry;
     Bloomed bloomed;                   ///< `bloom` is its glow
     BufferHandle hdr_maximum, figures; ///< a picture that no resolve changes has no maximum
     std::array<ImageHandle, scopes.size()> scope_pictures; ///< of those looked at, presented

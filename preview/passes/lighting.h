@@ -13,10 +13,14 @@ struct LightingInputs {
     ImageHandle occlusion;   ///< of the surroundings; empty: there is none
     bool environment = true;
     bool lists_lights = false; ///< each tile evaluates those alone that can reach its surfaces
+    bool takes_light = true;   ///< some surface of the scene does; else they only give their own
+    /// In place of radiance how many lights each pixel evaluates.
+    bool counts_lights = false;
     SurroundingsHandles surroundings; ///< of the gradient: nothing but the scene's environment
 };
 
-/// Whether lists of lights are worth their making, and possible: there are many, with cones.
+/// Whether lists of lights are worth their making, and possible: there are many, with cones or a
+/// reach.
 bool may_list_lights(const SceneHandles& scene);
 
 /// Of every shader that includes shaders/common/lit_surface.glsl; `own` follow.

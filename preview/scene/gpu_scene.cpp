@@ -52,6 +52,7 @@ SceneHandles import_scene(Graph& graph, const Scene& scene, const GpuScene& gpu_
     out.objects = data_or_nothing(graph, "objects", object_blocks(scene));
     out.materials = data_or_nothing(graph, "materials", material_blocks(scene));
     out.view = graph.data_of("view", view);
+    out.has_own_light = scene.has_own_light();
     if (gpu_scene.detail) {
         const GpuDetail& detail = *gpu_scene.detail;
         out.detail.vertices =

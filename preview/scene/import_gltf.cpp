@@ -49,6 +49,7 @@ FileLight light_of(const json& given, const glm::mat4& place) {
     for (int c = 0; c < 3; ++c) {
         out.intensity[c] = std::max(color[c], 0.0F) * intensity;
     }
+    out.range = std::max(gltf_number(given, "range", 0), 0.0F);
     const json& spot = gltf_object(given, "spot");
     constexpr float widest = std::numbers::pi_v<float> / 2;
     out.outer_angle = std::clamp(gltf_number(spot, "outerConeAngle", widest / 2), 0.0F, widest);

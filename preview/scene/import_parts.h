@@ -14,8 +14,8 @@
 
 namespace preview {
 
-/// A coordinate beyond it is as good as infinite: its place is nowhere, and squares of areas must be
-/// floats.
+/// A coordinate beyond it is as good as infinite: its place is nowhere, and squares of areas must
+/// be floats.
 inline constexpr float most_coordinate = 1e9F;
 
 /// What is left out, counted.
@@ -66,6 +66,7 @@ struct FileLight {
     glm::mat4 place{1};     ///< it shines along its -z
     glm::vec3 intensity{1}; ///< candela, or lux of a sun; taken as radiance times m^2 and radiance
     float inner_angle = 0, outer_angle = 0; ///< half angles of a spot's cone, radians
+    float range = 0;                        ///< where it ends, in the file's metres; 0: nowhere
 };
 
 /// A file's scene in its own world.

@@ -118,6 +118,7 @@ PointLight light_of(const FileLight& given, const glm::dmat4& fit, const Ball& b
         const float scale = static_cast<float>(glm::length(glm::dvec3(fit[0])));
         light.position = glm::vec3(place[3]);
         light.intensity *= scale * scale;
+        light.reach = scale * given.range;
     }
     aim_shadow(light, ball);
     if (given.kind == FileLight::Kind::spot) {

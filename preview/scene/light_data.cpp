@@ -163,6 +163,7 @@ LightBlock light_block(const PointLight& light, const LightShadow& shadow, int f
         block.faces.x = shadow.faces;
     }
     block.up_thickness.w = light.thickness;
+    block.forward.w = light.ends() ? 1 / (light.reach * light.reach) : 0;
     block.extent_shape = glm::vec4(light.extent, static_cast<float>(light.shape));
     if (light.is_sun) {
         block.extent_shape =

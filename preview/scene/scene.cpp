@@ -30,6 +30,22 @@ bool Scene::has_emitter() const {
     });
 }
 
+bool Scene::has_own_light() const {
+    return std::any_of(objects.begin(), objects.end(), [&](const Object& object) {
+        const Material& material = materials[object.material];
+        return material.detail.is_unlit || material.emission != glm::vec3{0};
+    });
+}
+
+bool Scene::takes_light(std::optional<std::uint32_t> without) const {
+    for (std::uint32_t index = 0; index < objects.size(); ++index) {
+        if (index != without && !materials[objects[index].material].detail.is_unlit) {
+            return true;
+        }
+    }
+    return false;
+}
+
 Bounds Scene::bounds() const {
     Bounds all;
     for (const Object& object : objects) {

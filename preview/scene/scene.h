@@ -64,6 +64,10 @@ struct PointLight {
     float thickness = 0; ///< radius of the ball, the rod or the ring's tube
     bool is_point() const { return shape == Shape::point && thickness == 0; }
     bool shadows_all_round() const { return shadow_angle > 170; }
+    /// Metres from its middle at which it has faded to nothing, as KHR_lights_punctual's `range`
+    /// has it: the light times 1 - (d / reach)^4. 0: it reaches everywhere. Not of a sun.
+    float reach = 0;
+    bool ends() const { return reach > 0 && !is_sun; }
     friend bool operator==(const PointLight&, const PointLight&) = default;
 };
 
@@ -94,6 +98,10 @@ struct Scene {
     bool has_detail() const;
     bool has_casting_light() const;
     bool has_emitter() const;
+    /// Whether its surfaces give light off whatever shines on them, the unlit ones included.
+    bool has_own_light() const;
+    /// Whether light changes any object but `without`.
+    bool takes_light(std::optional<std::uint32_t> without = {}) const;
     Bounds bounds() const; ///< of every object, in world space
 };
 

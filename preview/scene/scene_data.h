@@ -86,9 +86,9 @@ struct LightBlock {
     glm::vec4 range{1, 0, 0, 0}; ///< y, z: near and far plane of its shadow maps; w: 1 of a sun
     glm::vec4 right_tangent{0};  ///< of a shadow map; w: of half its angle; a sun's: half its side
     glm::vec4 up_thickness{0};   ///< w: of a rod or ring
-    glm::vec4 forward{0};
-    glm::vec4 extent_shape{0}; ///< w: number of PointLight::Shape; a sun's: its map's origin
-    glm::uvec4 faces{0};       ///< x: of six maps those that show casters, by bits; 0: one map
+    glm::vec4 forward{0};        ///< of a shadow map; w: 1 / reach^2 of a light that ends, else 0
+    glm::vec4 extent_shape{0};   ///< w: number of PointLight::Shape; a sun's: its map's origin
+    glm::uvec4 faces{0};         ///< x: of six maps those that show casters, by bits; 0: one map
 };
 
 struct EnvironmentBlock {
@@ -140,6 +140,8 @@ struct SceneHandles {
     BufferHandle vertices, indices, objects, materials, lights, environment, view;
     std::uint32_t light_count = 0;
     bool has_spots = false, has_suns = false;
+    bool has_ends = false;         ///< some light does not reach everywhere
+    bool has_own_light = true;     ///< Scene::has_own_light(); without it nobody reads emission
     std::uint32_t area_shapes = 0; ///< of the lights that are no points: 1 << PointLight::Shape
     std::uint32_t soft_boxes = 0;
     /// Of a scene with detail; else empty.

@@ -1,6 +1,8 @@
-// Which lights reach the surfaces that a group of 16x16 pixels shows: those without a cone, and the
-// spots whose cones touch the sphere about the surfaces. What is left out would have lit nothing.
+// Which lights reach the surfaces that a group of 16x16 pixels shows: those whose reach and cone touch
+// the sphere about the surfaces; without either they reach everything. What is left out would have
+// lit nothing.
 // After common/scene.glsl; `lights` and `light_count` are those of the frame.
+#include "common/lighting_constants.glsl"
 
 const uint most_listed = 1024u; // of preview/passes/lighting.h
 
@@ -14,12 +16,15 @@ int ordered(int bits) {
     return bits < 0 ? bits ^ 0x7FFFFFFF : bits;
 }
 
-/// Whether the light's cone touches a sphere, and a thousandth around it for the sake of rounding.
-/// Wronski 2017, "Cull that cone!".
+/// Whether the light's reach and cone touch a sphere, and a thousandth around it for the sake of
+/// rounding. Wronski 2017, "Cull that cone!".
 bool touches(Light light, vec3 centre, float radius) {
     float scale = light.axis_scale.w, cosine = -light.range.x / scale;
     vec3 from = centre - light.position_layer.xyz;
     radius += 1e-3 * (radius + length(from)) + 1e-4;
+    if (has_ends && light.forward.w > 0.0 && length(from) > radius + inversesqrt(light.forward.w)) {
+        return false;
+    }
     if (!(scale > 0.0) || !(cosine > 0.0) || !(dot(from, from) < 1e30)) {
         return true; // no spot, or one of more than half of all directions
     }
@@ -29,7 +34,8 @@ bool touches(Light light, vec3 centre, float radius) {
            cosine * beside - sqrt(max(1.0 - cosine * cosine, 0.0)) * along < radius;
 }
 
-/// Every invocation of the group calls it. `shows`: there is a surface at `position`.
+/// Every invocation of the group calls it. `shows`: there is a surface at `position` that takes
+/// light.
 void list_lights(bool shows, vec3 position) {
     uint thread = gl_LocalInvocationIndex;
     uint words = (light_count + 31u) / 32u;
@@ -52,6 +58,9 @@ void list_lights(bool shows, vec3 position) {
         }
     }
     barrier();
+    if (lowest[0] > highest[0]) {
+        return; // of the sky, or of what no light changes: alike for the whole group
+    }
     vec3 low, high;
     for (int axis = 0; axis < 3; ++axis) {
         low[axis] = intBitsToFloat(ordered(lowest[axis]));
@@ -60,7 +69,7 @@ void list_lights(bool shows, vec3 position) {
     vec3 centre = 0.5 * (low + high);
     float radius = length(high - centre);
     for (uint index = thread; index < light_count; index += 256u) {
-        if (lowest[0] <= highest[0] && touches(lights[index], centre, radius)) {
+        if (touches(lights[index], centre, radius)) {
             atomicOr(reaching[index / 32u], 1u << index % 32u);
         }
     }

@@ -1,4 +1,5 @@
-// Lights the G-buffer: every point light with its shadow, the surroundings, emission, background.
+// Lights the G-buffer: every point light with its shadow, the surroundings, emission, background. What
+// light cannot change (the sky, unlit surfaces) is done with before any light is looked at.
 // With HAS_DETAIL the G-buffer holds the surfaces themselves, else the numbers of their materials.
 #include "common/environment.glsl"
 #include "common/scene.glsl"
@@ -22,7 +23,9 @@ layout(binding = 7) uniform sampler2DArray shadow_maps;
 layout(binding = 8) uniform sampler2D occlusions;
 layout(binding = 9) writeonly uniform image2D target;
 layout(push_constant) uniform Push { uint light_count; };
-layout(constant_id = 8) const bool has_lists = false;
+layout(constant_id = 10) const bool has_lists = false;
+layout(constant_id = 11) const bool has_own_light = true; // else emission is black everywhere
+layout(constant_id = 12) const bool counts_lights = false; // in place of their light
 #include "common/light_lists.glsl"
 #define SHINING_COUNT (has_lists ? listed_count : light_count)
 #define SHINING(i) (has_lists ? listed[i] : i)
@@ -33,7 +36,8 @@ layout(constant_id = 8) const bool has_lists = false;
 Surface surface_at(ivec2 at) {
     uint word = texelFetch(material_numbers, at, 0).r;
 #ifdef HAS_DETAIL
-    return unpack_surface(word, texelFetch(albedos, at, 0).rgb, texelFetch(emissions, at, 0).rgb);
+    vec3 emission = has_own_light ? texelFetch(emissions, at, 0).rgb : vec3(0.0);
+    return unpack_surface(word, texelFetch(albedos, at, 0).rgb, emission);
 #else
     Material material = materials[material_number(word)];
     return Surface(material.albedo_roughness.rgb,
@@ -74,38 +78,59 @@ vec3 face_normal(ivec2 at, ivec2 size, float depth, vec3 normal) {
 }
 #endif
 
-void main() {
-    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    ivec2 size = imageSize(target);
-    if (has_lists) {
-        float depth = all(lessThan(at, size)) ? texelFetch(depths, at, 0).r : 1.0;
-        list_lights(depth < 1.0, view.position_near.xyz + z_of(view, depth) *
-                                     ray_at(view, vec2(at) + 0.5, vec2(size)));
-    }
-    if (any(greaterThanEqual(at, size))) {
-        return;
-    }
+/// Whether light changes the surface there.
+bool is_lit_at(ivec2 at) {
+#ifdef HAS_DETAIL
+    return takes_light && !is_unlit(texelFetch(material_numbers, at, 0).r);
+#else
+    return takes_light;
+#endif
+}
+
+vec3 own_light_at(ivec2 at) {
+#ifdef HAS_DETAIL
+    return has_own_light ? texelFetch(emissions, at, 0).rgb : vec3(0.0);
+#else
+    uint word = texelFetch(material_numbers, at, 0).r;
+    return has_own_light ? materials[material_number(word)].emission_metalness.rgb : vec3(0.0);
+#endif
+}
+
+vec3 light_at(ivec2 at, ivec2 size) {
     vec3 ray = ray_at(view, vec2(at) + 0.5, vec2(size));
     float depth = texelFetch(depths, at, 0).r;
     if (depth >= 1.0) {
-        imageStore(target, at, vec4(background_at(normalize(ray), float(size.y)), 1.0));
-        return;
+        return counts_lights ? vec3(0.0) : background_at(normalize(ray), float(size.y));
+    }
+    if (!is_lit_at(at)) {
+        return counts_lights ? vec3(0.0) : own_light_at(at);
+    }
+    if (counts_lights) {
+        return vec3(float(SHINING_COUNT));
     }
     vec3 position = view.position_near.xyz + ray * z_of(view, depth);
     vec3 normal = decode_octahedral(from_bits(texelFetch(normals, at, 0).xy));
     Surface surface = surface_at(at);
-    if (surface.is_unlit) {
-        imageStore(target, at, vec4(surface.emission, 1.0));
-        return;
-    }
     vec3 to_eye = -normalize(ray);
-
 #ifdef HAS_DETAIL
     vec3 face = has_shadows ? face_normal(at, size, depth, normal) : normal;
 #else
     vec3 face = normal;
 #endif
     float occlusion = has_occlusion ? texelFetch(occlusions, at, 0).r : 1.0;
-    imageStore(target, at,
-               vec4(light_from(surface, position, normal, face, to_eye, occlusion), 1.0));
+    return light_from(surface, position, normal, face, to_eye, occlusion);
+}
+
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 size = imageSize(target);
+    bool is_inside = all(lessThan(at, size));
+    if (has_lists) {
+        float depth = is_inside ? texelFetch(depths, at, 0).r : 1.0;
+        list_lights(depth < 1.0 && is_lit_at(at), view.position_near.xyz + z_of(view, depth) *
+                                     ray_at(view, vec2(at) + 0.5, vec2(size)));
+    }
+    if (is_inside) {
+        imageStore(target, at, vec4(light_at(at, size), 1.0));
+    }
 }

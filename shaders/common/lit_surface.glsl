@@ -27,6 +27,12 @@ float cone(Light light, vec3 direction) {
     return share * share;
 }
 
+/// What is left of a light that ends: KHR_lights_punctual's own fall-off.
+float left_within_reach(Light light, float squared) {
+    float part = squared * light.forward.w;
+    return 1.0 - part * part;
+}
+
 /// Of what a surface mirrors, from what is left of its diffuse surroundings: Lagarde and de Rousiers
 /// 2014, "Moving Frostbite to physically based rendering", with alpha for their roughness.
 float mirrored_occlusion(float occlusion, float n_dot_v, float roughness) {
@@ -52,6 +58,10 @@ vec3 light_from(Surface surface, vec3 position, vec3 normal, vec3 face, vec3 to_
             continue; // floats do not square its distance, and it lights nothing
         }
         float distance_to_light = sqrt(squared);
+        float left = has_ends ? left_within_reach(light, squared) : 1.0;
+        if (!(left > 0.0)) {
+            continue;
+        }
         vec3 direction = towards / distance_to_light;
         bool is_area =
             area_shapes != 0 && (light.extent_shape.w > 0.0 || light.up_thickness.w > 0.0);
@@ -62,6 +72,9 @@ vec3 light_from(Surface surface, vec3 position, vec3 normal, vec3 face, vec3 to_
         if (is_area && !(dot(normal, towards) + 1.06 * length(light.extent_shape.xyz) +
                              light.up_thickness.w > 0.0)) {
             continue;
+        }
+        if (has_ends) {
+            squared /= left;
         }
         if (has_spots) {
             float share = cone(light, direction);

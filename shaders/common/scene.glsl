@@ -27,7 +27,8 @@ struct Light {
     vec4 intensity_texel;
     vec4 axis_scale; // of a spot's cone
     vec4 range; // x: of the cone; y, z: of the shadow maps' depths; w: 1 of a sun
-    vec4 right_tangent, up_thickness, forward; // of a shadow map
+    // Of a shadow map. up_thickness.w: of an area; forward.w: 1 / reach^2 of a light that ends, else 0.
+    vec4 right_tangent, up_thickness, forward;
     vec4 extent_shape; // of a sun: where its shadow map is looked at from
     uvec4 faces; // x
 };

@@ -18,9 +18,13 @@ uint pack_surface(Surface s) {
     return 1u << 31 | (s.is_unlit ? 1u << 30 : 0u) | steps.x << 20 | steps.y << 10 | steps.z;
 }
 
+bool is_unlit(uint word) {
+    return (word & 1u << 30) != 0u;
+}
+
 Surface unpack_surface(uint word, vec3 albedo, vec3 emission) {
     return Surface(albedo, float(word >> 20 & 1023u) / 1023.0, float(word >> 10 & 1023u) / 1023.0,
-                   float(word & 1023u) / 1023.0, emission, (word & 1u << 30) != 0u);
+                   float(word & 1023u) / 1023.0, emission, is_unlit(word));
 }
 
 #endif

@@ -30,12 +30,13 @@ ShaderBinding declared_by(const Graph& graph, const Use& use) {
     if (use.version == Version::none) {
         out.volume = use.neutral == Neutral::black_3d;
         out.array = use.neutral == Neutral::lit;
+        out.integer = use.neutral == Neutral::black_integer;
         return out;
     }
     const ImageDesc& image = graph.resource_of(use.version).image;
     out.volume = image.depth > 0;
     out.array = image.layers > 0;
-    out.integer = image.format == Format::rg16ui || image.format == Format::r32ui;
+    out.integer = is_integer(image.format);
     return out;
 }
 
@@ -130,7 +131,9 @@ class ShaderTest : public GpuTest {
             wanted.push_bytes = std::max(wanted.push_bytes, fragment.push_bytes);
         }
         std::set<std::uint32_t> constants;
-        for (std::uint32_t id = 0; id < pass.constants.size(); ++id) {
+        const bool tells_targets = std::any_of(pass.uses.begin(), pass.uses.end(),
+                                               [](const Use& use) { return use.only_if_read; });
+        for (std::uint32_t id = 0; id < pass.constants.size() + (tells_targets ? 1 : 0); ++id) {
             constants.insert(id);
         }
         EXPECT_EQ(text_of(wanted.bindings), bindings) << pass.name << ", " << pass.shader;

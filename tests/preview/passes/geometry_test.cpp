@@ -82,7 +82,39 @@ TEST_F(GeometryTest, a_spot_lights_its_cone_alone_and_falls_off_as_gltf_has_it) 
     EXPECT_GT(std::min({dark, between, full}), 100U);
 }
 
-TEST_F(GeometryTest, lights_left_out_where_their_cones_do_not_reach_change_no_bit) {
+TEST_F(GeometryTest, a_light_with_a_reach_fades_as_gltf_has_it) {
+    Scene scene = floor_scene({});
+    const auto everywhere = light(scene);
+    PointLight& lamp = scene.lights[0];
+    lamp.reach = 3;
+    const auto pixels = light(scene);
+    const ViewBlock view = view_block(scene.orbit, 1.5F);
+    std::size_t dark = 0, between = 0;
+    for (std::uint32_t y = 0; y < size.height; ++y) {
+        for (std::uint32_t x = 0; x < size.width; ++x) {
+            glm::dvec3 ray;
+            const glm::dvec3 at = on_floor(view, x, y, ray);
+            if (ray.y >= 0 || std::abs(at.x) > 9 || std::abs(at.z) > 9) {
+                continue;
+            }
+            const double part = glm::length(at - glm::dvec3(lamp.position)) / 3;
+            const double left = std::clamp(1 - part * part * part * part, 0.0, 1.0);
+            dark += left == 0 ? 1 : 0;
+            between += left > 0 ? 1 : 0;
+            const std::size_t index = (std::size_t{y} * size.width + x) * 4;
+            const auto all = static_cast<double>(everywhere[index]);
+            ASSERT_NEAR(static_cast<double>(pixels[index]), all * left, 0.003 * all + 1e-4)
+                << x << "," << y;
+        }
+    }
+    EXPECT_GT(std::min(dark, between), 300U);
+    lamp.is_sun = true; // a sun's rays have come from infinity
+    const auto sunny = light(scene);
+    lamp.reach = 0;
+    EXPECT_EQ(light(scene), sunny);
+}
+
+TEST_F(GeometryTest, lights_left_out_where_their_cones_and_reach_end_change_no_bit) {
     Scene scene = floor_scene({{0.8F, 0.4F, 0.1F}, 0.3F, 0, {}});
     const PointLight lamp = scene.lights[0];
     scene.lights.clear();
@@ -98,6 +130,7 @@ TEST_F(GeometryTest, lights_left_out_where_their_cones_do_not_reach_change_no_bi
         light.axis = glm::normalize(glm::vec3(std::sin(t), -1 + 0.02F * t, std::cos(2 * t)));
         light.inner_angle = 0.1F * t;
         light.outer_angle = i % 7 == 0 ? 180 : 1 + 1.6F * t;
+        light.reach = i % 3 == 0 ? 0.1F + 0.07F * t : 0;
         scene.lights.push_back(light);
     }
     const auto listed = light(scene, 64, true);

@@ -81,6 +81,8 @@ class GeometryTest : public GpuTest {
         handles.light_count = static_cast<std::uint32_t>(lights.size());
         handles.has_spots = std::any_of(scene.lights.begin(), scene.lights.end(),
                                         [](const PointLight& light) { return light.is_spot(); });
+        handles.has_ends = std::any_of(scene.lights.begin(), scene.lights.end(),
+                                       [](const PointLight& light) { return light.ends(); });
         for (const PointLight& light : scene.lights) {
             handles.area_shapes |= area_shape_of(light);
         }

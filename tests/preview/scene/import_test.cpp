@@ -97,7 +97,11 @@ TEST_F(ImportTest, shines_with_the_file_s_lights_as_bright_as_they_were) {
     GltfWriter gltf = one_square();
     gltf.root["extensionsUsed"] = {"KHR_lights_punctual"};
     gltf.root["extensions"]["KHR_lights_punctual"]["lights"] = {
-        {{"type", "point"}, {"color", {1, 0.5, 0.25}}, {"intensity", 8}, {"name", "lamp"}},
+        {{"type", "point"},
+         {"color", {1, 0.5, 0.25}},
+         {"intensity", 8},
+         {"name", "lamp"},
+         {"range", 6}},
         {{"type", "directional"}, {"intensity", 3}, {"name", "sun"}},
         {{"type", "spot"}, {"intensity", 2}, {"spot", {{"outerConeAngle", 0.5}}}}};
     const auto light_node = [](int light, json at) {
@@ -122,6 +126,10 @@ TEST_F(ImportTest, shines_with_the_file_s_lights_as_bright_as_they_were) {
     EXPECT_EQ(scene.lights[0].name, "lamp");
     expect_near(scene.lights[0].position, glm::vec3(fit * glm::vec4(0, 0, 4, 1)), rounding);
     expect_near(irradiance(scene.lights[0]), glm::vec3(1, 0.5F, 0.25F) * 8.0F / 16.0F, rounding);
+    // Half as far again from the square as the lamp stands, in whatever metres that is here.
+    EXPECT_NEAR(scene.lights[0].reach, 1.5F * glm::length(scene.lights[0].position - middle),
+                1e-3F);
+    EXPECT_FALSE(scene.lights[1].ends() || scene.lights[2].ends());
     expect_near(irradiance(scene.lights[1]), glm::vec3(3), 1e-3F);
     expect_near(glm::normalize(scene.lights[1].position - middle), {0, 0, 1}, rounding);
     EXPECT_TRUE(scene.lights[1].is_sun);

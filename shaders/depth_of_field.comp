@@ -5,15 +5,18 @@
 #include "common/lens.glsl"
 #include "common/sanitise.glsl"
 #include "common/tile.glsl"
+layout(constant_id = 0) const int cell_side = 2;
 layout(binding = 0) uniform sampler2D source;
 layout(binding = 1) uniform sampler2D depths;
-layout(binding = 2) uniform sampler2D rest; // by two by two texels, and radius; -1: nothing is known
+layout(binding = 2) uniform sampler2D rest; // by cells, and radius in them; -1: nothing is known
 layout(binding = 3) uniform sampler2D near; // the same, and opacity
 layout(binding = 4) writeonly uniform image2D target;
 
+#define a_texel (1.0 / float(cell_side)) // in cells
+
 /// Between the four texels about it, of those that are known; alpha: whether any is.
 vec4 rest_at(ivec2 at, bool is_far) {
-    vec2 place = (vec2(at) + 0.5) * 0.5 - 0.5;
+    vec2 place = (vec2(at) + 0.5) * a_texel - 0.5;
     vec2 low = floor(place), f = place - low;
     ivec2 last = textureSize(rest, 0) - 1;
     vec3 sum = vec3(0.0);
@@ -24,7 +27,7 @@ vec4 rest_at(ivec2 at, bool is_far) {
         vec2 share = mix(1.0 - f, f, vec2(corner));
         // A sharp texel beside a blurred one is no part of its blur.
         float weight =
-            texel.a < 0.0 ? 0.0 : share.x * share.y * (is_far ? 1e-5 + min(texel.a, 0.5) : 1.0);
+            texel.a < 0.0 ? 0.0 : share.x * share.y * (is_far ? 1e-5 + min(texel.a, a_texel) : 1.0);
         sum += weight * texel.rgb;
         weights += weight;
     }
@@ -34,7 +37,7 @@ vec4 rest_at(ivec2 at, bool is_far) {
 vec3 focused(ivec2 at, ivec2 size, float focus) {
     vec3 color = texelFetch(source, at, 0).rgb;
     float radius = radius_of(texelFetch(depths, at, 0).r, focus);
-    vec4 before = textureLod(near, (vec2(at) + 0.5) * 0.5 / vec2(textureSize(near, 0)), 0.0);
+    vec4 before = textureLod(near, (vec2(at) + 0.5) * a_texel / vec2(textureSize(near, 0)), 0.0);
     float blur = max(far_share(radius), near_share(radius));
     bool is_known = true;
     if (blur > 0.0) {

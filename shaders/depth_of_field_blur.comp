@@ -1,4 +1,4 @@
-// Gathers what the lens spreads over each of two by two texels. Behind the focus a texel counts as
+// Gathers what the lens spreads over each cell of texels. Behind the focus a texel counts as
 // far as both its own circle and that of the texel it falls on reach: what is sharper in front does
 // not bleed, and what is hidden by it does not shine through. Before the focus each texel is spread
 // over its own circle, over everything: its share there is opacity.
@@ -7,7 +7,8 @@
 #include "common/disc.glsl"
 #include "common/sanitise.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(constant_id = 0) const int rings = 3;
+layout(constant_id = 0) const int cell_side = 2;
+layout(constant_id = 1) const int rings = 3;
 layout(binding = 0) uniform sampler2D rest;
 layout(binding = 1) uniform sampler2D near;
 layout(binding = 2) uniform sampler2D near_radii;
@@ -17,9 +18,10 @@ layout(binding = 5) writeonly uniform image2D rest_blurred; // and radius; -1: n
 layout(binding = 6) writeonly uniform image2D near_blurred; // and opacity
 layout(binding = 7) writeonly uniform image2D reaches;      // of each group
 layout(push_constant) uniform Push {
-    float largest; // radius, in halved texels
+    float largest; // radius, in cells
 } push;
 
+#define a_texel (1.0 / float(cell_side)) // in cells
 const int disc_points = 1 + 4 * rings * (rings + 1);
 
 shared uint group_reach;
@@ -64,7 +66,7 @@ vec4 blurred_rest(ivec2 at, float near_radius, vec4 before) {
     if (is_hidden && before.a >= 0.98) {
         return vec4(before.rgb / before.a, 0.0); // hardly anything of it is seen
     }
-    if (!is_hidden && own.a < 0.25) {
+    if (!is_hidden && own.a < 0.5 * a_texel) {
         return own;
     }
     float reach = is_hidden ? 1.5 * near_radius + 1.0 : own.a;
@@ -76,7 +78,7 @@ vec4 blurred_rest(ivec2 at, float near_radius, vec4 before) {
         // What is hidden by what lies before the focus is taken from beside it.
         float weight = is_hidden ? 1.0 / (1.0 + distance * distance)
                                  : covered(min(own.a, other.a), distance) /
-                                       max(other.a * other.a, 0.25);
+                                       max(other.a * other.a, a_texel * a_texel);
         weight = other.a < 0.0 ? 0.0 : weight;
         sum += weight * other.rgb;
         weights += weight;

@@ -5,7 +5,8 @@
 #include "common/scene.glsl"
 #include "common/seen.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(constant_id = 0) const int samples = 16;
+layout(constant_id = 0) const int cell_side = 2;
+layout(constant_id = 1) const int samples = 16;
 layout(binding = 0) uniform Views { View view; };
 layout(binding = 1) uniform sampler2D depths;
 layout(binding = 2) uniform usampler2D normals;
@@ -33,7 +34,7 @@ void main() {
     if (any(greaterThanEqual(cell, imageSize(target)))) {
         return;
     }
-    ivec2 at = 2 * cell;
+    ivec2 at = cell_side * cell;
     float depth = texelFetch(depths, at, 0).r;
     if (depth >= 1.0) {
         imageStore(target, cell, vec4(1.0));

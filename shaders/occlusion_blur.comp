@@ -5,7 +5,8 @@
 #include "common/scene.glsl"
 #include "common/seen.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(constant_id = 0) const bool along_x = true;
+layout(constant_id = 0) const int cell_side = 2;
+layout(constant_id = 1) const bool along_x = true;
 layout(binding = 0) uniform Views { View view; };
 layout(binding = 1) uniform sampler2D depths;
 layout(binding = 2) uniform usampler2D normals;
@@ -19,7 +20,7 @@ void main() {
     if (any(greaterThanEqual(cell, cells))) {
         return;
     }
-    ivec2 at = 2 * cell;
+    ivec2 at = cell_side * cell;
     float own = texelFetch(source, cell, 0).r;
     float depth = texelFetch(depths, at, 0).r;
     if (depth >= 1.0) {
@@ -36,7 +37,7 @@ void main() {
             any(greaterThanEqual(other_cell, cells))) {
             continue;
         }
-        ivec2 there = 2 * other_cell;
+        ivec2 there = cell_side * other_cell;
         float depth_there = texelFetch(depths, there, 0).r;
         if (depth_there >= 1.0) {
             continue;

@@ -11,6 +11,8 @@ namespace {
 
 /// shaders/common/disc.glsl
 constexpr int most_rings = 6;
+/// Sides of cells of pixels.
+constexpr int most_cell = 4;
 constexpr std::size_t most_disc_points = 1 + 4 * most_rings * (most_rings + 1);
 
 constexpr lutlib::Parameter depth_of_field_parameters[] = {
@@ -49,6 +51,12 @@ constexpr lutlib::Parameter depth_of_field_parameters[] = {
      .min = 1,
      .max = most_rings,
      .fallback = 3},
+    {.name = "cell",
+     .flag = "cell",
+     .label = "Pixels a side that are blurred as one",
+     .min = 1,
+     .max = most_cell,
+     .fallback = 2},
 };
 
 /// shaders/common/lens.glsl
@@ -104,17 +112,21 @@ std::vector<std::array<float, 4>> disc_points(int rings) {
     return out;
 }
 
-struct Halves {
-    ImageHandle rest, near, near_radii, tiles;
+/// Of cells of pixels.
+struct Layers {
+    std::uint32_t cell = 2; ///< side, in pixels
+    ImageHandle rest{}, near{}, near_radii{}, tiles{};
 };
 
-Halves add_halves(Graph& graph, const EffectInput& in, const Lens& lens) {
+Layers add_layers(Graph& graph, const EffectInput& in, const Lens& lens, std::uint32_t cell) {
     const ImageDesc desc = graph.image_desc(in.picture);
-    const std::uint32_t width = (desc.width + 1) / 2, height = (desc.height + 1) / 2;
-    Pass pass = graph.compute("depth-of-field halves", "depth_of_field_halves.comp");
+    const std::uint32_t width = (desc.width + cell - 1) / cell,
+                        height = (desc.height + cell - 1) / cell;
+    Pass pass = graph.compute("depth-of-field layers", "depth_of_field_layers.comp");
+    pass.constants({cell});
     pass.read(in.picture);
     pass.read(in.depth.image);
-    Halves out;
+    Layers out{.cell = cell};
     out.rest = pass.write(graph.image("not before the focus", {Format::rgba16f, width, height}));
     out.near = pass.write(graph.image("before the focus", {Format::rgba16f, width, height}));
     out.near_radii =
@@ -127,28 +139,28 @@ Halves add_halves(Graph& graph, const EffectInput& in, const Lens& lens) {
 }
 
 /// Replaces what is to be blurred by what is.
-void blur(Graph& graph, Halves& halves, float largest, int rings) {
-    const ImageDesc desc = graph.image_desc(halves.rest), tiles = graph.image_desc(halves.tiles);
+void blur(Graph& graph, Layers& layers, float largest, int rings) {
+    const ImageDesc desc = graph.image_desc(layers.rest), tiles = graph.image_desc(layers.tiles);
     Pass pass = graph.compute("depth-of-field blur", "depth_of_field_blur.comp");
-    pass.constants({static_cast<std::uint32_t>(rings)});
-    pass.read(halves.rest);
-    pass.read(halves.near);
-    pass.read(halves.near_radii);
-    pass.read(halves.tiles);
+    pass.constants({layers.cell, static_cast<std::uint32_t>(rings)});
+    pass.read(layers.rest);
+    pass.read(layers.near);
+    pass.read(layers.near_radii);
+    pass.read(layers.tiles);
     const std::vector<std::array<float, 4>> points = disc_points(rings);
     pass.uniform(graph.data("disc", std::as_bytes(std::span(points))));
     const ImageHandle rest = pass.write(graph.image("not before the focus, blurred", desc));
     const ImageHandle near = pass.write(graph.image("before the focus, blurred", desc));
     const ImageHandle reaches = pass.write(graph.image("reaches", tiles));
-    pass.push(largest / 2);
+    pass.push(largest / static_cast<float>(layers.cell));
     pass.dispatch_over(desc.width, desc.height);
 
     Pass fill = graph.compute("depth-of-field fill", "depth_of_field_fill.comp");
     fill.read(rest);
     fill.read(near);
     fill.read(reaches);
-    halves.rest = fill.write(graph.image("not before the focus, filled", desc));
-    halves.near = fill.write(graph.image("before the focus, filled", desc));
+    layers.rest = fill.write(graph.image("not before the focus, filled", desc));
+    layers.near = fill.write(graph.image("before the focus, filled", desc));
     fill.dispatch_over(desc.width, desc.height);
 }
 
@@ -161,14 +173,17 @@ ImageHandle add_depth_of_field(Graph& graph, const EffectInput& in, const lutlib
     };
     lens.place_x = texel(number_at(values, 2), desc.width);
     lens.place_y = texel(number_at(values, 3), desc.height);
-    Halves halves = add_halves(graph, in, lens);
-    const auto rings = static_cast<int>(std::lround(number_at(values, 7)));
-    blur(graph, halves, lens.largest, std::clamp(rings, 1, most_rings));
+    const auto whole = [&](std::size_t parameter, int most) {
+        return std::clamp(static_cast<int>(std::lround(number_at(values, parameter))), 1, most);
+    };
+    Layers layers = add_layers(graph, in, lens, static_cast<std::uint32_t>(whole(8, most_cell)));
+    blur(graph, layers, lens.largest, whole(7, most_rings));
     Pass pass = graph.compute("depth-of-field", "depth_of_field.comp");
+    pass.constants({layers.cell});
     pass.read(in.picture);
     pass.read(in.depth.image);
-    pass.read(halves.rest);
-    pass.sample(halves.near, Sampler::linear_clamp);
+    pass.read(layers.rest);
+    pass.sample(layers.near, Sampler::linear_clamp);
     const ImageHandle out = pass.write(graph.image("focused", desc));
     pass.push(lens);
     pass.dispatch_over(desc.width, desc.height, many_each);

@@ -39,7 +39,7 @@ constexpr NumberRow<S> numbers[] = {
      .of = [](S& s) -> float& { return s.occlusion.radius; }},
     {.flag = "occlusion-samples",
      .label = "Occlusion samples",
-     .help = "Directions in which a pixel looks for them",
+     .help = "Directions in which a cell of pixels looks for them",
      .min = 1,
      .max = 64,
      .of = [](S& s) -> float& { return s.occlusion.samples; }},
@@ -123,6 +123,24 @@ constexpr NumberRow<S> numbers[] = {
 };
 
 constexpr ChoiceRow<S> choices[] = {
+    choice_of<S, &S::shadow_filter, shadow_filters>(
+        "shadow-filter", "Shadow filter", "filter of shadow maps", "Filters of shadow maps",
+        "By how many texels of a shadow map a shadow is averaged"),
+    {.flag = "occlusion-resolution",
+     .label = "Occlusion resolution",
+     .kind = "resolution of the ambient occlusion",
+     .title = "Resolutions of the ambient occlusion",
+     .help = "How many pixels share an ambient occlusion",
+     .options = [] { return options_of(occlusion_resolutions()); },
+     .chosen =
+         [](const S& s) {
+             return static_cast<std::size_t>(s.occlusion.resolution -
+                                             occlusion_resolutions().data());
+         },
+     .choose =
+         [](S& s, std::size_t option) {
+             s.occlusion.resolution = &occlusion_resolutions()[option];
+         }},
     choice_of<S, &S::tonemap, tonemaps>("tonemap", "Tone map", "tone map", "Tone maps",
                                         "Tone map; some scenes have their own"),
     choice_of<S, &S::bloom, blooms>("bloom", "Bloom", "bloom", "Blooms",

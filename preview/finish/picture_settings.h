@@ -7,6 +7,7 @@
 #include "preview/finish/compare.h"
 #include "preview/finish/effect_use.h"
 #include "preview/finish/effects.h"
+#include "preview/finish/light_filters.h"
 #include "preview/finish/picture_views.h"
 #include "preview/finish/setting_rows.h"
 #include "preview/finish/tonemaps.h"
@@ -23,12 +24,14 @@ namespace preview {
 struct OcclusionSettings {
     float strength = 1;  ///< 0..2, times the scene's
     float radius = 0.3F; ///< metres: what lies farther away hides nothing
-    float samples = 16;  ///< of a pixel; a whole number in 1..64
+    float samples = 16;  ///< of a cell of pixels; a whole number in 1..64
+    const OcclusionResolution* resolution = occlusion_resolution_named("half");
     friend bool operator==(const OcclusionSettings&, const OcclusionSettings&) = default;
 };
 
 struct PictureSettings : Wipe {
     float exposure = 0; ///< stops, added to the scene's
+    const ShadowFilter* shadow_filter = shadow_filter_named("3x3");
     OcclusionSettings occlusion;
     const Tonemap* tonemap = tonemap_named("agx");
     const Bloom* bloom = bloom_named("glare");

@@ -48,7 +48,8 @@ ImageHandle occlusion_of(Graph& graph, const Scene& scene, const SceneHandles& d
                          {.strength = strength,
                           .radius = settings.occlusion.radius,
                           .samples = static_cast<std::uint32_t>(
-                              std::clamp(std::lround(settings.occlusion.samples), 1L, 1024L))});
+                              std::clamp(std::lround(settings.occlusion.samples), 1L, 1024L)),
+                          .cell = settings.occlusion.resolution->side});
 }
 
 } // namespace
@@ -79,6 +80,7 @@ ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSet
     handles.materials = declared.handles.materials;
     LightingInputs lighting;
     lighting.takes_light = declared.takes_light;
+    lighting.shadow_filter = settings.shadow_filter;
     lighting.surfaces = handles.surfaces;
     lighting.shadow_maps = handles.shadow_maps;
     lighting.surroundings = declared.surroundings;

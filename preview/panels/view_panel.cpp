@@ -272,7 +272,9 @@ void view_panel(Ui& ui) {
     bloom_controls(ui);
     ImGui::EndDisabled();
     if (ui.facts.is_scene) {
+        choice(ui, "shadow-filter");
         numbers_of(ui, "occlusion-");
+        choice(ui, "occlusion-resolution");
     }
     ImGui::Separator();
     effect_controls(ui);

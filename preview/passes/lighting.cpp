@@ -36,7 +36,9 @@ std::vector<std::uint32_t> lighting_constants(const SceneHandles& scene,
                                    scene.area_shapes,
                                    scene.soft_boxes,
                                    scene.has_ends ? 1U : 0U,
-                                   takes_light(scene, inputs) ? 1U : 0U};
+                                   takes_light(scene, inputs) ? 1U : 0U,
+                                   inputs.shadow_filter->side,
+                                   inputs.shadow_filter->places};
     out.insert(out.end(), own);
     return out;
 }

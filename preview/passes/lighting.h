@@ -2,6 +2,7 @@
 // emission, and the background where there is no surface.
 #pragma once
 
+#include "preview/finish/light_filters.h"
 #include "preview/passes/gbuffer.h"
 #include "preview/passes/surroundings.h"
 
@@ -10,7 +11,8 @@ namespace preview {
 struct LightingInputs {
     GBuffer surfaces;
     ImageHandle shadow_maps; ///< empty: no light casts
-    ImageHandle occlusion;   ///< of the surroundings; empty: there is none
+    const ShadowFilter* shadow_filter = shadow_filter_named("3x3");
+    ImageHandle occlusion; ///< of the surroundings; empty: there is none
     bool environment = true;
     bool lists_lights = false; ///< each tile evaluates those alone that can reach its surfaces
     bool takes_light = true;   ///< some surface of the scene does; else they only give their own

@@ -61,17 +61,20 @@ std::vector<glm::vec4> points(std::uint32_t samples) {
 
 /// A pass that makes an image of `size` from `source`, an image of cells, and the surfaces.
 ImageHandle filtered(Graph& graph, const SceneHandles& scene, const GBuffer& surfaces,
-                     ImageHandle source, Size size, float radius, std::string_view name,
-                     std::string_view shader, std::initializer_list<std::uint32_t> constants) {
+                     ImageHandle source, Size size, const OcclusionInputs& inputs,
+                     std::string_view name, std::string_view shader,
+                     std::initializer_list<std::uint32_t> constants) {
     const Size cells = size_of(graph, source);
     Pass pass = graph.compute(name, shader);
-    pass.constants(constants);
+    std::vector<std::uint32_t> words{inputs.cell};
+    words.insert(words.end(), constants);
+    pass.constants(std::move(words));
     pass.uniform(scene.view);
     pass.read(surfaces.depth);
     pass.read(surfaces.normal);
     pass.read(source);
     const ImageHandle out = pass.write(graph.image(name, {Format::r32f, size.width, size.height}));
-    pass.push(radius);
+    pass.push(inputs.radius);
     pass.dispatch_over(cells.width, cells.height);
     return out;
 }
@@ -82,23 +85,27 @@ ImageHandle add_occlusion(Graph& graph, const SceneHandles& scene, const GBuffer
                           const OcclusionInputs& inputs) {
     const Size size = size_of(graph, surfaces.depth);
     Pass pass = graph.compute("ambient occlusion", "occlusion.comp");
-    pass.constants({inputs.samples});
+    pass.constants({inputs.cell, inputs.samples});
     pass.uniform(scene.view);
     pass.read(surfaces.depth);
     pass.read(surfaces.normal);
-    const Size cells{(size.width + 1) / 2, (size.height + 1) / 2};
+    const auto cells_along = [&](std::uint32_t pixels) {
+        return (pixels + inputs.cell - 1) / inputs.cell;
+    };
+    const Size cells{cells_along(size.width), cells_along(size.height)};
     ImageHandle out =
         pass.write(graph.image("ambient occlusion", {Format::r32f, cells.width, cells.height}));
     pass.storage(graph.data("points of the occlusion",
                             std::as_bytes(std::span<const glm::vec4>(points(inputs.samples)))));
     pass.push(std::array{inputs.radius, inputs.strength});
     pass.dispatch_over(cells.width, cells.height);
-    out = filtered(graph, scene, surfaces, out, cells, inputs.radius,
-                   "ambient occlusion blurred along x", "occlusion_blur.comp", {1});
-    out = filtered(graph, scene, surfaces, out, cells, inputs.radius,
-                   "ambient occlusion blurred along y", "occlusion_blur.comp", {0});
-    return filtered(graph, scene, surfaces, out, size, inputs.radius, "ambient occlusion enlarged",
-                    "occlusion_enlarge.comp", {});
+    out = filtered(graph, scene, surfaces, out, cells, inputs, "ambient occlusion blurred along x",
+                   "occlusion_blur.comp", {1});
+    out = filtered(graph, scene, surfaces, out, cells, inputs, "ambient occlusion blurred along y",
+                   "occlusion_blur.comp", {0});
+    return inputs.cell == 1 ? out
+                            : filtered(graph, scene, surfaces, out, size, inputs,
+                                       "ambient occlusion enlarged", "occlusion_enlarge.comp", {});
 }
 
 } // namespace preview

@@ -102,6 +102,16 @@ bool is_hidden(const SeenSurfaces& seen, double radius, glm::dvec3 position, glm
 
 } // namespace
 
+glm::dvec3 octahedral_normal(double x, double y) {
+    const double u = x / 32767 - 1, v = y / 32767 - 1;
+    glm::dvec3 out(u, v, 1 - std::abs(u) - std::abs(v));
+    if (out.z < 0) { // the lower half is folded outwards
+        out.x = (1 - std::abs(v)) * (u < 0 ? -1 : 1);
+        out.y = (1 - std::abs(u)) * (v < 0 ? -1 : 1);
+    }
+    return glm::normalize(out);
+}
+
 bool SeenSurfaces::shows(int x, int y) const {
     return depth[index(x, y)] < 1;
 }
@@ -112,13 +122,13 @@ glm::dvec3 SeenSurfaces::position(int x, int y) const {
 
 namespace {
 
-/// One value for each cell of two by two pixels.
+/// One value for each cell of pixels.
 struct Cells {
     int width = 0, height = 0;
     std::vector<double> values;
 
-    explicit Cells(const SeenSurfaces& seen)
-        : width((seen.width + 1) / 2), height((seen.height + 1) / 2),
+    Cells(const SeenSurfaces& seen, int side)
+        : width((seen.width + side - 1) / side), height((seen.height + side - 1) / side),
           values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 1) {}
     double& at(int x, int y) {
         return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
@@ -156,11 +166,12 @@ double occlusion_at(const SeenSurfaces& seen, const OcclusionModel& model, int x
 }
 
 Cells occlusion_of_cells(const SeenSurfaces& seen, const OcclusionModel& model) {
-    Cells out(seen);
+    Cells out(seen, model.cell);
+    const int side = model.cell;
     for (int y = 0; y < out.height; ++y) {
         for (int x = 0; x < out.width; ++x) {
-            if (seen.shows(2 * x, 2 * y)) {
-                out.at(x, y) = occlusion_at(seen, model, 2 * x, 2 * y,
+            if (seen.shows(side * x, side * y)) {
+                out.at(x, y) = occlusion_at(seen, model, side * x, side * y,
                                             pcg3d({static_cast<std::uint32_t>(x & 3),
                                                    static_cast<std::uint32_t>(y & 3), 0}));
             }
@@ -171,9 +182,10 @@ Cells occlusion_of_cells(const SeenSurfaces& seen, const OcclusionModel& model) 
 
 Cells blurred(const SeenSurfaces& seen, const OcclusionModel& model, Cells from, bool is_along_x) {
     Cells out = from;
+    const int side = model.cell;
     for (int y = 0; y < out.height; ++y) {
         for (int x = 0; x < out.width; ++x) {
-            if (!seen.shows(2 * x, 2 * y)) {
+            if (!seen.shows(side * x, side * y)) {
                 continue;
             }
             double sum = 0, total = 0;
@@ -182,8 +194,9 @@ Cells blurred(const SeenSurfaces& seen, const OcclusionModel& model, Cells from,
                 if (to_x < 0 || to_y < 0 || to_x >= out.width || to_y >= out.height) {
                     continue;
                 }
-                const double weight = (std::abs(i) == 2 ? 0.5 : 1) *
-                                      shares_plane(seen, model, 2 * x, 2 * y, 2 * to_x, 2 * to_y);
+                const double weight =
+                    (std::abs(i) == 2 ? 0.5 : 1) *
+                    shares_plane(seen, model, side * x, side * y, side * to_x, side * to_y);
                 sum += weight * from.at(to_x, to_y);
                 total += weight;
             }
@@ -200,6 +213,7 @@ std::vector<double> occlusion(const SeenSurfaces& seen, const OcclusionModel& mo
     for (const bool is_along_x : {true, false}) {
         cells = blurred(seen, model, std::move(cells), is_along_x);
     }
+    const int side = model.cell;
     std::vector<double> out(seen.depth.size(), 1);
     for (int y = 0; y < seen.height; ++y) {
         for (int x = 0; x < seen.width; ++x) {
@@ -207,12 +221,16 @@ std::vector<double> occlusion(const SeenSurfaces& seen, const OcclusionModel& mo
                 continue;
             }
             double sum = 0, total = 0;
-            for (int cell_y = y / 2; cell_y <= (y + 1) / 2; ++cell_y) {
-                for (int cell_x = x / 2; cell_x <= (x + 1) / 2; ++cell_x) {
+            for (int cell_y = y / side; cell_y <= (y + side - 1) / side; ++cell_y) {
+                for (int cell_x = x / side; cell_x <= (x + side - 1) / side; ++cell_x) {
                     const int to_x = std::min(cell_x, cells.width - 1);
                     const int to_y = std::min(cell_y, cells.height - 1);
+                    // A straight line between the cells, bent by who shares the plane.
+                    const double near =
+                        (1 - std::abs(x - side * cell_x) / static_cast<double>(side)) *
+                        (1 - std::abs(y - side * cell_y) / static_cast<double>(side));
                     const double weight =
-                        1e-4 + shares_plane(seen, model, x, y, 2 * to_x, 2 * to_y);
+                        near * (1e-4 + shares_plane(seen, model, x, y, side * to_x, side * to_y));
                     sum += weight * cells.at(to_x, to_y);
                     total += weight;
                 }

@@ -29,15 +29,19 @@ struct SeenSurfaces {
     glm::dvec3 position(int x, int y) const;
 };
 
+/// The direction whose octahedral coordinates are two words of a g-buffer's normal, 0..65534.
+glm::dvec3 octahedral_normal(double x, double y);
+
 struct OcclusionModel {
     double strength = 1, radius = 0.3;
     int samples = 16;
+    int cell = 2; ///< its side, in pixels
 };
 
 /// What is left of the light from the surroundings at each pixel.
 std::vector<double> occlusion(const SeenSurfaces& seen, const OcclusionModel& model);
 
-/// The same before it is made for one pixel of two by two, blurred and enlarged: of each pixel by
+/// The same before it is made for one pixel of a cell, blurred and enlarged: of each pixel by
 /// itself, without offsets that differ from pixel to pixel.
 std::vector<double> occlusion_of_every_pixel(const SeenSurfaces& seen, const OcclusionModel& model);
 

@@ -44,10 +44,10 @@ void prepare_depth_of_field(Situation& s) {
     s.settings.without.set(Effect::looks, true);
 }
 
-void set_rings(Situation& s, int rings) {
+void set_lens(Situation& s, std::string_view parameter, int value) {
     const EffectUse* const asked = use_of(s.settings.effects, depth_of_field());
     EffectUse use = asked != nullptr ? *asked : usual_use(depth_of_field());
-    set_number(use, "rings", rings);
+    set_number(use, parameter, value);
     put_use(s.settings.effects, std::move(use));
 }
 
@@ -58,8 +58,19 @@ std::vector<Variant> lenses(const Situation& situation, const StudyTools&) {
                               use == nullptr}};
     for (const int rings : {1, 2, 3, 4, 6}) {
         out.push_back({fmt::format("{} points", 1 + 4 * rings * (rings + 1)),
-                       [rings](Situation& s) { set_rings(s, rings); },
+                       [rings](Situation& s) { set_lens(s, "rings", rings); },
                        use != nullptr && std::lround(number_of(*use, "rings")) == rings});
+    }
+    const EffectUse asked = use != nullptr ? *use : usual_use(depth_of_field());
+    const long rings = std::lround(number_of(asked, "rings")),
+               usual_cell = std::lround(number_of(asked, "cell"));
+    for (const int cell : {1, 2, 4}) {
+        if (cell != usual_cell) {
+            out.push_back({fmt::format("{} points, {}", 1 + 4 * rings * (rings + 1),
+                                       cell == 1 ? "every pixel by itself"
+                                                 : fmt::format("of {0}x{0} pixels", cell)),
+                           [cell](Situation& s) { set_lens(s, "cell", cell); }});
+        }
     }
     return out;
 }
@@ -271,8 +282,8 @@ StudiedLook usual_studied_look() {
 const Study depth_of_field_study{
     .name = "depth-of-field",
     .title = "Depth of field",
-    .help = "The points of a texel's circle that are gathered, at half the resolution; 49 where "
-            "nobody asks for others.",
+    .help = "The points of a circle that are gathered, and the side of the cells of pixels that "
+            "are blurred as one; 49 of two by two where nobody asks for others.",
     .reference = "Every texel spread over its own circle, and gathered, at full resolution in "
                  "double; then the tone map in double.",
     .none_because = no_depth,

@@ -79,13 +79,21 @@ std::uint32_t usual_shadow_size(const Situation& s) {
     return s.settings.shadow_size > 0 ? s.settings.shadow_size : s.shown->scene->shadow_size;
 }
 
-std::vector<Variant> shadow_sizes(const Situation& situation, const StudyTools& tools) {
+/// Sizes with the filter that is asked for, and other filters of the usual size.
+std::vector<Variant> shadow_maps(const Situation& situation, const StudyTools& tools) {
     std::vector<Variant> out{
         {"none", [](Situation& s) { s.settings.without.set(Effect::shadows, true); }}};
     for (std::uint32_t size = 128; size < tools.converged_shadow_size(); size *= 2) {
         out.push_back({fmt::format("{0}x{0}", size),
                        [size](Situation& s) { s.settings.shadow_size = size; },
                        size == usual_shadow_size(situation)});
+    }
+    for (const ShadowFilter& row : shadow_filters()) {
+        if (&row != situation.settings.shadow_filter) {
+            out.push_back(
+                {fmt::format("{0}x{0}, {1} filter", usual_shadow_size(situation), row.name),
+                 [&row](Situation& s) { s.settings.shadow_filter = &row; }});
+        }
     }
     return out;
 }
@@ -210,13 +218,21 @@ std::string_view no_occlusion(const Situation& s) {
                                                        : "";
 }
 
-std::vector<Variant> occlusion_samples(const Situation& situation, const StudyTools&) {
+/// Numbers of directions at the resolution that is asked for, and that number at others.
+std::vector<Variant> occlusions(const Situation& situation, const StudyTools&) {
     std::vector<Variant> out{
         {"none", [](Situation& s) { s.settings.without.set(Effect::occlusion, true); }}};
     for (const float samples : {1.0F, 2.0F, 4.0F, 8.0F, 16.0F, 32.0F, 64.0F}) {
         out.push_back({fmt::format("{} samples", samples),
                        [samples](Situation& s) { s.settings.occlusion.samples = samples; },
                        samples == situation.settings.occlusion.samples});
+    }
+    for (const OcclusionResolution& row : occlusion_resolutions()) {
+        if (&row != situation.settings.occlusion.resolution) {
+            out.push_back({fmt::format("{} samples, {} resolution",
+                                       situation.settings.occlusion.samples, row.name),
+                           [&row](Situation& s) { s.settings.occlusion.resolution = &row; }});
+        }
     }
     return out;
 }
@@ -241,11 +257,12 @@ const Study shadow_study{
     .name = "shadows",
     .title = "Shadows",
     .help =
-        "The side of each shadow map; the filter is always three by three texels of it, so that "
-        "shadows are as soft as the maps are coarse. The pass is the light of surfaces.",
+        "The side of each shadow map, and by how many texels of it shadows are averaged, three by "
+        "three where nobody asks for others: they are as soft as the maps are coarse. The pass is "
+        "the light of surfaces.",
     .reference = "Shadow maps of 4096 texels a side on a software device, 8192 on others.",
     .none_because = no_shadows,
-    .variants = shadow_sizes,
+    .variants = shadow_maps,
     .counts =
         [](std::string_view pass) {
             return pass.starts_with("shadow of ") || pass == "lighting" || pass == "forward";
@@ -290,13 +307,13 @@ const Study surroundings_study{
 const Study occlusion_study{
     .name = "occlusion",
     .title = "Ambient occlusion",
-    .help = "Directions in which a pixel of two by two looks for what hides the surroundings; what "
-            "stays "
-            "with many of them comes of the half resolution and its blur.",
+    .help = "Directions in which a cell of pixels, two by two where nobody asks for others, looks "
+            "for what hides the surroundings; what stays with many of them comes of the resolution "
+            "and its blur.",
     .reference = "Every pixel by itself in double, from 1024 directions (256 of more than 100,000 "
                  "pixels), and the frame lit by that.",
     .none_because = no_occlusion,
-    .variants = occlusion_samples,
+    .variants = occlusions,
     .truth = occlusion_truth,
     .counts = [](std::string_view pass) { return pass.starts_with("ambient occlusion"); },
     .looked = {.result = [](Graph&, const FrameHandles& handles) { return handles.occlusion; }},

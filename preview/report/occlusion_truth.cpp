@@ -4,8 +4,6 @@
 #include "preview/passes/copy.h"
 #include "preview/reference/occlusion.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,17 +21,6 @@ std::vector<T> values_of(const std::vector<std::byte>& bytes) {
     std::vector<T> values(bytes.size() / sizeof(T));
     std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
     return values;
-}
-
-/// Octahedral, as the g-buffer has it.
-glm::dvec3 normal_of(std::array<std::uint16_t, 2> bits) {
-    const double x = bits[0] / 32767.0 - 1, y = bits[1] / 32767.0 - 1;
-    glm::dvec3 v(x, y, 1 - std::abs(x) - std::abs(y));
-    if (v.z < 0) {
-        v.x = (1 - std::abs(y)) * (x < 0 ? -1 : 1);
-        v.y = (1 - std::abs(x)) * (y < 0 ? -1 : 1);
-    }
-    return glm::normalize(v);
 }
 
 reference::Image image_of(const std::vector<double>& values, Size size) {
@@ -71,7 +58,7 @@ Truth occlusion_truth(const TruthRequest& request) {
     seen.depth = values_of<float>(executor.read_image(handles.surfaces.depth));
     for (const auto& bits :
          values_of<std::array<std::uint16_t, 2>>(executor.read_image(handles.surfaces.normal))) {
-        seen.normal.push_back(normal_of(bits));
+        seen.normal.push_back(reference::octahedral_normal(bits[0], bits[1]));
     }
     reference::OcclusionModel model;
     const OcclusionSettings& asked = base.settings.occlusion;

@@ -3,8 +3,8 @@
 #include "common/environment.glsl"
 #include "common/scene.glsl"
 #include "common/normal_filter.glsl"
-layout(constant_id = 10) const bool filters_normals = false;
-layout(constant_id = 11) const bool blends = false;
+layout(constant_id = 12) const bool filters_normals = false;
+layout(constant_id = 13) const bool blends = false;
 layout(binding = 2) uniform Views { View view; };
 #ifdef HAS_DETAIL
 #define DETAIL_BINDING 5

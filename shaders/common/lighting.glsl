@@ -23,9 +23,9 @@ layout(binding = 7) uniform sampler2DArray shadow_maps;
 layout(binding = 8) uniform sampler2D occlusions;
 layout(binding = 9) writeonly uniform image2D target;
 layout(push_constant) uniform Push { uint light_count; };
-layout(constant_id = 10) const bool has_lists = false;
-layout(constant_id = 11) const bool has_own_light = true; // else emission is black everywhere
-layout(constant_id = 12) const bool counts_lights = false; // in place of their light
+layout(constant_id = 12) const bool has_lists = false;
+layout(constant_id = 13) const bool has_own_light = true; // else emission is black everywhere
+layout(constant_id = 14) const bool counts_lights = false; // in place of their light
 #include "common/light_lists.glsl"
 #define SHINING_COUNT (has_lists ? listed_count : light_count)
 #define SHINING(i) (has_lists ? listed[i] : i)

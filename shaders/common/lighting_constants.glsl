@@ -12,5 +12,7 @@ layout(constant_id = 6) const int area_shapes = 0; // bits, by the numbers of th
 layout(constant_id = 7) const int soft_boxes = 0; // of the environment
 layout(constant_id = 8) const bool has_ends = false; // some light has a reach
 layout(constant_id = 9) const bool takes_light = true; // else surfaces only give their own
+layout(constant_id = 10) const int shadow_side = 3; // texels of the filter's square
+layout(constant_id = 11) const int shadow_places = 1; // of such squares
 
 #endif

@@ -1,10 +1,42 @@
 // How much of a light reaches a point, by its shadow maps. After common/scene.glsl and shadow_maps.
 
-/// The share of a square of three by three texels of the map about the point that the light
-/// reaches, 0..1; 1 outside the maps. Every texel's depth is compared with the surface's own plane
-/// at the texel's centre, so that no surface shadows itself however it slants and no bias eats
-/// what touches it. `normal` is that of the geometry; half a texel along it stands for the facets
-/// of round things.
+// Places of squares in texels about a point: of a Poisson disc, about its middle on average.
+const vec2 disc_places[8] =
+    vec2[8](vec2(-1.806, 1.313), vec2(2.337, 0.248), vec2(0.067, -0.783), vec2(-1.781, -0.392),
+            vec2(1.799, -1.499), vec2(-0.298, 2.377), vec2(-0.938, -2.209), vec2(0.62, 0.945));
+
+/// Of the columns or rows 2 i and 2 i + 1 of a square that lies `part` of a texel off: the outermost
+/// count in part.
+vec2 shares_of_pair(int i, float part) {
+    return vec2(i == 0 ? 1.0 - part : 1.0, 2 * i + 1 == shadow_side ? part : 1.0);
+}
+
+/// The share of a square of shadow_side by shadow_side texels about a place of the map that the
+/// light reaches. Its surface has the depth `depth` at `origin`, and `slope` more a texel.
+float reached_about(vec2 place, vec2 origin, float layer, vec2 size, float depth, vec2 slope) {
+    vec2 first = floor(place), part = place - first;
+    float sum = 0.0;
+    for (int y = 0; y <= shadow_side / 2; ++y) {
+        for (int x = 0; x <= shadow_side / 2; ++x) {
+            vec2 corner = first - float(shadow_side / 2 - 1) + vec2(2 * x, 2 * y);
+            // From the lower left against the clock.
+            vec4 stored = textureGather(shadow_maps, vec3(corner / size, layer));
+            vec2 low = corner - 1.0 - origin;
+            float expected = depth + dot(slope, low);
+            vec4 own = expected + vec4(slope.y, slope.x + slope.y, slope.x, 0.0);
+            vec4 reached = vec4(greaterThanEqual(stored, own));
+            vec2 wx = shares_of_pair(x, part.x), wy = shares_of_pair(y, part.y);
+            sum += dot(reached, vec4(wx.x * wy.y, wx.y * wy.y, wx.y * wy.x, wx.x * wy.x));
+        }
+    }
+    float all = float(shadow_side * shadow_side);
+    return sum > all - 1e-4 ? 1.0 : sum / all; // the shares sum to that but for rounding
+}
+
+/// The share of the filter's texels of the map about the point that the light reaches, 0..1; 1
+/// outside the maps. Every texel's depth is compared with the surface's own plane at the texel's
+/// centre, so that no surface shadows itself however it slants and no bias eats what touches it.
+/// `normal` is that of the geometry; half a texel along it stands for the facets of round things.
 float lit(Light light, vec3 position, vec3 normal) {
     float tangent = light.right_tangent.w;
     vec3 from = position - (is_sun(light) ? light.extent_shape.xyz : light.position_layer.xyz);
@@ -51,22 +83,12 @@ float lit(Light light, vec3 position, vec3 normal) {
         depth = min(depth, 1.0);
     }
     vec2 place = (screen * 0.5 + 0.5) * size - 0.5;
-    vec2 first = floor(place), part = place - first;
-    vec4 shares_x = vec4(1.0 - part.x, 1.0, 1.0, part.x);
-    vec4 shares_y = vec4(1.0 - part.y, 1.0, 1.0, part.y);
-    float sum = 0.0;
-    for (int y = 0; y < 2; ++y) {
-        for (int x = 0; x < 2; ++x) {
-            vec2 corner = first + vec2(2 * x, 2 * y);
-            // From the lower left against the clock.
-            vec4 stored = textureGather(shadow_maps, vec3(corner / size, layer));
-            vec2 low = corner - 1.0 - place;
-            float expected = depth + dot(slope, low);
-            vec4 own = expected + vec4(slope.y, slope.x + slope.y, slope.x, 0.0);
-            vec4 reached = vec4(greaterThanEqual(stored, own));
-            vec2 wx = x == 0 ? shares_x.xy : shares_x.zw, wy = y == 0 ? shares_y.xy : shares_y.zw;
-            sum += dot(reached, vec4(wx.x * wy.y, wx.y * wy.y, wx.y * wy.x, wx.x * wy.x));
-        }
+    if (shadow_places == 1) {
+        return reached_about(place, place, layer, size, depth, slope);
     }
-    return sum > 8.9999 ? 1.0 : sum / 9.0; // the shares sum to 9 but for rounding
+    float sum = 0.0;
+    for (int i = 0; i < shadow_places; ++i) {
+        sum += reached_about(place + disc_places[i], place, layer, size, depth, slope);
+    }
+    return sum / float(shadow_places);
 }

@@ -110,7 +110,8 @@ TEST_F(DepthOfFieldTest, is_near_to_what_a_gather_of_every_texel_makes) {
     EXPECT_EQ(circles[64 * width + 96], 0);
     EXPECT_GT(circles[0], 5);
     const Image wanted = reference::focused(seen.light, circles);
-    const auto got = focused(seen);
+    const auto got = focused(seen), finer = focused(seen, ",focus=2,cell=1"),
+               coarser = focused(seen, ",focus=2,cell=4");
     std::vector<Rgb> sharp;
     for (const RgbD& pixel : seen.light.pixels) {
         sharp.push_back(lutlib::to_float(pixel));
@@ -118,7 +119,12 @@ TEST_F(DepthOfFieldTest, is_near_to_what_a_gather_of_every_texel_makes) {
     RecordProperty("apart", std::to_string(apart_of(got, wanted)));
     EXPECT_GT(apart_of(sharp, wanted), 0.15);
     EXPECT_LT(apart_of(got, wanted), 0.03);
-    EXPECT_NEAR(sum_of(got) / sum_of(wanted), 1, 0.01);
+    EXPECT_LT(apart_of(finer, wanted), apart_of(got, wanted));
+    EXPECT_GT(apart_of(coarser, wanted), apart_of(got, wanted));
+    EXPECT_LT(apart_of(coarser, wanted), 0.1);
+    for (const auto& light : {got, finer, coarser}) {
+        EXPECT_NEAR(sum_of(light) / sum_of(wanted), 1, 0.01);
+    }
 }
 
 TEST_F(DepthOfFieldTest, keeps_the_light_of_points_before_and_behind_the_focus) {
@@ -128,10 +134,12 @@ TEST_F(DepthOfFieldTest, keeps_the_light_of_points_before_and_behind_the_focus) 
         for (const auto& [x, y] : {std::pair{40, 41}, {101, 64}, {102, 64}, {160, 90}}) {
             seen.light.at(x, y) = {64, 512, 4096};
         }
-        const auto got = focused(seen);
-        EXPECT_NEAR(sum_of(got) / sum_of(seen.light), 1, 0.01) << z;
-        const double most = static_cast<double>(got[41 * width + 40].b);
-        EXPECT_LT(most, std::abs(radii(seen)[0]) > 2 ? 1000 : 4097) << z; // it has spread
+        for (const char* cell : {"1", "2", "3", "4"}) {
+            const auto got = focused(seen, std::string(",focus=2,cell=") + cell);
+            EXPECT_NEAR(sum_of(got) / sum_of(seen.light), 1, 0.01) << z << ' ' << cell;
+            const double most = static_cast<double>(got[41 * width + 40].b);
+            EXPECT_LT(most, std::abs(radii(seen)[0]) > 2 ? 1000 : 4097) << z; // it has spread
+        }
     }
 }
 

@@ -59,7 +59,8 @@ class GeometryTest : public GpuTest {
   protected:
     /// Radiance of the scene, four floats a pixel.
     std::vector<float> light(const Scene& scene, std::uint32_t map_size = 512,
-                             bool lists_lights = false) {
+                             bool lists_lights = false,
+                             std::string_view shadow_filter = "3x3") {
         const GpuScene gpu_scene(device(), scene);
         Graph graph;
         const ViewBlock view = view_block(scene.orbit, 1.5F);
@@ -94,6 +95,7 @@ class GeometryTest : public GpuTest {
                                  visible_objects(scene, gpu_scene.geometry, view.clip)));
         inputs.environment = !scene.environment.is_black();
         inputs.lists_lights = lists_lights;
+        inputs.shadow_filter = shadow_filter_named(shadow_filter);
         const ImageHandle lit = add_lighting(graph, handles, inputs);
         graph.present(lit);
         return floats_of(run_and_read<std::uint16_t>(graph, lit));

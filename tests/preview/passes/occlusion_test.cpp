@@ -71,10 +71,15 @@ class OcclusionTest : public GpuTest {
 
 TEST_F(OcclusionTest, is_its_twin_but_where_rounding_moves_a_point_to_the_next_texel) {
     for (const reference::OcclusionModel& model :
-         {reference::OcclusionModel{1, occlusion_radius, 16}, {0.5, 0.6, 7}}) {
+         {reference::OcclusionModel{1, occlusion_radius, 16},
+          {0.5, 0.6, 7},
+          {1, occlusion_radius, 16, 1},
+          {0.8, 0.4, 9, 4},
+          {1, 0.5, 12, 3}}) {
         const Pictures found = render(corner_scene(), {static_cast<float>(model.strength),
                                                        static_cast<float>(model.radius),
-                                                       static_cast<std::uint32_t>(model.samples)});
+                                                       static_cast<std::uint32_t>(model.samples),
+                                                       static_cast<std::uint32_t>(model.cell)});
         const auto expected = reference::occlusion(found.seen, model);
         std::size_t others = 0;
         double most = 0;
@@ -84,8 +89,26 @@ TEST_F(OcclusionTest, is_its_twin_but_where_rounding_moves_a_point_to_the_next_t
             others += difference > 1e-3 ? 1 : 0;
             most = std::max(most, difference);
         }
-        EXPECT_LT(others, expected.size() / 50);
-        EXPECT_LT(most, 2.0 / model.samples);
+        EXPECT_LT(others, expected.size() / 50) << model.cell;
+        EXPECT_LT(most, 2.0 / model.samples) << model.cell;
+    }
+}
+
+TEST_F(OcclusionTest, is_nearer_to_what_every_pixel_sees_the_more_pixels_see_for_themselves) {
+    double before = 0;
+    for (const OcclusionResolution& row : occlusion_resolutions()) {
+        const Pictures found =
+            render(corner_scene(), {1, static_cast<float>(occlusion_radius), 64, row.side});
+        const std::vector<double> wanted =
+            reference::occlusion_of_every_pixel(found.seen, {1, occlusion_radius, 512});
+        double apart = 0;
+        for (std::size_t at = 0; at < wanted.size(); ++at) {
+            apart += std::abs(static_cast<double>(found.occlusion[at]) - wanted[at]);
+        }
+        apart /= static_cast<double>(wanted.size());
+        EXPECT_GT(apart, before) << row.name;
+        EXPECT_LT(apart, 0.03) << row.name;
+        before = apart;
     }
 }
 

@@ -3,6 +3,8 @@
 #include "preview/reference/shadow.h"
 #include "tests/preview/passes/lit_fixture.h"
 
+#include <map>
+
 namespace preview {
 namespace {
 
@@ -58,10 +60,61 @@ TEST_F(GeometryTest, a_lit_floor_does_not_shadow_itself) {
     Scene scene = floor_scene({});
     const auto free_of_shadows = light(scene);
     scene.lights[0].casts_shadow = true;
-    const auto pixels = light(scene);
-    for (std::size_t at = 0; at < pixels.size(); ++at) {
-        ASSERT_EQ(pixels[at], free_of_shadows[at]) << at;
+    for (const ShadowFilter& row : shadow_filters()) {
+        const auto pixels = light(scene, 512, false, row.name);
+        for (std::size_t at = 0; at < pixels.size(); ++at) {
+            ASSERT_EQ(pixels[at], free_of_shadows[at]) << row.name << ' ' << at;
+        }
     }
+}
+
+TEST_F(GeometryTest, the_edge_of_a_shadow_is_as_wide_as_its_filter) {
+    Scene scene = floor_scene({});
+    scene.meshes.push_back(box({1, 0.01F, 1}, 0));
+    Object sheet;
+    sheet.mesh = 1;
+    sheet.transform = glm::translate(glm::mat4(1), glm::vec3(-0.6F, 1, -0.4F));
+    scene.objects.push_back(sheet);
+    PointLight& lamp = scene.lights[0];
+    const auto bare = light(scene);
+    lamp.casts_shadow = true;
+    lamp.aim = {0.7F, 0, -0.4F}; // straight down, so that texels lie along the axes
+    constexpr std::uint32_t map_size = 48;
+    const double texel = 2 * std::tan(glm::radians(50.0)) / map_size * 2; // on the floor
+    const ViewBlock view = view_block(scene.orbit, 1.5F);
+    std::map<std::string_view, double> width, middle;
+    for (const ShadowFilter& row : shadow_filters()) {
+        const auto pixels = light(scene, map_size, false, row.name);
+        double between = 0, least = 1e9, most = -1e9;
+        for (std::uint32_t y = 0; y < size.height; ++y) {
+            for (std::uint32_t x = 0; x < size.width; ++x) {
+                glm::dvec3 ray;
+                const glm::dvec3 at = on_floor(view, x, y, ray);
+                const std::size_t index = (std::size_t{y} * size.width + x) * 4;
+                // The sheet's edge at x = 0.4 falls on x = 0.1, its upper side alone.
+                if (ray.y >= 0 || std::abs(at.z - 0.5) > 0.4 || std::abs(at.x - 0.1) > 1 ||
+                    bare[index] <= 0) {
+                    continue;
+                }
+                const double share =
+                    static_cast<double>(pixels[index]) / static_cast<double>(bare[index]);
+                if (share > 0.02 && share < 0.98) {
+                    least = std::min(least, at.x);
+                    most = std::max(most, at.x);
+                    ++between;
+                }
+            }
+        }
+        ASSERT_GT(between, 5) << row.name;
+        width[row.name] = (most - least) / texel;
+        middle[row.name] = (most + least) / 2;
+        EXPECT_NEAR(middle[row.name], 0.1, 1.2 * texel) << row.name;
+    }
+    // A square of n texels makes a ramp n texels wide, but for the pixels that see it.
+    EXPECT_NEAR(width["1x1"], 1, 0.8);
+    EXPECT_NEAR(width["3x3"], 3, 0.8);
+    EXPECT_NEAR(width["5x5"], 5, 0.8);
+    EXPECT_NEAR(width["disc"], 5, 1.2);
 }
 
 TEST_F(GeometryTest, a_ball_shadows_what_lies_behind_it_and_nothing_else) {
@@ -104,7 +157,14 @@ TEST_F(GeometryTest, shadows_are_what_rays_find_wherever_they_are_not_at_an_edge
     PointLight& light = scene.lights[0];
     light.position = {0.15F, 0.5F, -0.1F}; // among the objects
     light.shadow_near = 0.05F;
-    for (const float angle : {PointLight::all_round, 140.0F}) {
+    struct Case {
+        float angle;
+        const char* filter;
+    };
+    for (const auto& [angle, filter] : {Case{PointLight::all_round, "3x3"},
+                                        {140, "3x3"},
+                                        {PointLight::all_round, "1x1"},
+                                        {140, "1x1"}}) {
         const bool is_aimed = angle < 180;
         const std::uint32_t map_size = is_aimed ? 512 : 256;
         light.casts_shadow = false;
@@ -112,7 +172,7 @@ TEST_F(GeometryTest, shadows_are_what_rays_find_wherever_they_are_not_at_an_edge
         light.casts_shadow = true;
         light.shadow_angle = angle;
         light.aim = {0.15F, 0, -0.1F};
-        const auto pixels = this->light(scene, map_size);
+        const auto pixels = this->light(scene, map_size, false, filter);
         const reference::Casters casters(scene);
         const ViewBlock view = view_block(scene.orbit, 1.5F);
         const glm::dvec3 source(light.position);
@@ -159,7 +219,8 @@ TEST_F(GeometryTest, shadows_are_what_rays_find_wherever_they_are_not_at_an_edge
         }
         EXPECT_GT(lit, 100);
         EXPECT_GT(dark, is_aimed ? 20 : 100);
-        EXPECT_EQ(wrong, 0) << angle << ": of " << lit << " lit and " << dark << " dark";
+        EXPECT_EQ(wrong, 0) << angle << ' ' << filter << ": of " << lit << " lit and " << dark
+                            << " dark";
     }
 }
 

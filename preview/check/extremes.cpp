@@ -125,6 +125,12 @@ constexpr FrameRow frame_rows[] = {
              light.intensity = glm::vec3(1e30F);
          }
      }},
+    {"lights with a reach", "a tenth of a millimetre of every other one, 1e20 m of the rest", true,
+     [](Situation& s) {
+         for (std::size_t i = 0; i < s.lights.size(); ++i) {
+             s.lights[i].reach = i % 2 == 0 ? 1e-4F : 1e20F;
+         }
+     }},
     {"negative lights", "intensity -1", true,
      [](Situation& s) {
          for (PointLight& light : s.lights) {
@@ -172,6 +178,20 @@ void add_numbers(Rows& rows, std::span<const NumberRow<S>> numbers, Of of, std::
                             .change = [&number, value, of](Situation& situation) {
                                 number.of(of(situation)) = static_cast<float>(value);
                             }});
+        }
+    }
+}
+
+/// What of a scene is worked out more or less finely.
+void add_light_filters(Rows& rows) {
+    for (const std::string_view flag : {"shadow-filter", "occlusion-resolution"}) {
+        const ChoiceRow<PictureSettings>& row = picture_choice(flag);
+        const std::vector<Option> options = row.options();
+        for (std::size_t i = 0; i < options.size(); ++i) {
+            rows.push_back(
+                {.name = fmt::format("{} {}", flag, options[i].name),
+                 .help = std::string(options[i].text),
+                 .change = [&row, i](Situation& situation) { row.choose(situation.settings, i); }});
         }
     }
 }
@@ -234,6 +254,7 @@ std::vector<Extreme> extremes(const Situation& situation) {
     }
     add_effects(rows, situation);
     if (situation.has_scene()) {
+        add_light_filters(rows);
         add_scenes(rows);
         add_numbers(
             rows, camera_numbers(), [](Situation& s) -> Orbit& { return s.settings.orbit; }, "");

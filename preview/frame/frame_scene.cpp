@@ -78,6 +78,9 @@ ImageHandle render_scene(Graph& graph, const FrameInputs& inputs, const FrameSet
         graph.withhold("g-buffer", "surfaces are lit as they are drawn");
     }
     handles.materials = declared.handles.materials;
+    if (declared.handles.detail && !declared.handles.has_own_light) {
+        graph.withhold("emission of the g-buffer", "no surface has light of its own");
+    }
     LightingInputs lighting;
     lighting.takes_light = declared.takes_light;
     lighting.shadow_filter = settings.shadow_filter;

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <limits>
 #include <random>
+#include <set>
 
 namespace preview {
 namespace {
@@ -204,6 +205,46 @@ TEST_F(CheckTest, a_twin_that_differs_is_a_fault) {
     // The exposure that the twin is told of is another than the frame had.
     situation.settings.exposure = 0.01F;
     EXPECT_GT(beyond("hdr resolve"), 1000U);
+}
+
+TEST_F(CheckTest, every_effect_but_one_and_the_occlusion_have_a_twin_that_finds_what_differs) {
+    Situation situation = with_every_pass(situation_of(scene_at(*scene_named("studio"), 0)));
+    situation.settings.seconds = 1.37;
+    const GpuShown on_gpu(device(), situation.shown);
+    Executor executor(device());
+    std::set<std::string> asked;
+    const auto expect_found = [&](std::size_t channels) {
+        Graph graph;
+        (void)build_frame(graph, on_gpu.inputs(), situation.settings);
+        const std::vector<Observed> seen = observe(executor, graph);
+        for (const TwinFigure& twin : twin_figures(situation, graph, seen)) {
+            EXPECT_TRUE(twin.is_near()) << twin.pass << ' ' << twin.largest << ' ' << twin.beyond;
+            EXPECT_TRUE(twin.keeps_light()) << twin.pass << ' ' << twin.drift;
+            std::vector<Observed> changed = seen;
+            for (Observed& one : changed) {
+                if (one.pass == twin.pass && (one.channels == 4 || one.channels == channels)) {
+                    for (std::size_t at = 0; at < one.values.size(); at += 4) {
+                        one.values[at] += 0.02F * (1 + one.values[at]);
+                    }
+                }
+            }
+            for (const TwinFigure& other : twin_figures(situation, graph, changed)) {
+                EXPECT_FALSE(other.pass == twin.pass && other.is_near() && other.keeps_light())
+                    << twin.pass;
+            }
+            asked.insert(twin.pass);
+        }
+    };
+    for (const OcclusionResolution& row : occlusion_resolutions()) {
+        situation.settings.occlusion.resolution = &row;
+        expect_found(1);
+    }
+    for (const PostEffect* const effect : post_effects()) {
+        EXPECT_EQ(asked.contains(std::string(effect->name)), effect->name != "depth-of-field")
+            << effect->name;
+    }
+    EXPECT_TRUE(asked.contains("ambient occlusion enlarged"));
+    EXPECT_TRUE(asked.contains("ambient occlusion blurred along y"));
 }
 
 TEST_F(CheckTest, a_step_in_a_shader_is_stiff) {

@@ -108,7 +108,8 @@ TEST(Options, that_change_nothing_of_this_input_are_said) {
     EXPECT_EQ(said("--exr picture -o x.exr", shows_codes), 0U);
     EXPECT_EQ(said("--exr light -o x.exr", shows_light), 0U);
     for (const char* const flag : {"--shadow-size 64", "--raster compute", "--azimuth 3",
-                                   "--occlusion-radius 1", "--camera x", "--surroundings sky"}) {
+                                   "--occlusion-radius 1", "--camera x", "--surroundings sky",
+                                   "--shadow-filter 1x1", "--occlusion-resolution full"}) {
         EXPECT_EQ(said(flag, shows_codes), 1U) << flag;
         EXPECT_EQ(said(flag, shows_scene), 0U) << flag;
     }

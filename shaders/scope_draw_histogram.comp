@@ -1,6 +1,6 @@
 // Draws a histogram from its counts: red, green and blue as lights that add up, luma as a line over
 // them. Its height is the largest count but for the outermost codes, where clipped values pile up
-// and have marks. Lines and figures stand at each quarter in per cent.
+// and have marks. Lines and figures tell the levels.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 16, local_size_y = 16) in;
@@ -13,6 +13,7 @@ layout(binding = 1) writeonly uniform image2D target;
 shared uint most;
 
 float share(float count) {
+    count *= push.gain;
     if (push.logarithmic != 0u) {
         return log2(1.0 + count) / log2(1.0 + float(most));
     }
@@ -35,7 +36,7 @@ float height_at(uint plane, float x) {
 
 vec3 plot_color(ivec2 at) {
     vec3 color = ground;
-    for (uint plane = 0u; plane < 3u && at.y < 3 * mark_size(); ++plane) {
+    for (uint plane = 0u; plane < 3u && at.y < 3 * mark_size() && push.marks != 0u; ++plane) {
         if (at.x < mark_size() && counts[plane * levels] > 0u) {
             return black_mark;
         }
@@ -43,8 +44,8 @@ vec3 plot_color(ivec2 at) {
             return white_mark;
         }
     }
-    for (int quarter = 0; quarter <= 4; ++quarter) {
-        float x = float(push.plot.z) * (float(quarter) * 63.75 + 0.5) / float(levels);
+    for (uint line = 0u; line < push.lines; ++line) {
+        float x = float(push.plot.z) * (line_code(line) + 0.5) / float(levels);
         color = mix(color, line_color, coverage(float(at.x) + 0.5 - x, 1.0));
     }
     float x = float(at.x), y = float(push.plot.w - at.y) - 0.5;

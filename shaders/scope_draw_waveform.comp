@@ -1,5 +1,5 @@
-// Draws a waveform or a parade from its counts, with lines and figures at each quarter in per cent,
-// and marks above and below columns that have clipped texels.
+// Draws a waveform or a parade from its counts, with lines and figures of the levels, and
+// marks above and below columns that have clipped texels.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 16, local_size_y = 16) in;
@@ -36,8 +36,8 @@ vec3 plane_color(uint plane) {
 
 vec3 ground_color(ivec2 at) {
     vec3 color = ground;
-    for (int quarter = 0; quarter <= 4; ++quarter) {
-        float level = float(quarter) * 63.75 + 0.5;
+    for (uint line = 0u; line < push.lines; ++line) {
+        float level = line_code(line) + 0.5;
         float y = float(push.plot.w) * (1.0 - level / float(levels));
         color = mix(color, line_color, coverage(float(at.y) + 0.5 - y, 1.0));
     }
@@ -45,7 +45,7 @@ vec3 ground_color(ivec2 at) {
 }
 
 bool is_clipped(uint plane, uint column, uint level) {
-    return counts[(plane * push.columns + column) * levels + level] > 0u;
+    return push.marks != 0u && counts[(plane * push.columns + column) * levels + level] > 0u;
 }
 
 /// Laid over `color`.

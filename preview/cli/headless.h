@@ -18,6 +18,7 @@ struct Rendered {
     Size hdr_size;
     std::optional<DifferenceFigures> figures; ///< of a difference
     float heat_scale = 0;                     ///< dE2000 at the end of its heat map
+    std::vector<std::uint32_t> scope_counts;  ///< of the scope, when the settings keep them
     std::optional<Probe> probe;               ///< of the place that the settings name
     std::string explanation;                  ///< what was kept and left out
     std::vector<Withheld> withheld;           ///< of it what the frame withheld

@@ -6,8 +6,6 @@
 
 namespace preview {
 
-namespace {
-
 lutlib::Encoding encoding_of(const std::string& name, const std::string& flag) {
     try {
         return lutlib::require_encoding(name);
@@ -15,6 +13,8 @@ lutlib::Encoding encoding_of(const std::string& name, const std::string& flag) {
         throw lutlib::UsageError(flag + ": " + error.message());
     }
 }
+
+namespace {
 
 std::optional<lutlib::Encoding> if_named(const std::string& name, const std::string& flag) {
     return name.empty() ? std::nullopt : std::optional(encoding_of(name, flag));

@@ -95,7 +95,7 @@ constexpr OptionRow rows[] = {
      .type = "WxH"},
     {.flag = "-o,--output",
      .help = "Picture file: PNG with the codes, or any that OpenImageIO writes; .exr and .hdr hold "
-             "light (--exr)",
+             "light (--exr); of a --scope also .csv, with its counts",
      .of = [](O& o) -> std::string& { return o.output; }},
     {.flag = "--depth",
      .help =
@@ -132,6 +132,19 @@ constexpr OptionRow rows[] = {
      .help = "Measure this part of the picture alone, in its pixels; side by side in each",
      .of = [](O& o) -> std::string& { return o.scope_region; },
      .type = "X,Y,W,H"},
+    {.flag = "--scope-encoding",
+     .help = "Levels of waveform, parade, rgb and histogram: the same colours in this encoding, a "
+             "curve or curve/gamut of 'lutconv encodings' (pq, linear, hlg), in place of the codes "
+             "as they are shown",
+     .of = [](O& o) -> std::string& { return o.scope_encoding; },
+     .type = "ENCODING"},
+    {.flag = "--display-white",
+     .help =
+         "The display's white in cd/m2: what levels in PQ and luminances in the window are told "
+         "for",
+     .of = [](O& o) -> double& { return o.display_white; },
+     .min = least_display_white,
+     .max = most_display_white},
     {.flag = "--explain",
      .help = "Print each pass: kept or left out, and why; and the settings",
      .of = [](O& o) -> bool& { return o.explain; }},
@@ -321,6 +334,13 @@ constexpr ChoiceRow<Options> choices[] = {
      .options = [] { return options_of(scope_scales); },
      .choose = [](O& o,
                   std::size_t i) { o.frame.scope_logarithmic = scope_scales[i].logarithmic; }},
+    {.flag = "scope-gain",
+     .label = "Gain of the scope",
+     .kind = "gain of a scope",
+     .title = "Gains of a scope",
+     .help = "How often counts are multiplied before that",
+     .options = [] { return options_of(scope_gains); },
+     .choose = [](O& o, std::size_t i) { o.frame.scope_gain = &scope_gains[i]; }},
 };
 
 } // namespace

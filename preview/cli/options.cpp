@@ -3,6 +3,7 @@
 #include "lutlib/error.h"
 #include "lutlib/named.h"
 #include "preview/cli/light_edit.h"
+#include "preview/cli/look_options.h"
 #include "preview/effects/effect.h"
 #include "preview/frame/usual_finish.h"
 #include "preview/passes/resolve.h"
@@ -180,6 +181,10 @@ FrameSettings settings_of(const Options& options, Size input_size) {
             options.scope_size.empty() ? Size{settings.scope->width, settings.scope->height}
                                        : parse_size("--scope-size", options.scope_size);
     }
+    if (!options.scope_encoding.empty()) {
+        settings.scope_levels.encoding = encoding_of(options.scope_encoding, "--scope-encoding");
+    }
+    settings.scope_levels.white = static_cast<float>(options.display_white);
     settings.effects = effects_of(options, input_size == Size{});
     settings.seconds = options.seconds;
     settings.output = output_size(options, settings, input_size);

@@ -48,7 +48,9 @@ struct Options {
         std::vector<std::optional<float>>(preview::surroundings_numbers().size());
     const RasterChoice* raster = &rasters().front();
     std::string size, probe, meter, scope_size, scope_region, focus_at;
+    std::string scope_encoding; ///< of the scope's levels; empty: the codes as they are shown
     double seconds = 0;
+    double display_white = static_cast<double>(usual_display_white); ///< cd/m2
     std::string camera_name; ///< of the file's cameras; empty: the first
     /// Of each row of camera_numbers(): added to the scene's.
     std::vector<float> camera = std::vector<float>(camera_numbers().size());

@@ -116,12 +116,13 @@ std::vector<std::string> report_flags() {
 
 /// The options that a study, which makes no picture for anybody, does not take.
 Rule study_rule(const Options& options) {
-    return {{"--depth",      "--cube-view",  "--cube-nodes", "--scope-region",
-             "--scope",      "--scope-size", "--scope-side", "--scope-scale",
-             "--explain",    "--force-all",  "--timings",    "--frames",
-             "--frame-rate", "--resume",     "--font",       "--watch-engine-folder",
-             "--places",     "--exr",        "--dither",     "--debug-view",
-             "--heat-scale", "--probe",      "--meter"},
+    return {{"--depth",       "--cube-view",  "--cube-nodes",     "--probe",
+             "--scope",       "--scope-size", "--scope-region",   "--scope-side",
+             "--scope-scale", "--scope-gain", "--scope-encoding", "--display-white",
+             "--explain",     "--force-all",  "--timings",        "--frames",
+             "--frame-rate",  "--resume",     "--font",           "--watch-engine-folder",
+             "--places",      "--exr",        "--dither",         "--debug-view",
+             "--heat-scale",  "--meter"},
             false,
             why_no_picture(options)};
 }
@@ -146,9 +147,18 @@ std::vector<Rule> rules_of(const Options& o) {
          is_look(o.look_b) || window,
          "side B has no look"},
         {cube_flags(), window, "no --cube-view is drawn"},
-        {{"--scope-size", "--scope-region", "--scope-side", "--scope-scale"},
+        {{"--scope-size", "--scope-region", "--scope-side", "--scope-scale", "--scope-gain",
+          "--scope-encoding"},
          o.frame.scope != nullptr || window,
          "no --scope is shown"},
+        {{"--scope-scale", "--scope-gain"}, !writes_counts(o), "a .csv has the counts themselves"},
+        {{"--depth"}, !writes_counts(o), "a .csv has the counts themselves"},
+        {{"--scope-encoding"},
+         o.frame.scope == nullptr || has_levels(*o.frame.scope) || window,
+         "a vectorscope counts the codes as they are shown"},
+        {{"--display-white"},
+         (o.frame.scope != nullptr && !o.scope_encoding.empty()) || window,
+         "no --scope-encoding is given"},
         {report_flags(), false, "it is for 'lutpreview report'"},
         {{"--frames"}, o.timings || is_sequence, "--timings takes it"},
         {{"--frame-rate", "--resume"}, is_sequence, "--frames names no sequence, as 0-119 does"},
@@ -181,9 +191,10 @@ std::vector<Rule> rules_of(const Options& o) {
          compare != &compare_difference || window,
          "a heat map (--compare diff) is no picture to look at"},
         {{"--heat-scale"}, compare == &compare_difference || window, "it is for --compare diff"},
-        {{"--picture-encoding", "--no-convert", "--look-at"},
-         has_looks || window,
+        {{"--picture-encoding"},
+         has_looks || window || (o.frame.scope != nullptr && !o.scope_encoding.empty()),
          "neither side has a look"},
+        {{"--no-convert", "--look-at"}, has_looks || window, "neither side has a look"},
         {bloom_flags(), !is_without(o, "bloom"), "--without bloom switches it off"},
         {{"--tonemap"}, !is_without(o, "tonemap"), "--without tonemap switches it off"},
         {{"--focus-at"},
@@ -237,6 +248,10 @@ void add_surroundings(std::vector<Rule>& rules, SurroundingsKind kind) {
 bool output_holds_light(const Options& options) {
     const std::string extension = lutlib::io::extension_of(options.output);
     return extension == "exr" || extension == "hdr";
+}
+
+bool writes_counts(const Options& options) {
+    return options.frame.scope != nullptr && lutlib::io::extension_of(options.output) == "csv";
 }
 
 std::vector<std::string> unused_options(const Options& options) {

@@ -25,6 +25,9 @@ std::vector<std::string> unused_options(const Options& options, const KnownInput
 /// Whether the output is of a type that holds light and never codes: OpenEXR, Radiance.
 bool output_holds_light(const Options& options);
 
+/// Whether the output is the counts of the scope that is shown, as CSV.
+bool writes_counts(const Options& options);
+
 /// What a person has asked for and a file of the light before the tone map has not, in a sentence
 /// with the remedy; empty: nothing.
 std::string not_in_light(const Options& options, const FrameSettings& settings);

@@ -6,6 +6,7 @@
 #include "lutlib/io/terminal.h"
 #include "preview/cli/look_options.h"
 #include "preview/editor/kept_cameras.h"
+#include "preview/finish/scope_csv.h"
 #include "preview/look/look_file.h"
 #include "preview/scene/gpu_scene.h"
 #include "preview/scene/nearest.h"
@@ -18,8 +19,9 @@ namespace {
 
 std::optional<GpuLook> load_side(const gpu::Device& device, const std::string& path,
                                  const LookUse& use, bool force, std::string& notes,
-                                 const char* side, std::string& reason) {
+                                 const char* side, std::string& reason, lutlib::Encoding& shown) {
     const LoadedLook look = load_look(path, use);
+    shown = look.shown;
     const std::string name = "look " + std::string(side) + ": ";
     for (const std::string& line : look.told) {
         tell(path + ": " + line);
@@ -91,7 +93,11 @@ Rendering::Rendering(const Options& options)
         for (const std::string& read : shown->files) {
             lutlib::io::require_another_than(read, "what is shown", options.output);
         }
-        file = file_format(options.output, options.depth);
+        if (writes_counts(options)) {
+            settings.keeps_counts = true;
+        } else {
+            file = file_format(options.output, options.depth);
+        }
         for (const std::string& line : shown->not_written) {
             tell(shown->name + ": not written: " + line + "; 'lutconv apply' keeps it");
         }
@@ -103,16 +109,32 @@ Rendering::Rendering(const Options& options)
         settings.keep_hdr && !line.empty()) {
         tell(line);
     }
-    settings.format = file.frame_format();
+    // Scopes count the picture in 8 bits.
+    settings.format = settings.scope != nullptr ? Format::rgba8 : file.frame_format();
     settings.keeps_light = true; // measuring it draws it already
     settings.dithers = options.dither.value_or(false);
     settings.shows_numbers = file.holds_light && settings.shows_intermediate();
     const bool force = options.frame.force_all, has_light = !shown->display_encoded();
-    look_a =
-        load_side(device, options.look_a, use_a(options, has_light), force, notes, "A", no_look[0]);
+    std::array<lutlib::Encoding, 2> codes;
+    look_a = load_side(device, options.look_a, use_a(options, has_light), force, notes, "A",
+                       no_look[0], codes[0]);
     names = {look_title(options.look_a), look_title(options.look_b)};
-    look_b =
-        load_side(device, options.look_b, use_b(options, has_light), force, notes, "B", no_look[1]);
+    look_b = load_side(device, options.look_b, use_b(options, has_light), force, notes, "B",
+                       no_look[1], codes[1]);
+    name_levels(codes);
+}
+
+void Rendering::name_levels(const std::array<lutlib::Encoding, 2>& codes) {
+    ScopeLevels& levels = settings.scope_levels;
+    const auto known = shown_codes(*settings.scope_side, *settings.compare, codes);
+    levels.shown = known.value_or(lutlib::srgb());
+    if (settings.scope == nullptr || !has_levels(*settings.scope)) {
+        return;
+    }
+    notes += "scope     " + levels_text(levels) + "\n";
+    if (levels.encoding && !known) {
+        tell("--scope-side: " + mixed_codes_text(codes));
+    }
 }
 
 FrameInputs Rendering::inputs() const {
@@ -144,6 +166,11 @@ void tell_empty_view(const Rendering& rendering) {
 
 void write_frame(const std::string& path, const Rendering& rendering, const Rendered& rendered) {
     const FrameSettings& settings = rendering.settings;
+    if (settings.keeps_counts) {
+        lutlib::io::write_file(
+            path, scope_csv(*settings.scope, rendered.scope_counts, settings.scope_levels));
+        return;
+    }
     const std::optional<ShownPicture>& picture = rendering.shown->picture;
     if (settings.keep_hdr) {
         tell_lost(path, write_light(path, rendered, rendering.file,

@@ -35,6 +35,10 @@ struct Rendering {
     std::array<std::string, 2> names;   ///< of the sides
     std::optional<GpuLook> look_a, look_b;
     GpuShown on_gpu;
+
+  private:
+    /// What the scope's levels are, where the sides' codes are these.
+    void name_levels(const std::array<lutlib::Encoding, 2>& codes);
 };
 
 /// Throws lutlib::UsageError when the output is one of the looks.

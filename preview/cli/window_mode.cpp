@@ -60,6 +60,8 @@ editor::State opening_state(const Options& options, const FrameSettings& given,
     state.scopes_seen.side = given.scope_side;
     state.scopes_seen.region = given.scope_region;
     state.scopes_seen.logarithmic = given.scope_logarithmic;
+    state.scopes_seen.gain = given.scope_gain;
+    state.scopes_seen.encoding = given.scope_levels.encoding;
     take_shown(state, shown);
     state.effects = given.effects;
     state.tonemap = given.tonemap;
@@ -111,6 +113,7 @@ void open_window(const Options& options) {
     setup.frame.keeps_light = true;
     setup.frame.dithers = options.dither.value_or(true);
     setup.state = opening_state(options, given, shown);
+    setup.display_white = given.scope_levels.white;
     setup.raster = options.raster;
     if (!options.size.empty()) {
         setup.size = settings_of(options, {}).output;

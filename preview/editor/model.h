@@ -71,7 +71,9 @@ struct ScopeChoice {
     const ScopeSide* side = &scope_side_shown;
     ScopeRegion region;
     std::optional<bool> logarithmic; ///< empty: each scope's own
-    float height = 0.34F;            ///< of the window's
+    const ScopeGain* gain = &scope_gain_none;
+    std::optional<lutlib::Encoding> encoding; ///< of the levels; empty: the codes as they are shown
+    float height = 0.34F;                     ///< of the window's
     friend bool operator==(const ScopeChoice&, const ScopeChoice&) = default;
 };
 

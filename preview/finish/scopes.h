@@ -4,18 +4,23 @@
 // Luma, Cb and Cr are those of Rec. ITU-R BT.709-6, section 3, on full-range codes, in
 // fixed point so that the GPU and its twin agree on every count:
 //     Y' = .2126 R' + .7152 G' + .0722 B'   Cb = (B' - Y') / 1.8556   Cr = (R' - Y') / 1.5748
-// On the vectorscope Cb runs to the right and Cr upwards. Its skin line is NTSC's +I axis, at 123
-// degrees from +Cb (SMPTE 170M: I and Q are the colour differences turned by 33 degrees), near
-// which skin of every shade lies. Its targets are the bars of 75 %.
+// On the vectorscope Cb runs to the right and Cr upwards. Its skin line is NTSC's +I axis, near
+// which skin of every shade lies: 33 degrees beyond the axis of R' - Y' (SMPTE 170M-2004: I and Q
+// are the colour differences turned by 33 degrees), so at 123 degrees from that of B' - Y', where
+// vectorscopes draw it over Cb and Cr as they did over the analogue signal's. Its targets are the
+// bars of 75 %.
 #pragma once
 
 #include "lutlib/named.h"
 #include "preview/finish/scope_area.h"
+#include "preview/finish/scope_levels.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -54,6 +59,10 @@ inline constexpr std::array<Scope, 5> scopes{{
      ScopeBins::levels, 4, 768, 384, false},
 }};
 
+constexpr bool has_levels(const Scope& scope) {
+    return scope.bins != ScopeBins::chroma;
+}
+
 /// The place of a row in `scopes`, and so of what is kept for each of them.
 constexpr std::size_t index_of(const Scope& scope) {
     return static_cast<std::size_t>(&scope - scopes.data());
@@ -84,6 +93,23 @@ inline constexpr std::array<ScopeScale, 3> scope_scales{{
     {"linear", "in proportion to the counts", false},
 }};
 
+/// How often counts are multiplied before they become brightness or height.
+struct ScopeGain {
+    std::string_view name;
+    std::string_view label;
+    float factor;
+};
+inline constexpr std::array<ScopeGain, 7> scope_gains{{
+    {"x0.25", "-12 dB, a quarter", 0.25F},
+    {"x0.5", "-6 dB, half", 0.5F},
+    {"x1", "0 dB, as they are", 1},
+    {"x2", "+6 dB, twice", 2},
+    {"x4", "+12 dB, four times", 4},
+    {"x8", "+18 dB, eight times", 8},
+    {"x16", "+24 dB, sixteen times", 16},
+}};
+inline constexpr const ScopeGain& scope_gain_none = lutlib::row_named(scope_gains, "x1");
+
 /// How much room a character of a scope's figures takes, in pixels.
 struct FigureSize {
     std::int32_t advance = 0, height = 0;
@@ -97,16 +123,18 @@ struct ScopePlot {
     std::int32_t stride = 0;                          ///< from one plot to the next
     std::int32_t dot = 1; ///< of figures that the picture has itself, 6 dots apart and 6 high
 };
-/// With room for figures of that size, else for those made of dots.
+/// With room for `levels` in figures of that size, else in those made of dots.
 ScopePlot scope_plot(const Scope& scope, std::uint32_t width, std::uint32_t height,
-                     std::optional<FigureSize> figures = std::nullopt);
+                     std::optional<FigureSize> figures = std::nullopt,
+                     std::span<const LevelFigure> levels = percent_figures());
 
-/// What is written beside a plot: levels in per cent, or the names of the 75 % bars.
+/// What is written beside a plot: levels, or the names of the 75 % bars and the skin line.
 struct ScopeLabel {
-    std::string_view text;
+    std::string text;
     std::int32_t x = 0, y = 0; ///< of its upper left corner, in pixels of the scope's picture
 };
-std::vector<ScopeLabel> scope_labels(const Scope& scope, const ScopePlot& plot, FigureSize figures);
+std::vector<ScopeLabel> scope_labels(const Scope& scope, const ScopePlot& plot, FigureSize figures,
+                                     std::span<const LevelFigure> levels = percent_figures());
 /// Of figures made of dots.
 constexpr FigureSize dotted_figures(const ScopePlot& plot) {
     return {6 * plot.dot, 6 * plot.dot};

@@ -6,6 +6,7 @@
 #include "preview/passes/pass.h"
 #include "preview/passes/probe.h"
 #include "preview/passes/scope.h"
+#include "preview/passes/scope_codes.h"
 
 #include <string>
 
@@ -17,7 +18,8 @@ namespace {
 ScopeDrawing drawing_of(const FrameSettings& settings, const Scope& scope) {
     const Size size = settings.scope_sizes[index_of(scope)];
     return {size == Size{} ? Size{scope.width, scope.height} : size,
-            settings.scope_logarithmic.value_or(scope.logarithmic), settings.scope_figures};
+            settings.scope_logarithmic.value_or(scope.logarithmic), settings.scope_figures,
+            settings.scope_levels, settings.scope_gain->factor};
 }
 
 ScopeCounts imported(Graph& graph, const Scope& scope, const KeptScope& kept) {
@@ -26,12 +28,28 @@ ScopeCounts imported(Graph& graph, const Scope& scope, const KeptScope& kept) {
             kept.columns, kept.width, kept.height};
 }
 
+/// What scopes with levels count in place of the picture's codes; empty where they count those.
+ImageHandle codes_for_scopes(Graph& graph, const FrameSettings& settings, ImageHandle picture) {
+    bool is_wanted = false;
+    for (std::size_t i = 0; i < scopes.size(); ++i) {
+        const bool is_counted = settings.scope_sizes[i] != Size{} || settings.keeps_scopes;
+        is_wanted = is_wanted || (is_counted && has_levels(scopes[i]));
+    }
+    if (is_wanted && settings.scope_levels.converts()) {
+        return add_scope_codes(graph, picture, settings.scope_levels);
+    }
+    graph.withhold("encode for scopes", is_wanted ? "they count the codes as they are shown"
+                                                  : "no scope with levels is shown");
+    return {};
+}
+
 void add_scopes(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
                 FrameHandles& handles) {
     const ScopeArea area = scope_area(*settings.scope_side, *settings.compare, settings,
                                       settings.scope_region, size_of(graph, handles.output));
     const std::string_view reason =
         no_scope_because(area, *settings.scope_side, *settings.compare, settings.scope_region);
+    const ImageHandle encoded = codes_for_scopes(graph, settings, handles.output);
     for (const Scope& scope : scopes) {
         const std::size_t i = index_of(scope);
         const bool is_seen = settings.scope_sizes[i] != Size{};
@@ -50,9 +68,11 @@ void add_scopes(Graph& graph, const FrameInputs& inputs, const FrameSettings& se
                            "it is frozen, and shows what was counted then");
             handles.scope_counts[i] = imported(graph, scope, inputs.kept_scopes[i]);
         } else {
-            handles.scope_counts[i] = count_scope(graph, handles.output, scope, area, drawing);
+            handles.scope_counts[i] =
+                count_scope(graph, encoded && has_levels(scope) ? encoded : handles.output, scope,
+                            area, drawing);
         }
-        if (settings.keeps_scopes) {
+        if (settings.keeps_scopes || (settings.keeps_counts && settings.scope == &scope)) {
             graph.present(handles.scope_counts[i].counts);
         }
         if (is_seen) {

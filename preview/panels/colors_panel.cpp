@@ -4,7 +4,7 @@
 
 #include <imgui.h>
 
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace preview::panels {
 
@@ -75,10 +75,13 @@ void colors_panel(Ui& ui) {
     ImGui::TextWrapped(
         "C keeps the colour under the mouse: its codes, light, luminance and CIELAB. "
         "Click a figure to copy it.");
-    ImGui::SliderFloat("Display's white (cd/m2)", &ui.display_white, 48, 1000, "%.4g",
+    ImGui::SliderFloat("Display's white (cd/m2)", &ui.display_white,
+                       static_cast<float>(least_display_white),
+                       static_cast<float>(most_display_white), "%.4g",
                        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
     mark(ui, "color.white");
-    tip("What luminances are told for", "100 cd/m2");
+    tip("What luminances are told for, also by scopes in PQ",
+        fmt::format("{:.4g} cd/m2", usual_display_white));
     if (!ui.picked.empty() && ImGui::Button("Forget them")) {
         ui.picked.clear();
     }

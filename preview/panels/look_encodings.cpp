@@ -8,19 +8,6 @@ namespace preview::panels {
 
 namespace {
 
-/// Of a curve, which brings its own gamut, and of another gamut.
-void encoding_choice(Ui& ui, const std::string& label, const std::string& place,
-                     lutlib::Encoding& chosen) {
-    const lutlib::TransferCurve* curve = chosen.curve;
-    if (searched_choice(ui, label + " curve", place + ".curve", lutlib::transfer_curves(), curve)) {
-        chosen = {curve, curve->gamut};
-    }
-    const lutlib::Gamut* gamut = chosen.gamut;
-    if (searched_choice(ui, label + " gamut", place + ".gamut", lutlib::gamuts(), gamut)) {
-        chosen.gamut = gamut;
-    }
-}
-
 void where_looks_stand(Ui& ui, PictureCodes& picture) {
     const bool open = ImGui::BeginCombo("Place", std::string(picture.at->name).c_str());
     mark(ui, "look.at");
@@ -40,6 +27,18 @@ void where_looks_stand(Ui& ui, PictureCodes& picture) {
 }
 
 } // namespace
+
+void encoding_choice(Ui& ui, const std::string& label, const std::string& place,
+                     lutlib::Encoding& chosen) {
+    const lutlib::TransferCurve* curve = chosen.curve;
+    if (searched_choice(ui, label + " curve", place + ".curve", lutlib::transfer_curves(), curve)) {
+        chosen = {curve, curve->gamut};
+    }
+    const lutlib::Gamut* gamut = chosen.gamut;
+    if (searched_choice(ui, label + " gamut", place + ".gamut", lutlib::gamuts(), gamut)) {
+        chosen.gamut = gamut;
+    }
+}
 
 void encodings_of_look(Ui& ui) {
     State& state = ui.history.draft();

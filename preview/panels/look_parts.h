@@ -6,6 +6,10 @@
 namespace preview::panels {
 
 void encodings_of_look(Ui& ui);
+/// A list of curves, each of which brings its own gamut, and one of gamuts; `place` is how their
+/// names for mark() begin.
+void encoding_choice(Ui& ui, const std::string& label, const std::string& place,
+                     lutlib::Encoding& chosen);
 
 /// A page of the panel: some operators, large, whether the recipe has them already or not.
 struct LookPage {

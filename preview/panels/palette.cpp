@@ -34,6 +34,19 @@ void add_zooms(std::vector<Action>& out) {
     }
 }
 
+void add_scopes(std::vector<Action>& out) {
+    for (const ScopeGain& row : scope_gains) {
+        add(out, "scope gain: " + std::string(row.label),
+            [&row](Ui& ui) { ui.history.draft().scopes_seen.gain = &row; });
+    }
+    add(out, "scope levels: the codes as they are shown",
+        [](Ui& ui) { ui.history.draft().scopes_seen.encoding.reset(); });
+    for (const lutlib::Encoding& row : lutlib::encodings()) {
+        add(out, "scope levels: " + row.label() + " (" + row.name() + ")",
+            [&row](Ui& ui) { ui.history.draft().scopes_seen.encoding = row; });
+    }
+}
+
 void add_switches(std::vector<Action>& out) {
     for (const PostEffect* effect : post_effects()) {
         add(out, "effect on or off: " + std::string(effect->label), [effect](Ui& ui) {
@@ -83,6 +96,7 @@ std::vector<Action> commands() {
     add_choices(out);
     add_zooms(out);
     add_switches(out);
+    add_scopes(out);
     return out;
 }
 

@@ -1,4 +1,5 @@
 // The scopes: which of them are seen under the picture, and what of it they look at.
+#include "preview/panels/look_parts.h"
 #include "preview/panels/scope_region.h"
 #include "preview/panels/tip.h"
 
@@ -38,11 +39,12 @@ std::array<float, scopes.size()> widths_in(const ScopeChoice& choice, const Rect
 /// Writes a scope's figures in the window's font over its picture, of ui.scope_figures.
 void write_figures(const Ui& ui, const Scope& scope, const Rect& place) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    const std::vector<LevelFigure> levels = level_figures(scope_levels(ui));
     const ScopePlot plot =
         scope_plot(scope, static_cast<std::uint32_t>(place.width * scale.x),
-                   static_cast<std::uint32_t>(place.height * scale.y), ui.scope_figures);
+                   static_cast<std::uint32_t>(place.height * scale.y), ui.scope_figures, levels);
     constexpr ImU32 color = IM_COL32(184, 163, 117, 255);
-    for (const ScopeLabel& label : scope_labels(scope, plot, ui.scope_figures)) {
+    for (const ScopeLabel& label : scope_labels(scope, plot, ui.scope_figures, levels)) {
         ImGui::GetWindowDrawList()->AddText({place.x + static_cast<float>(label.x) / scale.x,
                                              place.y + static_cast<float>(label.y) / scale.y},
                                             color, label.text.data(),
@@ -64,7 +66,58 @@ void write_frozen(const Rect& place) {
     list.AddText({low.x + room, low.y + room}, IM_COL32(0, 0, 0, 255), words);
 }
 
+/// What heights are: the shown codes, or those of an encoding.
+void levels_choice(Ui& ui, ScopeChoice& choice) {
+    ImGui::TextUnformatted("What their levels are");
+    if (ImGui::RadioButton("the codes as they are shown", !choice.encoding)) {
+        choice.encoding.reset();
+    }
+    mark(ui, "scope.levels.shown");
+    if (ImGui::RadioButton("the same colours in another encoding", choice.encoding.has_value()) &&
+        !choice.encoding) {
+        choice.encoding = lutlib::encoding_named("pq");
+    }
+    mark(ui, "scope.levels.encoded");
+    if (!choice.encoding) {
+        return;
+    }
+    encoding_choice(ui, "Levels", "scope.levels", *choice.encoding);
+    ImGui::TextWrapped("%s", levels_text(scope_levels(ui)).c_str());
+    if (!shown_codes(*choice.side, *ui.history.draft().compare, ui.facts.shown_codes)) {
+        ImGui::TextWrapped("%s", mixed_codes_text(ui.facts.shown_codes).c_str());
+    }
+}
+
+/// How bright or high counts are.
+void scale_choice(Ui& ui, ScopeChoice& choice) {
+    ImGui::TextUnformatted("Their brightness and height");
+    for (const ScopeScale& row : scope_scales) {
+        if (ImGui::RadioButton(row.label.data(), choice.logarithmic == row.logarithmic)) {
+            choice.logarithmic = row.logarithmic;
+        }
+        mark(ui, "scope.scale." + std::string(row.name));
+    }
+    const bool is_open = ImGui::BeginCombo("Gain", choice.gain->label.data());
+    mark(ui, "scope.gain");
+    if (!is_open) {
+        return;
+    }
+    for (const ScopeGain& row : scope_gains) {
+        if (ImGui::Selectable(row.label.data(), choice.gain == &row)) {
+            choice.gain = &row;
+        }
+        mark(ui, "scope.gain." + std::string(row.name));
+    }
+    ImGui::EndCombo();
+}
+
 } // namespace
+
+ScopeLevels scope_levels(const Ui& ui) {
+    const State& state = ui.history.draft();
+    const auto shown = shown_codes(*state.scopes_seen.side, *state.compare, ui.facts.shown_codes);
+    return {state.scopes_seen.encoding, shown.value_or(lutlib::srgb()), ui.display_white};
+}
 
 void scopes_panel(Ui& ui) {
     ScopeChoice& choice = ui.history.draft().scopes_seen;
@@ -89,13 +142,11 @@ void scopes_panel(Ui& ui) {
         mark(ui, "scope.side." + std::string(side.name));
     }
     scope_region_controls(ui);
-    ImGui::TextUnformatted("Their brightness and height");
-    for (const ScopeScale& row : scope_scales) {
-        if (ImGui::RadioButton(row.label.data(), choice.logarithmic == row.logarithmic)) {
-            choice.logarithmic = row.logarithmic;
-        }
-        mark(ui, "scope.scale." + std::string(row.name));
-    }
+    // What is frozen was counted in the levels of then.
+    ImGui::BeginDisabled(ui.scopes_frozen);
+    levels_choice(ui, choice);
+    ImGui::EndDisabled();
+    scale_choice(ui, choice);
     ImGui::SliderFloat("Height", &choice.height, 0.15F, 0.7F, "%.2f", ImGuiSliderFlags_AlwaysClamp);
     mark(ui, "scope.height");
 }

@@ -58,6 +58,8 @@ struct Facts {
     std::array<std::string, 2> look_notes;     ///< how exactly each side stands for the recipe
     std::array<std::string, 2> look_standings; ///< where each stands and what it is fed
     std::array<std::shared_ptr<const lutlib::Lut>, 2> tables; ///< of the sides; null: no look
+    /// What the codes are that are shown of the sides.
+    std::array<lutlib::Encoding, 2> shown_codes{lutlib::srgb(), lutlib::srgb()};
     std::vector<PassTime> passes;
     std::string no_scopes;   ///< why those that are asked for count nothing; empty: they do
     std::string explanation; ///< a line for each pass, kept or left out, and why
@@ -128,8 +130,8 @@ struct Ui {
     std::string forget_camera;              ///< for the program to keep no longer; empty: none
     std::string camera_name;                ///< typed for the next one
     std::vector<PickedColor> picked;        ///< the newest first
-    float display_white = 100;              ///< cd/m2, for which luminances are told
-    bool scopes_frozen = false;             ///< they show what they counted when this was set
+    float display_white = usual_display_white; ///< cd/m2, for which luminances are told
+    bool scopes_frozen = false;                ///< they show what they counted when this was set
     std::array<Rect, scopes.size()> scope_places{}; ///< where scopes are seen; else empty
     FigureSize scope_figures;      ///< of those that are written over the scopes, in their pixels
     const Compare* held = nullptr; ///< shown instead while a key is held
@@ -196,6 +198,8 @@ void help_window(Ui& ui);
 /// What a person must know of files and of what is shown, above the panels.
 void notices(Ui& ui);
 void handle_shortcuts(Ui& ui);
+/// What the levels of the scopes stand for.
+ScopeLevels scope_levels(const Ui& ui);
 /// The scopes that are seen, side by side.
 void scope_strip(Ui& ui, const Rect& area);
 /// The colour under the mouse.

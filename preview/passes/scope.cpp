@@ -3,6 +3,7 @@
 #include "preview/passes/glyphs.h"
 
 #include <algorithm>
+#include <bit>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,21 +14,30 @@ namespace {
 
 struct DrawPush {
     ScopePlot plot;
-    std::uint32_t columns, width, height, logarithmic, labels;
+    std::uint32_t columns, width, height, logarithmic, labels, lines, marks;
+    float gain;
 };
 
 using LabelRow = std::array<std::int32_t, 4>;
 
-/// As shaders/common/scope_draw.glsl reads them; at least one, for a binding must have bytes.
-std::vector<LabelRow> label_rows(std::span<const ScopeLabel> labels) {
+/// As shaders/common/scope_draw.glsl reads them, the lines after the labels; at least one, for a
+/// binding must have bytes.
+std::vector<LabelRow> label_rows(std::span<const ScopeLabel> labels,
+                                 std::span<const LevelFigure> lines) {
+    constexpr std::size_t glyph_bits = 6, most_glyphs = 5;
     std::vector<LabelRow> rows;
     for (const ScopeLabel& label : labels) {
         std::uint32_t glyphs = 0;
-        for (std::size_t i = 0; i < label.text.size(); ++i) {
-            glyphs |= glyph_of(label.text[i]) << 8 * i;
+        const std::size_t count = std::min(label.text.size(), most_glyphs);
+        for (std::size_t i = 0; i < count; ++i) {
+            glyphs |= glyph_of(label.text[i]) << glyph_bits * i;
         }
         rows.push_back({label.x, label.y, static_cast<std::int32_t>(glyphs),
-                        static_cast<std::int32_t>(label.text.size())});
+                        static_cast<std::int32_t>(count)});
+    }
+    for (const LevelFigure& line : lines) {
+        const auto code = static_cast<float>((scope_levels - 1) * line.at);
+        rows.push_back({std::bit_cast<std::int32_t>(code), 0, 0, 0});
     }
     rows.resize(std::max<std::size_t>(rows.size(), 1));
     return rows;
@@ -88,8 +98,8 @@ const char* drawing_shader(ScopeBins bins) {
 
 std::uint32_t scope_columns(const Scope& scope, const ScopeArea& area,
                             const ScopeDrawing& drawing) {
-    const ScopePlot plot =
-        scope_plot(scope, drawing.size.width, drawing.size.height, drawing.room_for);
+    const ScopePlot plot = scope_plot(scope, drawing.size.width, drawing.size.height,
+                                      drawing.room_for, level_figures(drawing.levels));
     return std::min(static_cast<std::uint32_t>(plot.width), area.columns());
 }
 
@@ -115,15 +125,18 @@ ImageHandle draw_scope(Graph& graph, const Scope& scope, const ScopeCounts& coun
     if (scope.bins == ScopeBins::columns) {
         pass.constants({scope.planes, scope.is_overlaid ? 1U : 0U});
     }
-    const ScopePlot plot = scope_plot(scope, size.width, size.height, drawing.room_for);
+    const std::vector<LevelFigure> lines = level_figures(drawing.levels);
+    const ScopePlot plot = scope_plot(scope, size.width, size.height, drawing.room_for, lines);
     std::vector<ScopeLabel> labels;
     if (!drawing.room_for) {
-        labels = scope_labels(scope, plot, dotted_figures(plot));
+        labels = scope_labels(scope, plot, dotted_figures(plot), lines);
     }
-    const std::vector<LabelRow> rows = label_rows(labels);
+    const std::vector<LabelRow> rows = label_rows(labels, lines);
     pass.storage(graph.data("figures of " + name, std::as_bytes(std::span<const LabelRow>(rows))));
     pass.push(DrawPush{plot, counted.columns, counted.width, counted.height, drawing.logarithmic,
-                       static_cast<std::uint32_t>(labels.size())});
+                       static_cast<std::uint32_t>(labels.size()),
+                       static_cast<std::uint32_t>(lines.size()), !drawing.levels.converts(),
+                       drawing.gain});
     pass.dispatch_over(size.width, size.height);
     return picture;
 }

@@ -25,6 +25,8 @@ struct ScopeDrawing {
     bool logarithmic = true; ///< brightness or height by the counts' logarithm, or in proportion
     /// Leave out the figures, with room for those that somebody else writes over the picture.
     std::optional<FigureSize> room_for = std::nullopt;
+    ScopeLevels levels{}; ///< what the picture's codes stand for
+    float gain = 1;       ///< counts are multiplied with it
 };
 
 /// Counts that area of an rgba8 `picture`. Every texel of it is counted once in each plane.

@@ -54,4 +54,22 @@ std::vector<std::uint32_t> scope_counts(const Scope& scope, std::span<const std:
     return counts;
 }
 
+std::vector<std::uint8_t> scope_codes(std::span<const std::uint8_t> rgba,
+                                      const ScopeLevels& levels) {
+    const lutlib::Encoding &from = levels.shown, &to = levels.encoding.value_or(from);
+    const lutlib::Matrix3 matrix = lutlib::light_to_light(from, to);
+    const auto [factor, top] = level_scale(levels);
+    std::vector<std::uint8_t> out(rgba.size(), 255);
+    for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
+        const lutlib::RgbD light =
+            matrix * lutlib::RgbD{from.decode(rgba[i] / 255.0), from.decode(rgba[i + 1] / 255.0),
+                                  from.decode(rgba[i + 2] / 255.0)};
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double code = lutlib::saturate(to.encode(factor * light[c]) / top);
+            out[i + c] = static_cast<std::uint8_t>(255 * code + 0.5);
+        }
+    }
+    return out;
+}
+
 } // namespace preview::reference

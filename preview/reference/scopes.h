@@ -15,4 +15,9 @@ std::vector<std::uint32_t> scope_counts(const Scope& scope, std::span<const std:
                                         std::uint32_t width, const ScopeArea& area,
                                         std::uint32_t columns);
 
+/// The codes of other levels, as shaders/scope_codes.comp has them: through lutlib's own curves in
+/// double. The fourth of a texel is 255.
+std::vector<std::uint8_t> scope_codes(std::span<const std::uint8_t> rgba,
+                                      const ScopeLevels& levels);
+
 } // namespace preview::reference

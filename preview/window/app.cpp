@@ -45,6 +45,7 @@ App::App(WindowSetup setup)
       ui_(setup_.state), baker_([] { glfwPostEmptyEvent(); }),
       thumbnails_([] { glfwPostEmptyEvent(); }), opened_(setup_.opened) {
     ui_.thumbnails.draw = &Overlay::draw_thumbnails;
+    ui_.display_white = setup_.display_white;
     ui_.engine_folder = setup_.engine_folder;
     ui_.export_engine = export_engine_of(ui_.history.draft());
     ui_.text_scale = memory_.memory().text_scale;

@@ -26,10 +26,11 @@ struct WindowSetup {
     editor::State state;                             ///< with something to show
     FrameSettings frame;                             ///< shadow maps, and what is left out
     const RasterChoice* raster = &rasters().front(); ///< who rasterises
-    std::optional<Size> size;  ///< of the window; empty: as it was, or fits the monitor
-    std::string device;        ///< as gpu::DeviceOptions::wanted
-    bool validation = false;   ///< under Vulkan's validation layers
-    std::string font;          ///< TrueType or OpenType file
+    std::optional<Size> size; ///< of the window; empty: as it was, or fits the monitor
+    std::string device;       ///< as gpu::DeviceOptions::wanted
+    float display_white = usual_display_white; ///< cd/m2, for which luminances are told
+    bool validation = false;                   ///< under Vulkan's validation layers
+    std::string font;                          ///< TrueType or OpenType file
     std::string engine_folder; ///< where strips go at the press of a key; empty: nobody named one
     Following::Clock::time_point opened{}; ///< before all that is shown was read
     SavePicture save_picture;              ///< by who knows files of pictures

@@ -39,6 +39,7 @@ void App::take_looks() {
         ui_.facts.look_notes[i] = baked->sides[i].note;
         ui_.facts.look_standings[i] = baked->sides[i].encodings;
         ui_.facts.tables[i] = baked->sides[i].table;
+        ui_.facts.shown_codes[i] = baked->sides[i].shown;
     }
     drawn_.reset();
 }

@@ -75,6 +75,8 @@ FrameSettings window_settings(const panels::Ui& ui, FrameSettings given, Size ou
     settings.scope_side = state.scopes_seen.side;
     settings.scope_region = state.scopes_seen.region;
     settings.scope_logarithmic = state.scopes_seen.logarithmic;
+    settings.scope_gain = state.scopes_seen.gain;
+    settings.scope_levels = panels::scope_levels(ui);
     settings.scope_figures = ui.scope_figures;
     if (ui.pointer) {
         settings.probe = {std::clamp(ui.pointer->x, 0, static_cast<int>(output.width) - 1),

@@ -5,7 +5,7 @@ const uint levels = 256u;
 
 /// Of an rgba8 texel, exactly.
 uvec3 codes_of(vec3 texel) {
-    return uvec3(texel * 255.0 + 0.5);
+    return uvec3(clamp(texel, 0.0, 1.0) * 255.0 + 0.5);
 }
 
 uint luma_of(uvec3 c) {

@@ -10,10 +10,15 @@ layout(push_constant) uniform Push {
     uint width, height; // of the picture that was counted
     uint logarithmic;
     uint labels;
+    uint lines; // of levels
+    uint marks; // whether what is clipped has marks: levels are the codes as they are shown
+    float gain; // of counts
 } push;
 
 layout(std430, binding = 2) readonly buffer Labels {
-    ivec4 labels[]; // x, y of the upper left corner, four glyphs a byte each from the first, how many
+    // x, y of the upper left corner, five glyphs in six bits each from the first, how many; then of
+    // each line its code, a float of 0..255.
+    ivec4 labels[];
 };
 
 /// Whether a texel is part of a figure.
@@ -22,7 +27,7 @@ bool labelled(ivec2 at) {
         ivec2 p = at - labels[i].xy;
         int step = glyph_step * push.dot_size, place = p.x / step;
         if (p.x >= 0 && place < labels[i].w &&
-            in_glyph(p - ivec2(place * step, 0), uint(labels[i].z) >> 8 * place & 255u,
+            in_glyph(p - ivec2(place * step, 0), uint(labels[i].z) >> 6 * place & 63u,
                      push.dot_size)) {
             return true;
         }
@@ -37,10 +42,17 @@ const vec3 line_color = vec3(0.30, 0.25, 0.16), label_color = vec3(0.72, 0.64, 0
 /// all `bins`: like a beam's, its light whitens where it is brightest. In proportion, a sixteenth
 /// of all in one waveform level is full light already.
 vec3 trace(vec3 color, float density, float bins) {
+    density *= push.gain;
     float light = push.logarithmic != 0u
                       ? pow(log2(1.0 + 24.0 * density) / log2(1.0 + 24.0 * bins), 0.72)
-                      : min(density / sqrt(bins), 1.0);
+                      : density / sqrt(bins);
+    light = min(light, 1.0);
     return color * light + 0.55 * light * light * light;
+}
+
+/// The code at which a line stands.
+float line_code(uint line) {
+    return intBitsToFloat(labels[push.labels + line].x);
 }
 
 /// Marks what is clipped: at black, and at white.

@@ -175,7 +175,7 @@ TEST(Options, set_every_number_and_every_choice) {
 
 TEST(Options, refuse_a_name_that_no_table_has_with_those_that_it_has) {
     for (const char* flag : {"compare", "tonemap", "bloom", "raster", "debug-view", "scope",
-                             "scope-side", "scope-scale", "effect", "without"}) {
+                             "scope-side", "scope-scale", "scope-gain", "effect", "without"}) {
         try {
             settings(std::string("--") + flag + " nonsense");
             ADD_FAILURE() << flag;
@@ -273,6 +273,19 @@ TEST(Options, show_a_scope_in_its_own_size_or_the_one_given) {
                               "-1,0,2,2", "300,0,101,1", "0,1,1,200", "a,b,c,d", "1,2,3,4 "}) {
         EXPECT_THROW(parse_region("--scope-region", wrong, picture), lutlib::UsageError) << wrong;
     }
+}
+
+TEST(Options, name_what_levels_of_a_scope_are_and_how_bright_counts) {
+    const FrameSettings usual = settings("--scope parade");
+    EXPECT_EQ(usual.scope_levels, ScopeLevels{});
+    EXPECT_EQ(usual.scope_gain, &scope_gain_none);
+    const FrameSettings own =
+        settings("--scope parade --scope-encoding pq/p3-d65 --display-white 203 --scope-gain x4");
+    EXPECT_EQ(own.scope_levels.encoding, lutlib::encoding_named("pq/p3-d65"));
+    EXPECT_EQ(own.scope_levels.white, 203);
+    EXPECT_EQ(own.scope_gain->factor, 4);
+    EXPECT_THROW(settings("--scope parade --scope-encoding pw"), lutlib::UsageError);
+    EXPECT_ANY_THROW(parsed("--display-white 20"));
 }
 
 TEST(Options, give_a_picture_its_own_size_or_its_proportions_within_the_one_given) {

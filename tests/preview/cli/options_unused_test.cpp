@@ -18,11 +18,15 @@ TEST(Options, that_change_nothing_in_a_run_are_said) {
     const std::string run = "--headless -o x.png --b look.cube ";
     for (const char* const flag :
          {"--engine-a unity", "--look-input-a srgb", "--cube-nodes 5", "--scope-size 64x64",
-          "--scope-side a", "--scope-region 1,1,2,2", "--frames 5", "--frame-rate 30", "--resume",
-          "--exr picture", "--font x.ttf", "--watch-engine-folder x", "--heat-scale 8"}) {
+          "--scope-side a", "--scope-region 1,1,2,2", "--scope-gain x2", "--scope-encoding pq",
+          "--display-white 203", "--scope vectorscope --scope-encoding pq", "--frames 5",
+          "--frame-rate 30", "--resume", "--exr picture", "--font x.ttf", "--watch-engine-folder x",
+          "--heat-scale 8"}) {
         const std::vector<std::string> lines = said(run + flag);
         ASSERT_EQ(lines.size(), 1U) << flag;
-        const std::string text(flag), option = text.substr(0, text.find(' '));
+        const std::string text(flag);
+        const std::size_t last = text.rfind("--");
+        const std::string option = text.substr(last, text.find(' ', last) - last);
         EXPECT_TRUE(lines[0].starts_with(option + " changes nothing here: ")) << lines[0];
     }
     EXPECT_EQ(said("--explain --depth float").size(), 1U);
@@ -31,6 +35,9 @@ TEST(Options, that_change_nothing_in_a_run_are_said) {
     EXPECT_TRUE(said(run + "--engine unity --scope waveform --scope-size 64x64 --depth uint8 "
                            "--timings --frames 3")
                     .empty());
+    EXPECT_TRUE(said(run + "--scope parade --scope-gain x2 --scope-encoding pq --display-white 203")
+                    .empty());
+    EXPECT_EQ(said("--headless -o x.csv --scope parade --scope-gain x2 --depth uint8").size(), 2U);
     EXPECT_TRUE(said("--headless -o x.##.png --frames 0-3 --frame-rate 30 --resume").empty());
     EXPECT_TRUE(said("--engine-a unity --cube-nodes 5 --font x.ttf").empty()); // in the window
 }

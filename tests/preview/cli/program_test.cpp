@@ -68,6 +68,38 @@ TEST(Quiet, leaves_out_figures_and_verbose_says_what_is_written) {
     std::remove(path.c_str());
 }
 
+std::string contents_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// A flat grey of 188, which is half of white's light.
+TEST(Scope, writes_its_counts_in_the_encoding_that_is_asked_for) {
+    const std::string picture = testing::TempDir() + "grey.ppm",
+                      path = testing::TempDir() + "counts.csv";
+    std::ofstream(picture, std::ios::binary) << "P6\n4 3\n255\n" << std::string(36, '\xbc');
+    const std::string run = picture + " --headless -o " + path + " --scope-size 64x64 --scope ";
+    EXPECT_EQ(lutpreview(run + "rgb 2>/dev/null"), "");
+    EXPECT_TRUE(contents_of(path).starts_with("channel,column,level,value (%),count\n"
+                                              "red,0,188,73.7255,3\nred,1,188,73.7255,3\n"))
+        << contents_of(path);
+    EXPECT_EQ(lutpreview(run + "waveform --scope-encoding pq --display-white 200 2>/dev/null"), "");
+    EXPECT_TRUE(contents_of(path).starts_with("channel,column,level,value (cd/m2),count\n"
+                                              "luma,0,130,101."))
+        << contents_of(path);
+    // The picture's own codes are PQ: they stay.
+    EXPECT_EQ(lutpreview(run + "waveform --scope-encoding pq --picture-encoding pq 2>/dev/null"),
+              "");
+    EXPECT_TRUE(contents_of(path).starts_with("channel,column,level,value (cd/m2),count\n"
+                                              "luma,0,188,"))
+        << contents_of(path);
+    EXPECT_NE(lutpreview(picture + " --explain --scope rgb --scope-encoding hlg 2>&1")
+                  .find("levels are hlg of the shown srgb; figures are per cent"),
+              std::string::npos);
+    std::remove(picture.c_str());
+    std::remove(path.c_str());
+}
+
 /// Its exit code.
 int status_of(const std::string& arguments) {
     const int status = std::system((std::string(LUTPREVIEW) + " " + arguments).c_str());

@@ -37,6 +37,33 @@ TEST_F(FrameTest, scopes_are_left_out_until_somebody_looks_and_change_nothing_el
     }
 }
 
+TEST_F(FrameTest, levels_in_another_encoding_are_of_every_scope_but_the_vectorscope) {
+    const Loaded loaded(scene_at(*scene_named("studio"), 0));
+    FrameSettings settings = settings_for(loaded.scene);
+    settings.scope_sizes.fill({800, 120}); // a column for each of the picture's
+    settings.keeps_counts = true;
+    Executor executor(device());
+    for (const Scope& scope : scopes) {
+        settings.scope = &scope;
+        settings.scope_levels = {};
+        const Rendered shown = render_frame(executor, loaded.inputs(), settings);
+        EXPECT_FALSE(kept(shown, "encode for scopes"));
+        settings.scope_levels.encoding = lutlib::encoding_named("pq");
+        const Rendered encoded = render_frame(executor, loaded.inputs(), settings);
+        EXPECT_TRUE(kept(encoded, "encode for scopes"));
+        EXPECT_EQ(encoded.scope_counts.size(), shown.scope_counts.size());
+        EXPECT_EQ(encoded.scope_counts != shown.scope_counts, has_levels(scope)) << scope.name;
+        EXPECT_EQ(encoded.rgba != shown.rgba, has_levels(scope)) << scope.name;
+        // As it is shown, of whatever white.
+        settings.scope_levels.shown = *settings.scope_levels.encoding;
+        settings.scope_levels.white = 400;
+        const Rendered own = render_frame(executor, loaded.inputs(), settings);
+        EXPECT_FALSE(kept(own, "encode for scopes"));
+        EXPECT_EQ(own.scope_counts, shown.scope_counts) << scope.name;
+        EXPECT_EQ(own.rgba != shown.rgba, has_levels(scope)) << "the figures are others";
+    }
+}
+
 TEST_F(FrameTest, a_scope_of_what_is_not_shown_is_an_error_and_beside_the_picture_left_out) {
     const Loaded loaded(scene_at(*scene_named("plain"), 0));
     FrameSettings settings = settings_for(loaded.scene);

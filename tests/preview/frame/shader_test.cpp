@@ -240,6 +240,8 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
     instruments.dithers = true;
     instruments.axes = &lutlib::srgb();
     check(inputs, instruments);
+    instruments.scope_levels.encoding = lutlib::encoding_named("pq");
+    check(inputs, instruments);
 
     lutlib::Lut identity;
     identity.cube = lutlib::identity_cube(16);

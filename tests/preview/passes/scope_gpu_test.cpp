@@ -232,8 +232,71 @@ TEST_P(EveryScope, marks_clipped_texels_where_they_are_and_nothing_else) {
     EXPECT_FALSE(is_red(whole, right, top));
 }
 
+TEST_P(EveryScope, is_brighter_or_higher_by_each_step_of_its_gain) {
+    const RgbaCodes codes = noise(300, 200, 5);
+    for (const bool logarithmic : {false, true}) {
+        std::uint64_t last = 0;
+        for (const ScopeGain& gain : scope_gains) {
+            ScopeDrawing drawn{drawing, logarithmic};
+            drawn.gain = gain.factor;
+            const RgbaCodes picture = run(codes, 300, {0, 300}, drawn).picture;
+            const auto light = std::accumulate(picture.begin(), picture.end(), std::uint64_t{0});
+            EXPECT_GT(light, last) << gain.name;
+            last = light;
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Table, EveryScope, testing::ValuesIn(scopes),
                          [](const auto& row) { return std::string(row.param.name); });
+
+class VectorscopeTest : public EveryScope {};
+
+// Where colours of the line's hue are counted, too: Cb and Cr at 123 degrees.
+TEST_F(VectorscopeTest, has_the_skin_line_at_123_degrees_with_its_name_beyond_the_circle) {
+    constexpr int length = 400;
+    const Scope& scope = *std::find_if(scopes.begin(), scopes.end(), [](const Scope& row) {
+        return row.bins == ScopeBins::chroma;
+    });
+    const gpu::Image image = upload({Format::rgba8, 8, 8}, flat(8, 8, {0, 0, 0, 255}));
+    Graph graph;
+    const ImageHandle out = add_scope(graph, graph.import("black", image, image.desc()), scope,
+                                      {0, 0, 8, 8}, {{length, length}})
+                                .picture;
+    graph.present(out);
+    const RgbaCodes picture = run_and_read<std::uint8_t>(graph, out);
+    const ScopePlot plot = scope_plot(scope, length, length);
+    const double scale = plot.width / 1.06;
+    /// Of Cb and Cr at that angle, in shares of the circle's radius: how much redder than blue.
+    const auto warmth = [&](double degrees, double share) {
+        const double angle = degrees / 180 * 3.14159265358979;
+        const auto x = static_cast<std::size_t>(plot.x + 0.5 * plot.width +
+                                                std::cos(angle) * share * 0.5 * scale);
+        const auto y = static_cast<std::size_t>(plot.y + 0.5 * plot.height -
+                                                std::sin(angle) * share * 0.5 * scale);
+        return picture[4 * (y * length + x)] - picture[4 * (y * length + x) + 2];
+    };
+    for (const double share : {0.2, 0.4, 0.85}) {
+        EXPECT_GT(warmth(123, share), 40) << share;
+        EXPECT_LT(warmth(123 + 8 / share / 10, share), 20) << share;
+        EXPECT_LT(warmth(123 - 8 / share / 10, share), 20) << share;
+        EXPECT_LT(warmth(123 + 180, share), 20) << "the line has one side";
+    }
+    const auto labels = scope_labels(scope, plot, dotted_figures(plot));
+    const ScopeLabel& skin = labels.back();
+    EXPECT_EQ(skin.text, "Skin");
+    const double x = skin.x - plot.x - 0.5 * plot.width, y = plot.y + 0.5 * plot.height - skin.y;
+    EXPECT_GT(std::hypot(x, y), 0.5 * scale);
+    int inked = 0;
+    for (int row = skin.y; row < skin.y + 6 * plot.dot; ++row) {
+        for (int column = skin.x; column < skin.x + 24 * plot.dot; ++column) {
+            const std::size_t at =
+                4 * (static_cast<std::size_t>(row) * length + static_cast<std::size_t>(column));
+            inked += picture[at] == 184 && picture[at + 1] == 163 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(inked, 30);
+}
 
 TEST(ScopeTwinTest, luma_and_differences_lie_within_half_a_code_of_bt709) {
     for (int r = 0; r < 256; r += 15) {

@@ -6,14 +6,6 @@
 
 namespace preview {
 
-lutlib::Encoding encoding_of(const std::string& name, const std::string& flag) {
-    try {
-        return lutlib::require_encoding(name);
-    } catch (const lutlib::UsageError& error) {
-        throw lutlib::UsageError(flag + ": " + error.message());
-    }
-}
-
 namespace {
 
 std::optional<lutlib::Encoding> if_named(const std::string& name, const std::string& flag) {

@@ -10,9 +10,6 @@ namespace preview {
 /// The lookup that `name` names; null for an empty name. Throws lutlib::UsageError.
 const GpuLookup* lookup_of(const std::string& name);
 
-/// Throws lutlib::UsageError that begins with the option's name.
-lutlib::Encoding encoding_of(const std::string& name, const std::string& flag);
-
 /// What the looks of both sides get of a picture that has scene light or not. Throws
 /// lutlib::UsageError for an encoding that is not known.
 PictureCodes picture_codes(const Options& options, bool has_light);

@@ -3,7 +3,6 @@
 #include "lutlib/error.h"
 #include "lutlib/named.h"
 #include "preview/cli/light_edit.h"
-#include "preview/cli/look_options.h"
 #include "preview/effects/effect.h"
 #include "preview/frame/usual_finish.h"
 #include "preview/passes/resolve.h"
@@ -118,6 +117,14 @@ Size parse_size(std::string_view option, const std::string& text) {
     }
     throw lutlib::UsageError(fmt::format("{} needs WIDTHxHEIGHT with sides of 1 to {}, got '{}'",
                                          option, largest_side, text));
+}
+
+lutlib::Encoding encoding_of(const std::string& name, const std::string& flag) {
+    try {
+        return lutlib::require_encoding(name);
+    } catch (const lutlib::UsageError& error) {
+        throw lutlib::UsageError(flag + ": " + error.message());
+    }
 }
 
 ProbePlace parse_place(std::string_view option, const std::string& text, Size picture) {

@@ -123,6 +123,8 @@ double reach_of(const NumberRow<Orbit>& row);
 
 /// WIDTHxHEIGHT with sides of 1 to 16384. Throws lutlib::UsageError that names the option.
 Size parse_size(std::string_view option, const std::string& text);
+/// An encoding by its name. Throws lutlib::UsageError that begins with the option's.
+lutlib::Encoding encoding_of(const std::string& name, const std::string& flag);
 /// X,Y within a picture of that size. Throws lutlib::UsageError that names the option.
 ProbePlace parse_place(std::string_view option, const std::string& text, Size picture);
 /// X,Y,WIDTH,HEIGHT within a picture of that size. Throws lutlib::UsageError that names the option.

@@ -151,9 +151,9 @@ Rendered render_frame(Executor& executor, const FrameInputs& inputs, const Frame
         out.figures = figures_of(executor, graph, handles);
         out.heat_scale = settings.heat_scale;
     }
-    if (settings.keeps_counts && settings.scope != nullptr) {
-        out.scope_counts = values_of<std::uint32_t>(
-            executor.read_buffer(handles.scope_counts[index_of(*settings.scope)].counts));
+    if (settings.keeps_scopes && settings.scope != nullptr) {
+        const ScopeCounts& counted = handles.scope_counts[index_of(*settings.scope)];
+        out.scope_counts = values_of<std::uint32_t>(executor.read_buffer(counted.counts));
     }
     if (handles.probe) {
         out.probe = probe_from(executor.read_buffer(handles.probe));

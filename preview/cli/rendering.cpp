@@ -94,7 +94,7 @@ Rendering::Rendering(const Options& options)
             lutlib::io::require_another_than(read, "what is shown", options.output);
         }
         if (writes_counts(options)) {
-            settings.keeps_counts = true;
+            settings.keeps_scopes = true;
         } else {
             file = file_format(options.output, options.depth);
         }
@@ -166,7 +166,7 @@ void tell_empty_view(const Rendering& rendering) {
 
 void write_frame(const std::string& path, const Rendering& rendering, const Rendered& rendered) {
     const FrameSettings& settings = rendering.settings;
-    if (settings.keeps_counts) {
+    if (settings.keeps_scopes) {
         lutlib::io::write_file(
             path, scope_csv(*settings.scope, rendered.scope_counts, settings.scope_levels));
         return;

@@ -14,6 +14,21 @@ namespace preview {
 
 namespace {
 
+/// What scopes with levels count in place of the picture's codes; empty where they count those.
+ImageHandle codes_for_scopes(Graph& graph, const FrameSettings& settings, ImageHandle picture) {
+    bool is_wanted = false;
+    for (std::size_t i = 0; i < scopes.size(); ++i) {
+        const bool is_counted = settings.keeps_scopes || settings.scope_sizes[i] != Size{};
+        is_wanted = is_wanted || (is_counted && has_levels(scopes[i]));
+    }
+    if (is_wanted && settings.scope_levels.converts()) {
+        return add_scope_codes(graph, picture, settings.scope_levels);
+    }
+    graph.withhold("encode for scopes", is_wanted ? "they count the codes as they are shown"
+                                                  : "no scope with levels is shown");
+    return {};
+}
+
 /// In their usual size those that nobody sees.
 ScopeDrawing drawing_of(const FrameSettings& settings, const Scope& scope) {
     const Size size = settings.scope_sizes[index_of(scope)];
@@ -26,21 +41,6 @@ ScopeCounts imported(Graph& graph, const Scope& scope, const KeptScope& kept) {
     return {graph.import("frozen counts of " + std::string(scope.name), *kept.counts,
                          kept.counts->bytes()),
             kept.columns, kept.width, kept.height};
-}
-
-/// What scopes with levels count in place of the picture's codes; empty where they count those.
-ImageHandle codes_for_scopes(Graph& graph, const FrameSettings& settings, ImageHandle picture) {
-    bool is_wanted = false;
-    for (std::size_t i = 0; i < scopes.size(); ++i) {
-        const bool is_counted = settings.scope_sizes[i] != Size{} || settings.keeps_scopes;
-        is_wanted = is_wanted || (is_counted && has_levels(scopes[i]));
-    }
-    if (is_wanted && settings.scope_levels.converts()) {
-        return add_scope_codes(graph, picture, settings.scope_levels);
-    }
-    graph.withhold("encode for scopes", is_wanted ? "they count the codes as they are shown"
-                                                  : "no scope with levels is shown");
-    return {};
 }
 
 void add_scopes(Graph& graph, const FrameInputs& inputs, const FrameSettings& settings,
@@ -68,11 +68,11 @@ void add_scopes(Graph& graph, const FrameInputs& inputs, const FrameSettings& se
                            "it is frozen, and shows what was counted then");
             handles.scope_counts[i] = imported(graph, scope, inputs.kept_scopes[i]);
         } else {
+            const bool is_encoded = encoded && has_levels(scope);
             handles.scope_counts[i] =
-                count_scope(graph, encoded && has_levels(scope) ? encoded : handles.output, scope,
-                            area, drawing);
+                count_scope(graph, is_encoded ? encoded : handles.output, scope, area, drawing);
         }
-        if (settings.keeps_scopes || (settings.keeps_counts && settings.scope == &scope)) {
+        if (settings.keeps_scopes) {
             graph.present(handles.scope_counts[i].counts);
         }
         if (is_seen) {

@@ -53,8 +53,6 @@ struct FrameSettings : PictureSettings {
     bool keeps_scopes = false;
     const ScopeGain* scope_gain = &scope_gain_none;
     ScopeLevels scope_levels; ///< of the scopes that have levels
-    /// Present the counts of `scope` too.
-    bool keeps_counts = false;
     /// Of figures that the window writes over the scopes; empty: they have their own.
     std::optional<FigureSize> scope_figures;
     /// Tell the colour of this place of the output, before the looks and after each.

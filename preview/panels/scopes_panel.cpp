@@ -114,6 +114,9 @@ void scale_choice(Ui& ui, ScopeChoice& choice) {
 } // namespace
 
 ScopeLevels scope_levels(const Ui& ui) {
+    if (ui.facts.frozen_levels) {
+        return *ui.facts.frozen_levels;
+    }
     const State& state = ui.history.draft();
     const auto shown = shown_codes(*state.scopes_seen.side, *state.compare, ui.facts.shown_codes);
     return {state.scopes_seen.encoding, shown.value_or(lutlib::srgb()), ui.display_white};
@@ -142,10 +145,7 @@ void scopes_panel(Ui& ui) {
         mark(ui, "scope.side." + std::string(side.name));
     }
     scope_region_controls(ui);
-    // What is frozen was counted in the levels of then.
-    ImGui::BeginDisabled(ui.scopes_frozen);
     levels_choice(ui, choice);
-    ImGui::EndDisabled();
     scale_choice(ui, choice);
     ImGui::SliderFloat("Height", &choice.height, 0.15F, 0.7F, "%.2f", ImGuiSliderFlags_AlwaysClamp);
     mark(ui, "scope.height");

@@ -61,6 +61,7 @@ struct Facts {
     /// What the codes are that are shown of the sides.
     std::array<lutlib::Encoding, 2> shown_codes{lutlib::srgb(), lutlib::srgb()};
     std::vector<PassTime> passes;
+    std::optional<ScopeLevels> frozen_levels; ///< of the scopes while they are frozen
     std::string no_scopes;   ///< why those that are asked for count nothing; empty: they do
     std::string explanation; ///< a line for each pass, kept or left out, and why
 };

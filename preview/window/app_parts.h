@@ -50,7 +50,7 @@ class App {
     void take_looks();
     void render(const panels::Rect& area);
     void draw_thumbnail();
-    void freeze_scopes(const FrameHandles& handles);
+    void freeze_scopes(const FrameHandles& handles, const ScopeLevels& levels);
     FrameHandles declared(Graph& graph, const FrameInputs& inputs, FrameSettings& settings);
     void keep_look();
     /// "; the unsaved look is in PATH", or nothing.

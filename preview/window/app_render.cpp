@@ -117,8 +117,10 @@ void App::draw_thumbnail() {
 }
 
 /// From the next frame on they show what this one has counted.
-void App::freeze_scopes(const FrameHandles& handles) {
-    if (!frozen_.take(screen_->executor, handles, screen_->frozen)) {
+void App::freeze_scopes(const FrameHandles& handles, const ScopeLevels& levels) {
+    if (frozen_.take(screen_->executor, handles, screen_->frozen)) {
+        ui_.facts.frozen_levels = levels;
+    } else {
         ui_.scopes_frozen = false;
         ui_.errors.push_back("show something that the scopes count before you freeze them" +
                              (ui_.facts.no_scopes.empty() ? "" : ": " + ui_.facts.no_scopes));
@@ -140,6 +142,7 @@ void App::render(const panels::Rect& area) {
     }
     if (!ui_.scopes_frozen) {
         frozen_.thaw();
+        ui_.facts.frozen_levels.reset();
     }
     settings.keeps_scopes = ui_.scopes_frozen && !frozen_.is_frozen();
     const editor::State& state = ui_.history.draft();
@@ -185,7 +188,7 @@ void App::render(const panels::Rect& area) {
         frames_due_ = std::max(frames_due_, 1);
     }
     if (settings.keeps_scopes) {
-        freeze_scopes(handles);
+        freeze_scopes(handles, settings.scope_levels);
     }
     drawn_ = std::move(graph);
 }

@@ -41,7 +41,7 @@ TEST_F(FrameTest, levels_in_another_encoding_are_of_every_scope_but_the_vectorsc
     const Loaded loaded(scene_at(*scene_named("studio"), 0));
     FrameSettings settings = settings_for(loaded.scene);
     settings.scope_sizes.fill({800, 120}); // a column for each of the picture's
-    settings.keeps_counts = true;
+    settings.keeps_scopes = true;
     Executor executor(device());
     for (const Scope& scope : scopes) {
         settings.scope = &scope;

@@ -1,5 +1,6 @@
 #include "preview/editor/look_folder.h"
 
+#include "lutlib/io/extension.h"
 #include "preview/editor/folder_list.h"
 
 #include <algorithm>
@@ -16,11 +17,24 @@ std::string file_of_look(const State& state) {
     return path_in(std::filesystem::current_path(unknown).string(), path);
 }
 
-LookFolder looks_in(const std::string& folder) {
+namespace {
+
+const FileKind& kind_of_looks() {
     const auto kinds = file_kinds();
-    const auto looks = std::find_if(kinds.begin(), kinds.end(),
-                                    [](const FileKind& kind) { return kind.label == "looks"; });
-    const FolderList list = list_folder(folder, *looks);
+    return *std::find_if(kinds.begin(), kinds.end(),
+                         [](const FileKind& kind) { return kind.label == "looks"; });
+}
+
+} // namespace
+
+bool may_be_look(const std::string& path) {
+    const auto& endings = kind_of_looks().extensions;
+    return std::find(endings.begin(), endings.end(), lutlib::io::extension_of(path)) !=
+           endings.end();
+}
+
+LookFolder looks_in(const std::string& folder) {
+    const FolderList list = list_folder(folder, kind_of_looks());
     LookFolder out{folder, {}, list.reason};
     for (const FolderEntry& entry : list.entries) {
         if (!entry.is_folder) {

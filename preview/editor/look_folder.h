@@ -20,6 +20,8 @@ struct LookFolder {
 };
 
 LookFolder looks_in(const std::string& folder);
+/// By its ending.
+bool may_be_look(const std::string& path);
 
 /// The place in names of the file at `path`; empty for one that is not of the folder.
 std::optional<std::size_t> place_of(const LookFolder& folder, const std::string& path);

@@ -1,6 +1,7 @@
 #include "preview/editor/look_reader.h"
 
 #include "lutlib/io/reason.h"
+#include "preview/editor/look_folder.h"
 
 #include <algorithm>
 #include <set>
@@ -107,6 +108,9 @@ void LookReader::work() {
         const std::string folder = folder_;
         const std::vector<LookJob> jobs = jobs_;
         lock.unlock();
+        std::erase_if(changed, [&](const std::string& path) { // none wakes the window for nothing
+            return path != folder && !may_be_look(path);
+        });
         if (folder != watched) {
             watch_anew(folder);
             watched = folder;

@@ -43,8 +43,9 @@ class LookReader {
 
     struct News {
         std::vector<ReadLook> looks;
-        std::vector<std::string> changed; ///< files of the folder, or it where all may have
-        std::string failure{};            ///< why changes are not seen, said once for a folder
+        /// Files of the folder that may be looks, or the folder itself where all may have.
+        std::vector<std::string> changed;
+        std::string failure{}; ///< why changes are not seen, said once for a folder
     };
     /// What there is since the last call.
     News take();

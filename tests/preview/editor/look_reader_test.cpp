@@ -109,6 +109,7 @@ TEST_F(LookReading, tells_what_changes_in_the_folder_and_nothing_of_another) {
     ASSERT_TRUE(until([&] { return looks_.size() == 2; }));
     changed_.clear();
     overwrite(one.file("b.cube"), cube_of(1));
+    overwrite(other.file("notes.txt"), "no look");
     overwrite(other.file("c.cube"), cube_of(1));
     EXPECT_TRUE(until([&] { return !changed_.empty(); }));
     EXPECT_EQ(changed_, std::vector<std::string>{other.file("c.cube")});

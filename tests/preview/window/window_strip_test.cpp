@@ -182,6 +182,17 @@ TEST_F(WindowStrip, follows_its_folder) {
     wait_for_picture("a.cube");
 }
 
+TEST_F(WindowStrip, rests_while_files_that_are_no_looks_change_beside_them) {
+    start_unsized({"--size", "800x530", "picture.ppm", "--b", "look.cube"});
+    first_screen();
+    open_strip({"look.cube"}); // beside where the window tells its places
+    rest();
+    const int last = frame();
+    std::ofstream(file("notes.txt")) << "x";
+    rest();
+    EXPECT_EQ(frame(), last);
+}
+
 TEST_F(WindowStrip, draws_what_is_seen_once_nobody_drags_and_rests) {
     for (int i = 0; i < 40; ++i) {
         fs::copy_file(file("look.cube"), file("looks/c" + std::to_string(i) + ".cube"));

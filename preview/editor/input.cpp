@@ -5,7 +5,7 @@ namespace preview::editor {
 std::vector<InputEvent> InputQueue::next_frame() {
     using Kind = InputEvent::Kind;
     std::vector<InputEvent> out;
-    bool moved = false, is_full = false;
+    bool moved = false, turned = false, is_full = false;
     while (!events_.empty()) {
         const InputEvent& event = events_.front();
         const bool belongs_to_key =
@@ -16,7 +16,11 @@ std::vector<InputEvent> InputQueue::next_frame() {
         if (event.kind == Kind::button && moved) {
             break;
         }
+        if ((moved || turned) && event.held != out.back().held) {
+            break;
+        }
         moved = moved || event.kind == Kind::move;
+        turned = turned || event.kind == Kind::wheel;
         is_full =
             is_full || event.kind == Kind::button ||
             (event.kind == Kind::key && event.down && !event.repeats && event.key != Key::modifier);

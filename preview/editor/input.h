@@ -1,8 +1,8 @@
 // Mouse and keys on their way from the window to the panels, in the order in which they happened.
 //
 // Dear ImGui looks at the mouse and the keys once a frame. What happens faster than frames follow
-// would be lost, or seen where the mouse went later, so a frame gets no more than it can tell
-// apart.
+// would be lost, or seen where the mouse went later, or under keys that were held before or after
+// it, so a frame gets no more than it can tell apart.
 #pragma once
 
 #include "preview/editor/keys.h"
@@ -17,6 +17,12 @@ namespace preview::editor {
 /// Where the mouse is while it is not in the window, as Dear ImGui has it.
 inline constexpr float far_away = -std::numeric_limits<float>::max();
 
+/// Keys that are held beside others.
+struct Modifiers {
+    bool ctrl = false, shift = false, alt = false, super = false;
+    friend bool operator==(const Modifiers&, const Modifiers&) = default;
+};
+
 struct InputEvent {
     enum class Kind : std::uint8_t { move, wheel, button, key, character };
     Kind kind = Kind::move;
@@ -26,6 +32,7 @@ struct InputEvent {
     bool down = false;               ///< of buttons and keys: pressed (or repeated), not released
     bool repeats = false;
     Key key = Key::none; ///< of keys
+    Modifiers held{};    ///< when it happened; of a modifier's own key, from then on
 };
 
 class InputQueue {
@@ -35,7 +42,8 @@ class InputQueue {
 
     /// What the next frame sees, oldest first. Nothing follows a button's change in a frame, or the
     /// press of a key but its characters; a button changes in a later frame than the mouse came
-    /// there, for a panel must know what is under the mouse. Empty only when nothing is left.
+    /// there, for a panel must know what is under the mouse. While the mouse moves or the wheel
+    /// turns in a frame, the modifiers stay. Empty only when nothing is left.
     std::vector<InputEvent> next_frame();
 
   private:

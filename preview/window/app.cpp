@@ -304,8 +304,7 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
     }
     for (const editor::InputEvent& event : events) {
         if (event.kind == editor::InputEvent::Kind::key && event.down && !event.repeats) {
-            ui_.pressed.push_back({event.key, (event.modifiers & GLFW_MOD_CONTROL) != 0,
-                                   (event.modifiers & GLFW_MOD_SHIFT) != 0});
+            ui_.pressed.push_back({event.key, event.held.ctrl, event.held.shift});
         }
     }
     follow_shown();

@@ -76,6 +76,7 @@ Gui::~Gui() {
 void Gui::feed(const editor::InputEvent& event) {
     using Kind = editor::InputEvent::Kind;
     ImGuiIO& io = ImGui::GetIO();
+    held_ = event.held;
     switch (event.kind) {
     case Kind::move:
         mouse_x_ = event.x;
@@ -111,6 +112,10 @@ void Gui::begin_frame(const std::vector<editor::InputEvent>& events) {
     for (std::size_t i = 0; i < buttons_.size(); ++i) {
         io.MouseDown[i] = buttons_[i];
     }
+    io.KeyCtrl = held_.ctrl;
+    io.KeyShift = held_.shift;
+    io.KeyAlt = held_.alt;
+    io.KeySuper = held_.super;
     ImGui::NewFrame();
 }
 

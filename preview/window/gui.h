@@ -37,6 +37,7 @@ class Gui {
     float mouse_x_ = editor::far_away,
           mouse_y_ = editor::far_away; ///< beyond the window when the mouse is
     std::array<bool, 5> buttons_{};
+    editor::Modifiers held_; ///< when the newest event happened
     std::string layout_path_, font_path_, notice_;
     float scale_ = 0;
 };

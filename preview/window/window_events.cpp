@@ -61,15 +61,48 @@ constexpr KeyName keys[] = {
     {GLFW_KEY_F7, editor::Key::f7},
 };
 
+constexpr std::size_t modifier_count = 4; // left, then right as many
+constexpr int modifier_bits[modifier_count] = {GLFW_MOD_SHIFT, GLFW_MOD_CONTROL, GLFW_MOD_ALT,
+                                               GLFW_MOD_SUPER};
+
+bool is_modifier(int glfw) {
+    return glfw >= GLFW_KEY_LEFT_SHIFT && glfw <= GLFW_KEY_RIGHT_SUPER;
+}
+
 } // namespace
 
 editor::Key key_of(int glfw) {
-    if (glfw >= GLFW_KEY_LEFT_SHIFT && glfw <= GLFW_KEY_RIGHT_SUPER) {
+    if (is_modifier(glfw)) {
         return editor::Key::modifier;
     }
     const auto* const row = std::find_if(std::begin(keys), std::end(keys),
                                          [&](const KeyName& it) { return it.glfw == glfw; });
     return row == std::end(keys) ? editor::Key::none : row->key;
+}
+
+editor::Modifiers WindowEvents::held() const {
+    const auto is = [&](std::size_t i) { return held_[i] || held_[i + modifier_count]; };
+    return {.ctrl = is(1), .shift = is(0), .alt = is(2), .super = is(3)};
+}
+
+void WindowEvents::push(editor::InputEvent event) {
+    event.held = held();
+    input.push(event);
+}
+
+void WindowEvents::hold(int key, bool down) {
+    held_[static_cast<std::size_t>(key - GLFW_KEY_LEFT_SHIFT)] = down;
+}
+
+void WindowEvents::correct(int modifiers) {
+    for (std::size_t i = 0; i < modifier_count; ++i) {
+        const bool is = (modifiers & modifier_bits[i]) != 0;
+        if (!is) {
+            held_[i] = held_[i + modifier_count] = false;
+        } else if (!held_[i] && !held_[i + modifier_count]) {
+            held_[i] = true;
+        }
+    }
 }
 
 WindowEvents::WindowEvents(GLFWwindow* window) {
@@ -81,26 +114,32 @@ WindowEvents::WindowEvents(GLFWwindow* window) {
                                       [](GLFWwindow* w, float, float) { of(w).resized = true; });
     using Kind = editor::InputEvent::Kind;
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
-        of(w).input.push({Kind::move, static_cast<float>(x), static_cast<float>(y)});
+        of(w).push({Kind::move, static_cast<float>(x), static_cast<float>(y)});
     });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
         // A drag goes on outside; its moves keep coming.
         if (entered == GLFW_FALSE && !ImGui::IsAnyMouseDown()) {
-            of(w).input.push({Kind::move, editor::far_away, editor::far_away});
+            of(w).push({Kind::move, editor::far_away, editor::far_away});
         }
     });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
-        of(w).input.push({Kind::wheel, static_cast<float>(x), static_cast<float>(y)});
+        of(w).push({Kind::wheel, static_cast<float>(x), static_cast<float>(y)});
     });
-    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
-        of(w).input.push({Kind::button, 0, 0, button, 0, 0, action == GLFW_PRESS});
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
+        of(w).correct(modifiers);
+        of(w).push({Kind::button, 0, 0, button, 0, 0, action == GLFW_PRESS});
     });
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
-        of(w).input.push({Kind::key, 0, 0, key, scancode, modifiers, action != GLFW_RELEASE,
-                          action == GLFW_REPEAT, key_of(key)});
+        if (is_modifier(key)) {
+            of(w).hold(key, action != GLFW_RELEASE);
+        } else {
+            of(w).correct(modifiers);
+        }
+        of(w).push({Kind::key, 0, 0, key, scancode, modifiers, action != GLFW_RELEASE,
+                    action == GLFW_REPEAT, key_of(key)});
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
-        of(w).input.push({Kind::character, 0, 0, static_cast<int>(character)});
+        of(w).push({Kind::character, 0, 0, static_cast<int>(character)});
     });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
         of(w).dropped.insert(of(w).dropped.end(), paths, paths + count);

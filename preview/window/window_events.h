@@ -3,6 +3,7 @@
 
 #include "preview/editor/input.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,19 @@ struct WindowEvents {
 
     editor::InputQueue input;
     std::vector<std::string> dropped;
+    /// Pushes with the modifiers that are held.
+    void push(editor::InputEvent event);
+    /// A modifier's key went down or up.
+    void hold(int key, bool down);
+    /// What the window system says of them beside an event: a key may have gone down in another
+    /// window.
+    void correct(int modifiers);
     bool resized = true; ///< also before the first frame
     bool moved = false;  ///< the window itself
+
+  private:
+    editor::Modifiers held() const;
+    std::array<bool, 8> held_{}; ///< left and right: Shift, Control, Alt, Super
 };
 
 } // namespace preview

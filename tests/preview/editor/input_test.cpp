@@ -76,6 +76,30 @@ TEST(InputQueue, keeps_a_deletion_before_the_character_typed_after_it) {
     EXPECT_EQ(frames_of({key(Key::none, true), key(Key::s, true), character('x')}), (Frames{1, 2}));
 }
 
+InputEvent with_ctrl(InputEvent event) {
+    event.held.ctrl = true;
+    return event;
+}
+
+InputEvent wheel() {
+    return {Kind::wheel, 0, 1};
+}
+
+TEST(InputQueue, shows_the_wheel_under_the_modifiers_that_were_held_when_it_turned) {
+    const InputEvent down = with_ctrl(key(Key::modifier, true)), up = key(Key::modifier, false);
+    EXPECT_EQ(frames_of({move(1), down, with_ctrl(wheel()), with_ctrl(wheel()), up, wheel()}),
+              (Frames{1, 3, 2}));
+    EXPECT_EQ(frames_of({down, with_ctrl(wheel()), up, down, with_ctrl(wheel()), up}),
+              (Frames{2, 3, 1}));
+}
+
+TEST(InputQueue, shows_a_drag_under_the_modifiers_that_were_held) {
+    const InputEvent down = with_ctrl(key(Key::modifier, true)), up = key(Key::modifier, false);
+    EXPECT_EQ(frames_of({down, with_ctrl(move(1)), with_ctrl(button(true)), with_ctrl(move(2)), up,
+                         move(3)}),
+              (Frames{2, 1, 1, 2}));
+}
+
 TEST(InputQueue, has_nothing_to_show_when_nothing_happened) {
     InputQueue queue;
     EXPECT_TRUE(queue.empty());

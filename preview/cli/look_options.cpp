@@ -58,6 +58,25 @@ LookUse use_b(const Options& options, bool has_light) {
                   options.look_output_b);
 }
 
+std::array<std::shared_ptr<const Still>, 2> stills_of(const Options& options) {
+    std::array<std::shared_ptr<const Still>, 2> out;
+    const std::optional<lutlib::Encoding> said =
+        if_named(options.still_encoding, "--still-encoding");
+    const auto load = [&](const std::string& path, const std::string& look, const char* side) {
+        if (path.empty()) {
+            return std::shared_ptr<const Still>();
+        }
+        if (is_look(look)) {
+            throw lutlib::UsageError(std::string("a side shows a look or a still: drop --") + side +
+                                     " or --still-" + side);
+        }
+        return load_still(path, said);
+    };
+    out[0] = load(options.still_a, options.look_a, "a");
+    out[1] = load(options.still_b, options.look_b, "b");
+    return out;
+}
+
 Shown shown_of(const Options& options) {
     Shown shown = load_shown(options.input, options.seconds);
     if (const std::string file = surroundings_file(options); !file.empty()) {

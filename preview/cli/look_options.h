@@ -4,6 +4,10 @@
 #include "preview/cli/options.h"
 #include "preview/frame/shown.h"
 #include "preview/look/look_file.h"
+#include "preview/look/still.h"
+
+#include <array>
+#include <memory>
 
 namespace preview {
 
@@ -22,5 +26,8 @@ LookUse use_b(const Options& options, bool has_light);
 /// The scene or picture that the options name, with the picture of its surroundings. Throws as
 /// load_shown() and load_surroundings() do.
 Shown shown_of(const Options& options);
+
+/// Of each side; null: none. Throws lutlib::Error, and UsageError for a side that has a look too.
+std::array<std::shared_ptr<const Still>, 2> stills_of(const Options& options);
 
 } // namespace preview

@@ -64,7 +64,7 @@ terminal::Papers papers(const CLI::App& app) {
     }
     for (const char* const option :
          {"--look-input", "--look-input-a", "--look-input-b", "--look-output", "--look-output-a",
-          "--look-output-b", "--picture-encoding", "--scope-encoding"}) {
+          "--look-output-b", "--picture-encoding", "--scope-encoding", "--still-encoding"}) {
         out.values.push_back({option, encoding_words()});
     }
     for (const OptionRow& row : option_rows()) {

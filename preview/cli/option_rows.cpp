@@ -55,6 +55,21 @@ constexpr OptionRow rows[] = {
      .help = "Encoding of its results",
      .of = [](O& o) -> std::string& { return o.look_output_b; },
      .type = "ENCODING"},
+    {.flag = "--still,--still-a",
+     .help =
+         "A picture that side A shows as it is, in place of a look: a reference to compare with",
+     .of = [](O& o) -> std::string& { return o.still_a; },
+     .type = "PICTURE"},
+    {.flag = "--still-b",
+     .help = "The same for side B",
+     .of = [](O& o) -> std::string& { return o.still_b; },
+     .type = "PICTURE"},
+    {.flag = "--still-encoding",
+     .help =
+         "Decode stills by this encoding and show them as sRGB; by default their codes are shown "
+         "as they are, and light is encoded by sRGB's curve",
+     .of = [](O& o) -> std::string& { return o.still_encoding; },
+     .type = "ENCODING"},
     {.flag = "--picture-encoding",
      .help = "Encoding of the picture that the looks are applied to; a scene is sRGB after its "
              "tone map",

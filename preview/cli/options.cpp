@@ -167,10 +167,14 @@ bool opens_window(const Options& options) {
            options.cube_view.empty();
 }
 
+bool shows_stills(const Options& options) {
+    return !options.still_a.empty() || !options.still_b.empty();
+}
+
 const Compare* compare_of(const Options& options) {
-    return options.is_compare_given ? options.frame.compare
-           : options.look_b.empty() ? &compare_a
-                                    : &compare_split;
+    return options.is_compare_given                           ? options.frame.compare
+           : options.look_b.empty() && !shows_stills(options) ? &compare_a
+                                                              : &compare_split;
 }
 
 FrameSettings settings_of(const Options& options, Size input_size) {

@@ -30,6 +30,8 @@ struct Options {
     std::string engine_a, engine_b;          ///< lookups that read them
     std::string look_input_a, look_output_a; ///< of the looks' codes; empty: as each says
     std::string look_input_b, look_output_b;
+    std::string still_a, still_b;          ///< pictures in place of looks; empty: none
+    std::string still_encoding;            ///< of their numbers; empty: as their files say
     std::string picture_encoding = "srgb"; ///< of the codes that the looks get
     bool no_convert = false;               ///< whatever the looks are made for
     const LookAt* look_at = &look_at_auto;
@@ -98,7 +100,11 @@ std::span<const Study> studies();
 /// Whether they ask for the window, as those do that ask for nothing else.
 bool opens_window(const Options& options);
 
-/// The comparison: as given, else A alone, or both sides when there is a look for B.
+/// Whether a side shows a reference still.
+bool shows_stills(const Options& options);
+
+/// The comparison: as given, else A alone, or both sides when there is a look for B or a
+/// still.
 const Compare* compare_of(const Options& options);
 
 /// What the options say of the frame; `input_size` is a picture's own size, or {} for a scene.

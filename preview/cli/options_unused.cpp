@@ -97,7 +97,7 @@ Rule cube_rule(const Options& options) {
     for (const std::string& flag : options.given) {
         // Other names of options that are given under their own as well.
         const bool is_alias = flag == "--engine" || flag == "--look-input" ||
-                              flag == "--look-output" || flag == "--no-fxaa" ||
+                              flag == "--look-output" || flag == "--still" || flag == "--no-fxaa" ||
                               flag == "--no-dither";
         if (!is_alias && std::find(taken.begin(), taken.end(), flag) == taken.end()) {
             out.flags.push_back(flag);
@@ -116,13 +116,14 @@ std::vector<std::string> report_flags() {
 
 /// The options that a study, which makes no picture for anybody, does not take.
 Rule study_rule(const Options& options) {
-    return {{"--depth",       "--cube-view",  "--cube-nodes",     "--probe",
-             "--scope",       "--scope-size", "--scope-region",   "--scope-side",
-             "--scope-scale", "--scope-gain", "--scope-encoding", "--display-white",
-             "--explain",     "--force-all",  "--timings",        "--frames",
-             "--frame-rate",  "--resume",     "--font",           "--watch-engine-folder",
-             "--places",      "--exr",        "--dither",         "--debug-view",
-             "--heat-scale",  "--meter"},
+    return {{"--depth",         "--cube-view",  "--cube-nodes",     "--probe",
+             "--scope",         "--scope-size", "--scope-region",   "--scope-side",
+             "--scope-scale",   "--scope-gain", "--scope-encoding", "--display-white",
+             "--explain",       "--force-all",  "--timings",        "--frames",
+             "--frame-rate",    "--resume",     "--font",           "--watch-engine-folder",
+             "--places",        "--exr",        "--dither",         "--debug-view",
+             "--heat-scale",    "--meter",      "--still-a",        "--still-b",
+             "--still-encoding"},
             false,
             why_no_picture(options)};
 }
@@ -146,6 +147,7 @@ std::vector<Rule> rules_of(const Options& o) {
         {{"--engine-b", "--look-input-b", "--look-output-b"},
          is_look(o.look_b) || window,
          "side B has no look"},
+        {{"--still-encoding"}, shows_stills(o), "neither side has a still"},
         {cube_flags(), window, "no --cube-view is drawn"},
         {{"--scope-size", "--scope-region", "--scope-side", "--scope-scale", "--scope-gain",
           "--scope-encoding"},
@@ -337,6 +339,9 @@ std::string not_in_light(const Options& options, const FrameSettings& settings) 
     }
     if (is_look(options.look_a) || is_look(options.look_b)) {
         missing.emplace_back("the looks");
+    }
+    if (shows_stills(options)) {
+        missing.emplace_back("the still");
     }
     if (is_given(options, "--compare")) {
         missing.emplace_back("the comparison");

@@ -6,6 +6,7 @@
 #include "lutlib/io/terminal.h"
 #include "preview/cli/look_options.h"
 #include "preview/editor/kept_cameras.h"
+#include "preview/finish/fit.h"
 #include "preview/finish/scope_csv.h"
 #include "preview/look/look_file.h"
 #include "preview/scene/gpu_scene.h"
@@ -119,6 +120,7 @@ Rendering::Rendering(const Options& options)
     look_a = load_side(device, options.look_a, use_a(options, has_light), force, notes, "A",
                        no_look[0], codes[0]);
     names = {look_title(options.look_a), look_title(options.look_b)};
+    take_stills(options);
     look_b = load_side(device, options.look_b, use_b(options, has_light), force, notes, "B",
                        no_look[1], codes[1]);
     name_levels(codes);
@@ -137,12 +139,41 @@ void Rendering::name_levels(const std::array<lutlib::Encoding, 2>& codes) {
     }
 }
 
+void Rendering::take_stills(const Options& options) {
+    const auto loaded = stills_of(options);
+    const Size picture =
+        shown->picture ? shown->picture->size : picture_size(settings.output, *settings.compare);
+    for (std::size_t i = 0; i < loaded.size(); ++i) {
+        if (!loaded[i]) {
+            continue;
+        }
+        const Still& still = *loaded[i];
+        std::vector<std::string> lines{still.shown_as};
+        if (std::string fit = fit_text(still.size, picture); !fit.empty()) {
+            lines.push_back(std::move(fit));
+        }
+        lines.insert(lines.end(), still.told.begin(), still.told.end());
+        for (const std::string& line : lines) {
+            tell(still.path + ": " + line);
+            notes += (i == 0 ? "still A: " : "still B: ") + line + "\n";
+        }
+        if (!options.output.empty()) {
+            lutlib::io::require_another_than(still.path, "a still that is shown", options.output);
+        }
+        names[i] = "still " + title_of(still);
+        stills[i].emplace(device, still.size, still.rgba, true);
+    }
+}
+
 FrameInputs Rendering::inputs() const {
     FrameInputs out = on_gpu.inputs();
     out.lights = &lights;
     out.surroundings = &surroundings;
     out.look_a = look_a ? &*look_a : nullptr;
     out.look_b = look_b ? &*look_b : nullptr;
+    for (std::size_t i = 0; i < stills.size(); ++i) {
+        out.stills[i] = stills[i] ? &*stills[i] : nullptr;
+    }
     out.no_look = {no_look[0], no_look[1]};
     out.names = {names[0], names[1]};
     return out;

@@ -34,11 +34,13 @@ struct Rendering {
     std::array<std::string, 2> no_look; ///< why a side has none
     std::array<std::string, 2> names;   ///< of the sides
     std::optional<GpuLook> look_a, look_b;
+    std::array<std::optional<GpuPicture>, 2> stills;
     GpuShown on_gpu;
 
   private:
     /// What the scope's levels are, where the sides' codes are these.
     void name_levels(const std::array<lutlib::Encoding, 2>& codes);
+    void take_stills(const Options& options);
 };
 
 /// Throws lutlib::UsageError when the output is one of the looks.

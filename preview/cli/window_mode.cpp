@@ -5,6 +5,7 @@
 #include "preview/cli/picture_file.h"
 #include "preview/editor/commands.h"
 #include "preview/editor/kept_cameras.h"
+#include "preview/editor/stills.h"
 #include "preview/frame/shown.h"
 #include "preview/window/app.h"
 #include "preview/window/opening.h"
@@ -79,6 +80,12 @@ editor::State opening_state(const Options& options, const FrameSettings& given,
     }
     state.picture = picture_codes(options, !shown->display_encoded());
     open_looks(state, options);
+    const auto stills = stills_of(options);
+    for (std::size_t i = 0; i < stills.size(); ++i) {
+        if (stills[i]) {
+            editor::show_still(state, i, stills[i]);
+        }
+    }
     return state;
 }
 

@@ -49,6 +49,7 @@ bool same(const LookRequest& a, const LookRequest& b) {
 LoadedLook look_of(const lutlib::Recipe& recipe, const Side& side, const PictureCodes& picture) {
     switch (side.source) {
     case SideSource::none:
+    case SideSource::still:
         break;
     case SideSource::source:
         if (recipe.base_lut) {

@@ -35,6 +35,9 @@ std::string title_of(const Side& side) {
     if (side.source == SideSource::version) {
         return "version " + std::to_string(side.version_place + 1);
     }
+    if (side.source == SideSource::still && side.still) {
+        return "still " + preview::title_of(*side.still);
+    }
     const SideSourceInfo& row = side_sources[static_cast<std::size_t>(side.source)];
     return std::string(row.name) +
            (side.source == SideSource::baked ? " " + std::string(side.engine->name) : "");

@@ -6,6 +6,7 @@
 #include "preview/finish/scopes.h"
 #include "preview/look/cube_view.h"
 #include "preview/look/look_file.h"
+#include "preview/look/still.h"
 #include "preview/scene/scene.h"
 
 #include <array>
@@ -22,7 +23,7 @@ struct Shown;
 namespace preview::editor {
 
 /// What one side of the comparison shows.
-enum class SideSource : std::uint8_t { none, source, recipe, baked, file, version };
+enum class SideSource : std::uint8_t { none, source, recipe, baked, file, version, still };
 
 struct SideSourceInfo {
     SideSource source;
@@ -31,13 +32,14 @@ struct SideSourceInfo {
 };
 
 /// In the order of the enumeration.
-inline constexpr std::array<SideSourceInfo, 6> side_sources{{
+inline constexpr std::array<SideSourceInfo, 7> side_sources{{
     {SideSource::none, "none", "no look"},
     {SideSource::source, "source", "the LUT that the recipe starts from"},
     {SideSource::recipe, "recipe", "the recipe itself, as a float table with its error stated"},
     {SideSource::baked, "baked", "the recipe's strip as that engine reads it"},
     {SideSource::file, "file", "another LUT file"},
     {SideSource::version, "version", "the version that was put here, as its recipe"},
+    {SideSource::still, "still", "a picture as it is, in place of this one under a look"},
 }};
 
 /// A look that was stored.
@@ -59,6 +61,7 @@ struct Side {
     std::shared_ptr<const lutlib::Lut> lut;
     std::shared_ptr<const Version> version; ///< of `version`
     std::size_t version_place = 0;          ///< where it was stored
+    std::shared_ptr<const Still> still;     ///< of `still`
     friend bool operator==(const Side&, const Side&) = default;
 };
 

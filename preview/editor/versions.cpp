@@ -55,12 +55,16 @@ bool show_version(State& state, std::size_t place, std::size_t side) {
     state.sides[side].source = SideSource::version;
     state.sides[side].version = state.versions[place];
     state.sides[side].version_place = place;
+    bring_to_view(state, side);
+    return true;
+}
+
+void bring_to_view(State& state, std::size_t side) {
     const bool is_other_alone =
         side == 0 ? state.compare == &compare_b : state.compare == &compare_a;
     if (is_other_alone) {
         state.compare = &compare_split;
     }
-    return true;
 }
 
 } // namespace preview::editor

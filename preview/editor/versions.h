@@ -23,4 +23,7 @@ bool has_unsaved(const State& state);
 /// A side shows the version there, beside what the other shows. Whether there is one.
 bool show_version(State& state, std::size_t place, std::size_t side);
 
+/// Where the comparison shows the other side alone, it is split.
+void bring_to_view(State& state, std::size_t side);
+
 } // namespace preview::editor

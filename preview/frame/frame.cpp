@@ -4,6 +4,7 @@
 #include "preview/effects/fusion.h"
 #include "preview/frame/frame_effects.h"
 #include "preview/frame/frame_scene.h"
+#include "preview/frame/frame_stills.h"
 #include "preview/frame/frame_zoom.h"
 #include "preview/frame/instruments.h"
 #include "preview/look/gpu_look.h"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace preview {
@@ -287,7 +289,12 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
         handles.lit = render_scene(graph, inputs, settings, size, handles);
     }
 
-    DrawnEffects drawn = drawn_effects(graph, inputs, settings, size, handles);
+    std::optional<FrameSettings> beside;
+    if (compares_stills(inputs, settings)) {
+        beside = beside_stills(inputs, settings);
+    }
+    const FrameSettings& finished = beside ? *beside : settings;
+    DrawnEffects drawn = drawn_effects(graph, inputs, finished, size, handles);
     resolve(graph, inputs, settings, size, handles);
     if (settings.only_maximum && handles.hdr_maximum) {
         graph.present(handles.hdr_maximum);
@@ -299,12 +306,16 @@ FrameHandles build_frame(Graph& graph, const FrameInputs& inputs, const FrameSet
     drawn.given.width = size_of(graph, handles.hdr).width;
     handles.hdr = with_effects(graph, Stage::hdr, drawn, handles.hdr, handles);
 
-    Finishing finishing = finishing_of(graph, inputs, settings);
+    Finishing finishing = finishing_of(graph, inputs, finished);
     finishing.picture = handles.hdr;
     finishing.bloom = bloom_of(graph, handles.hdr, inputs, settings, drawn.uses);
     handles.bloomed = finishing.bloom;
     handles.bloom = finishing.bloom.glow;
-    finish(graph, settings, drawn, finishing, handles);
+    finish(graph, finished, drawn, finishing, handles);
+    fit_stills(graph, inputs, settings, handles);
+    if (beside) {
+        compare_with_stills(graph, settings, no_view_because(settings).empty(), handles);
+    }
 
     if (settings.view != nullptr) {
         show(graph, settings, settings.view->name, settings.view->handle(handles),

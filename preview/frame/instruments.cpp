@@ -105,9 +105,9 @@ void add_instruments(Graph& graph, const FrameInputs& inputs, const FrameSetting
         }
     }
     if (probe) {
-        handles.probe =
-            add_probe(graph, finishing,
-                      before_comparison(*probe, settings, size_of(graph, finishing.picture)));
+        handles.probe = add_probe(
+            graph, finishing,
+            before_comparison(*probe, settings, size_of(graph, finishing.picture)), handles.stills);
         graph.present(handles.probe);
     } else {
         graph.withhold("probe", "the mouse is not over the picture");

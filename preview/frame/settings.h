@@ -10,6 +10,7 @@
 #include "preview/passes/bloom.h"
 #include "preview/passes/gbuffer.h"
 #include "preview/passes/scope.h"
+#include "preview/passes/still.h"
 #include "preview/passes/surroundings.h"
 #include "preview/passes/visibility.h"
 #include "preview/scene/scene.h"
@@ -100,6 +101,8 @@ struct FrameInputs {
     const GpuLook* look_b = nullptr;
     std::array<std::string_view, 2> no_look{"there is none",
                                             "there is none"}; ///< why a side has none
+    /// Shown on a side as it is, in place of the picture under that side's look; null: no still.
+    std::array<const GpuPicture*, 2> stills{};
     /// Of each row of scopes: drawn in place of what it would count now.
     std::array<KeptScope, scopes.size()> kept_scopes{};
     /// What a comparison calls its sides; both empty: it names none.
@@ -127,6 +130,7 @@ struct FrameHandles {
     std::array<ScopeCounts, scopes.size()> scope_counts;   ///< presented if the settings keep them
     BufferHandle probe, axis_counts;
     std::vector<EffectPicture> effects; ///< of those drawn, in the order of the frame
+    std::array<StillSide, 2> stills;    ///< as large as the picture; of sides that show a still
     /// What views of the picture read: it before it is rounded, and before the looks.
     ImageHandle unrounded, before_looks;
     ImageHandle output; ///< presented

@@ -1,7 +1,9 @@
 #include "preview/panels/palette.h"
 
 #include "preview/editor/search.h"
+#include "preview/editor/stills.h"
 #include "preview/effects/effect.h"
+#include "preview/panels/still_controls.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -60,6 +62,13 @@ void add_switches(std::vector<Action>& out) {
             bool& is_seen = ui.history.draft().scopes_seen.seen[i];
             is_seen = !is_seen;
         });
+    }
+    for (const std::size_t side : {0U, 1U}) {
+        const std::string name(1, static_cast<char>('A' + side));
+        add(out, "open a reference still on side " + name,
+            [side](Ui& ui) { ask_for_still(ui, side); });
+        add(out, "take the still off side " + name,
+            [side](Ui& ui) { take_still_off(ui.history.draft(), side); });
     }
     add(out, "scopes: drag the region that they count", [](Ui& ui) { ui.region_drag.emplace(); });
     add(out, "scopes: count all of the picture",

@@ -1,5 +1,6 @@
 // The versions of the look: stored, brought back, and shown on side A.
 #include "preview/editor/versions.h"
+#include "preview/panels/still_controls.h"
 #include "preview/panels/thumbnail.h"
 #include "preview/panels/ui.h"
 
@@ -87,6 +88,8 @@ void versions_panel(Ui& ui) {
     }
     ImGui::EndTable();
     show_thumbnails(ui);
+    ImGui::Separator();
+    still_controls(ui);
 }
 
 } // namespace preview::panels

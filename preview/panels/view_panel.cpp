@@ -5,6 +5,7 @@
 #include "preview/panels/eyedropper.h"
 #include "preview/panels/file_dialog.h"
 #include "preview/panels/parameter_control.h"
+#include "preview/panels/still_controls.h"
 #include "preview/panels/tip.h"
 #include "preview/panels/ui.h"
 #include "preview/scene/camera_settings.h"
@@ -153,7 +154,8 @@ void side_controls(Ui& ui, Side& side, const std::string& name, const std::strin
             ImGui::SameLine();
         }
         ImGui::BeginDisabled((info.source == SideSource::file && !side.lut) ||
-                             (info.source == SideSource::version && !side.version));
+                             (info.source == SideSource::version && !side.version) ||
+                             (info.source == SideSource::still && !side.still));
         if (ImGui::RadioButton(std::string(info.name).c_str(), side.source == info.source)) {
             side.source = info.source;
         }
@@ -175,6 +177,9 @@ void side_controls(Ui& ui, Side& side, const std::string& name, const std::strin
     }
     if (side.source == SideSource::file) {
         lines(side.told);
+    }
+    if (side.source == SideSource::still && side.still) {
+        still_notes(ui, *side.still);
     }
     if (side.source == SideSource::baked) {
         if (ImGui::BeginCombo("Engine", std::string(side.engine->label).c_str())) {

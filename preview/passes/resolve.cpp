@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <string>
 
 namespace preview {
 
@@ -48,18 +48,9 @@ std::uint64_t covered(Size source, Size extent) {
 
 } // namespace
 
-Size fitted(Size picture, Size box) {
-    const double scale = std::min(static_cast<double>(box.width) / picture.width,
-                                  static_cast<double>(box.height) / picture.height);
-    const auto side = [&](std::uint32_t length, std::uint32_t most) {
-        return std::clamp(static_cast<std::uint32_t>(std::lround(length * scale)), 1U, most);
-    };
-    return {side(picture.width, box.width), side(picture.height, box.height)};
-}
-
 Resolved add_resolve(Graph& graph, ImageHandle source, Size size, float exposure,
                      const ResolveWork& work) {
-    constexpr std::string_view still_right = "scene, lights, camera and exposure are the same";
+    const std::string name(work.name);
     // Mesa's software devices end the loops of an invocation after 65535 turns in all.
     constexpr std::uint64_t most_turns = 32768;
     Size from = size_of(graph, source);
@@ -67,19 +58,20 @@ Resolved add_resolve(Graph& graph, ImageHandle source, Size size, float exposure
     if (covered(from, extent) > most_turns) {
         from.width = extent.width;
         Resolved rows;
-        rows.hdr = graph.image("hdr rows", {Format::rgba32f, from.width, from.height});
-        source = declare(graph, resolve_along_rows, source, rows, from, exposure).hdr;
+        rows.hdr = graph.image(name + " rows", {Format::rgba32f, from.width, from.height});
+        source = declare(graph, name + " resolve along rows", source, rows, from, exposure).hdr;
         exposure = 1;
     }
     Resolved out;
     if (work.measures) {
         out.maximum = graph.fill(
             "clear maximum",
-            buffer_kept_if(graph, work.is_kept, "hdr maximum", sizeof(float), still_right), 0);
+            buffer_kept_if(graph, work.is_kept, name + " maximum", sizeof(float), work.still_right),
+            0);
     }
-    out.hdr = image_kept_if(graph, work.is_kept, "hdr", {work.format, size.width, size.height},
-                            still_right);
-    return declare(graph, "hdr resolve", source, out, extent, exposure);
+    out.hdr = image_kept_if(graph, work.is_kept, name, {work.format, size.width, size.height},
+                            work.still_right);
+    return declare(graph, name + " resolve", source, out, extent, exposure);
 }
 
 } // namespace preview

@@ -1,6 +1,7 @@
 // The HDR resolve: the one place where a picture is exposed, made finite and measured.
 #pragma once
 
+#include "preview/finish/fit.h"
 #include "preview/passes/pass.h"
 
 namespace preview {
@@ -18,14 +19,13 @@ struct ResolveWork {
     Format format = Format::rgba16f; ///< rgba32f for codes, which a half float does not hold
     bool is_kept = false;            ///< serves further frames of the same light
     bool measures = true;            ///< else there is no maximum
+    std::string_view name = "hdr";   ///< of the image, and with "resolve" behind it of the pass
+    std::string_view still_right = "scene, lights, camera and exposure are the same";
 };
 
 /// `exposure` multiplies. A source of another size than `size` is filtered by area and keeps its
 /// proportions: it stands in the middle, between black bars.
 Resolved add_resolve(Graph& graph, ImageHandle source, Size size, float exposure,
                      const ResolveWork& work = {});
-
-/// The largest size of the picture's proportions within the box, at least 1x1.
-Size fitted(Size picture, Size box);
 
 } // namespace preview

@@ -4,6 +4,7 @@
 #include "lutlib/io/terminal.h"
 #include "preview/editor/commands.h"
 #include "preview/frame/frame.h"
+#include "preview/panels/still_controls.h"
 #include "preview/scene/import.h"
 #include "preview/window/app_parts.h"
 #include "preview/window/display_end.h"
@@ -284,11 +285,17 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
     resize_if_asked();
     scale_if_asked();
     std::vector<std::string> paths = std::exchange(ui_.to_open, {});
-    for (std::string& path : std::exchange(events_.dropped, {})) {
-        paths.push_back(std::move(path));
-    }
-    if (!paths.empty()) {
+    WindowEvents::Dropped dropped = std::exchange(events_.dropped, {});
+    if (!paths.empty() || !dropped.paths.empty()) {
         opened_ = Following::Clock::now();
+    }
+    const bool are_stills = panels::takes_dropped_stills(ui_, dropped.x, dropped.y);
+    for (std::string& path : dropped.paths) {
+        if (are_stills) {
+            panels::attempt(ui_, [&] { panels::open_still(ui_, 0, path); });
+        } else {
+            paths.push_back(std::move(path));
+        }
     }
     for (const std::string& path : paths) {
         panels::attempt(ui_, [&] { open(path); });
@@ -321,6 +328,7 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
     }
     request_looks();
     take_looks();
+    take_stills();
     if (const std::string to = std::exchange(ui_.save_picture_to, {}); !to.empty()) {
         panels::attempt(ui_, [&] { save_picture(to); });
         wake();

@@ -38,7 +38,7 @@ void App::loop() {
             continue;
         }
         const std::vector<editor::InputEvent> events = events_.input.next_frame();
-        if (!events.empty() || !events_.dropped.empty() || events_.resized ||
+        if (!events.empty() || !events_.dropped.paths.empty() || events_.resized ||
             std::exchange(events_.moved, false)) {
             wake();
         }

@@ -48,6 +48,7 @@ class App {
     void frame(const std::vector<editor::InputEvent>& events);
     void request_looks();
     void take_looks();
+    void take_stills();
     void render(const panels::Rect& area);
     void draw_thumbnail();
     void freeze_scopes(const FrameHandles& handles, const ScopeLevels& levels);

@@ -23,6 +23,17 @@ void App::request_looks() {
     baker_.request(std::move(request));
 }
 
+void App::take_stills() {
+    for (std::size_t i = 0; i < screen_->stills.size(); ++i) {
+        const editor::Side& side = ui_.history.draft().sides[i];
+        const auto& still = side.source == editor::SideSource::still ? side.still : nullptr;
+        if (screen_->stills[i].still != still) {
+            drawn_.reset();
+            screen_->set_still(i, still);
+        }
+    }
+}
+
 void App::take_looks() {
     const std::optional<editor::BakedLooks> baked = baker_.take();
     if (!baked) {
@@ -67,6 +78,10 @@ FrameInputs App::frame_inputs() const {
     inputs.surroundings = &state.surroundings;
     inputs.look_a = screen_->looks[0].look();
     inputs.look_b = screen_->looks[1].look();
+    for (std::size_t i = 0; i < inputs.stills.size(); ++i) {
+        const std::optional<GpuPicture>& still = screen_->stills[i].picture;
+        inputs.stills[i] = still ? &*still : nullptr;
+    }
     return inputs;
 }
 

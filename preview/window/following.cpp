@@ -3,6 +3,7 @@
 #include "lutlib/error.h"
 #include "lutlib/io/reason.h"
 #include "preview/editor/reload.h"
+#include "preview/editor/stills.h"
 #include "preview/frame/shown.h"
 #include "preview/window/opening.h"
 #include "preview/window/screen.h"
@@ -33,6 +34,9 @@ void take_shown_everywhere(editor::History& history, const std::shared_ptr<const
 
 std::vector<editor::FollowedFile> followed(const editor::State& state) {
     std::vector<editor::FollowedFile> out = followed_looks(state);
+    for (editor::FollowedFile& file : followed_stills(state)) {
+        out.push_back(std::move(file));
+    }
     const std::shared_ptr<const Shown>& shown = state.shown;
     if (shown && !shown->files.empty()) {
         Shown named; // nothing large, which would stay while others are shown

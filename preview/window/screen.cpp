@@ -21,6 +21,19 @@ void Screen::resize(const Window& window) {
     overlay.set_targets(swapchain);
 }
 
+void Screen::set_still(std::size_t side, std::shared_ptr<const Still> still) {
+    GpuStill& now = stills[side];
+    if (now.still == still) {
+        return;
+    }
+    device.vk().waitIdle();
+    now.picture.reset();
+    now.still = std::move(still);
+    if (now.still) {
+        now.picture.emplace(device, now.still->size, now.still->rgba, true);
+    }
+}
+
 bool is_lost(const vk::SystemError& error) {
     return error.code() == vk::Result::eErrorDeviceLost ||
            error.code() == vk::Result::eErrorSurfaceLostKHR;

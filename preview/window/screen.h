@@ -5,6 +5,7 @@
 #include "preview/frame/shown.h"
 #include "preview/graph/execute.h"
 #include "preview/look/look_slot.h"
+#include "preview/look/still.h"
 #include "preview/window/frozen_scopes.h"
 #include "preview/window/overlay.h"
 #include "preview/window/thumbnail_cells.h"
@@ -28,12 +29,19 @@ struct Screen {
     void show(std::shared_ptr<const Shown> next);
     /// Makes the images anew for the window's size.
     void resize(const Window& window);
+    /// Null: none. Waits for the GPU where it is another.
+    void set_still(std::size_t side, std::shared_ptr<const Still> still);
 
     gpu::Device device;
     gpu::Swapchain swapchain;
     Executor executor;
     std::optional<GpuShown> shown;
     std::array<LookSlot, 2> looks;
+    struct GpuStill {
+        std::shared_ptr<const Still> still;
+        std::optional<GpuPicture> picture;
+    };
+    std::array<GpuStill, 2> stills;
     FrozenCounts frozen;
     std::optional<ThumbnailCells> thumbnails; ///< once one was asked for
     Overlay overlay;                          ///< the last: its end waits for the GPU

@@ -142,7 +142,12 @@ WindowEvents::WindowEvents(GLFWwindow* window) {
         of(w).push({Kind::character, 0, 0, static_cast<int>(character)});
     });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
-        of(w).dropped.insert(of(w).dropped.end(), paths, paths + count);
+        WindowEvents::Dropped& dropped = of(w).dropped;
+        dropped.paths.insert(dropped.paths.end(), paths, paths + count);
+        double x = 0, y = 0;
+        glfwGetCursorPos(w, &x, &y);
+        dropped.x = static_cast<float>(x);
+        dropped.y = static_cast<float>(y);
     });
 }
 

@@ -21,7 +21,12 @@ struct WindowEvents {
     WindowEvents& operator=(const WindowEvents&) = delete;
 
     editor::InputQueue input;
-    std::vector<std::string> dropped;
+    /// Files, and where the mouse let go of them.
+    struct Dropped {
+        std::vector<std::string> paths;
+        float x = 0, y = 0;
+    };
+    Dropped dropped;
     /// Pushes with the modifiers that are held.
     void push(editor::InputEvent event);
     /// A modifier's key went down or up.

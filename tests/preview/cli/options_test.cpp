@@ -252,6 +252,13 @@ TEST(Options, show_every_intermediate_and_every_effect) {
     EXPECT_THROW(settings("--debug-view depth --probe 1,1"), lutlib::UsageError);
 }
 
+TEST(Options, compare_a_still_with_the_other_side_unless_they_say_how) {
+    EXPECT_EQ(compare_of(parsed("--still x.png")), &compare_split);
+    EXPECT_EQ(compare_of(parsed("--still-b x.png --compare diff")), &compare_difference);
+    EXPECT_EQ(parsed("--still-a x.png").still_a, "x.png");
+    EXPECT_EQ(compare_of(parsed("")), &compare_a);
+}
+
 TEST(Options, show_a_scope_in_its_own_size_or_the_one_given) {
     const FrameSettings own = settings("--scope vectorscope --scope-side b --scope-scale linear");
     ASSERT_NE(own.scope, nullptr);

@@ -19,9 +19,9 @@ TEST(Options, that_change_nothing_in_a_run_are_said) {
     for (const char* const flag :
          {"--engine-a unity", "--look-input-a srgb", "--cube-nodes 5", "--scope-size 64x64",
           "--scope-side a", "--scope-region 1,1,2,2", "--scope-gain x2", "--scope-encoding pq",
-          "--display-white 203", "--scope vectorscope --scope-encoding pq", "--frames 5",
-          "--frame-rate 30", "--resume", "--exr picture", "--font x.ttf", "--watch-engine-folder x",
-          "--heat-scale 8"}) {
+          "--display-white 203", "--scope vectorscope --scope-encoding pq",
+          "--still-encoding logc3", "--frames 5", "--frame-rate 30", "--resume", "--exr picture",
+          "--font x.ttf", "--watch-engine-folder x", "--heat-scale 8"}) {
         const std::vector<std::string> lines = said(run + flag);
         ASSERT_EQ(lines.size(), 1U) << flag;
         const std::string text(flag);

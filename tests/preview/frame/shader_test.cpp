@@ -275,6 +275,13 @@ TEST_F(ShaderTest, every_pass_declares_what_its_shader_expects_and_no_shader_is_
         shown.picture = &picture;
         FrameSettings changed = settings();
         check(shown, changed);
+        for (const Compare& compare : compares) {
+            FrameSettings beside = instruments;
+            beside.compare = &compare;
+            FrameInputs compared = inputs;
+            compared.stills = {&picture, nullptr};
+            check(compared, beside);
+        }
         Graph copied;
         copied.present(add_copy(
             copied, copied.import("picture", picture.image, picture.image.desc()), Format::rgba8));

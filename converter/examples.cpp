@@ -24,7 +24,9 @@ constexpr Examples table[] = {
                 "lutconv convert wide.cube -o look.spi3d --strict\n"
                 "lutconv convert their.3dl -o look.cube --watch\n"},
     {"edit", "lutconv edit identity -o look.cube --saturation 1.3 --save-recipe look.json\n"
-             "lutconv edit their.cube -o warmer.cube --temperature 7200\n"},
+             "lutconv edit their.cube -o warmer.cube --temperature 7200\n"
+             "lutconv edit identity -o look.cube --cdl-file shots.ccc --cdl-id sh010\n"
+             "lutconv edit look.json --save-cdl shots.ccc --save-cdl-id sh020\n"},
     {"resample", "lutconv resample look.cube -o small.cube --size 17\n"},
     {"compose", "lutconv compose first.cube second.cube -o both.cube\n"},
     {"invert", "lutconv invert look.cube -o undo.cube\n"},

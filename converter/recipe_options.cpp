@@ -2,8 +2,10 @@
 
 #include "converter/usage.h"
 #include "lutlib/error.h"
+#include "lutlib/io/correction_files.h"
 #include "lutlib/limits.h"
 #include "lutlib/named.h"
+#include "lutlib/recipe/correction_file.h"
 #include "lutlib/resample/combine.h"
 #include "lutlib/resample/curves.h"
 
@@ -54,6 +56,18 @@ std::string help_of(const Parameter& parameter) {
 constexpr Parameter opacity_parameter{
     .name = "opacity", .flag = "opacity", .label = "Opacity", .fallback = 1};
 
+// The correction of that id as an operator; without an id the first, and that is a loss.
+Operation operation_of_file(const std::string& path, const std::string& id,
+                            std::vector<lutlib::Loss>& losses) {
+    const std::vector<lutlib::ColorCorrection> all = lutlib::io::read_corrections(path);
+    const std::size_t at = lutlib::correction_named(all, id);
+    if (id.empty() && all.size() > 1) {
+        losses.push_back({"only the first colour correction is read (--cdl-id chooses), of",
+                          static_cast<double>(all.size()), "corrections"});
+    }
+    return operation_of(all[at], losses);
+}
+
 std::vector<std::string_view> shapers(bool recipe) {
     return recipe ? lutlib::recipe_shaper_names() : lutlib::shaper_names();
 }
@@ -67,23 +81,44 @@ void OperatorFlags::declare(Verb& verb) {
             const Parameter& parameter = op->parameters[i];
             verb.add_in_order("--" + std::string(parameter.flag), help_of(parameter),
                               fmt::format("{} (in {})", op->label, name_of(op->space)));
-            flags_.push_back({op, i});
+            flags_.push_back({.op = op, .parameter = i});
         }
     }
+    constexpr const char* from_file = "ASC CDL of a file";
+    verb.add_in_order("--cdl-file",
+                      "an operator ASC CDL with the numbers of this .cc, .ccc or .cdl file",
+                      from_file);
+    flags_.push_back({Flag::Kind::file});
+    verb.add_in_order("--cdl-id", "which correction of the file before it (default: the first)",
+                      from_file);
+    flags_.push_back({Flag::Kind::id});
     verb.add_in_order(
         "--opacity",
         "how much of the operator before it is taken, 0 to 1, default 1; mixed in the space that "
         "the operator works in",
         "Of the operator before it");
-    flags_.push_back({nullptr, 0});
+    flags_.push_back({Flag::Kind::opacity});
 }
 
-std::vector<Operation> OperatorFlags::operations() const {
+std::vector<Operation> OperatorFlags::operations(std::vector<lutlib::Loss>& losses) const {
     std::vector<Operation> out;
     std::vector<bool> set; // parameters of the last operation that have been given
-    for (const auto& [number, text] : verb_->in_order()) {
+    const auto given = verb_->in_order();
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const auto& [number, text] = given[i];
         const Flag& flag = flags_[number];
-        if (flag.op == nullptr) {
+        if (flag.kind == Flag::Kind::file) {
+            const bool has_id =
+                i + 1 < given.size() && flags_[given[i + 1].first].kind == Flag::Kind::id;
+            out.push_back(operation_of_file(text, has_id ? given[++i].second : "", losses));
+            set.assign(out.back().op->parameters.size(), true);
+            set.back() = false; // the clamp, which files do not say
+            continue;
+        }
+        if (flag.kind == Flag::Kind::id) {
+            throw lutlib::UsageError("--cdl-id belongs behind a --cdl-file: give that one first");
+        }
+        if (flag.kind == Flag::Kind::opacity) {
             if (out.empty()) {
                 throw lutlib::UsageError("--opacity belongs to the operator before it: give that "
                                          "one first");

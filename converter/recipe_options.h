@@ -2,9 +2,11 @@
 #pragma once
 
 #include "converter/verb.h"
+#include "lutlib/format.h"
 #include "lutlib/recipe/recipe.h"
 #include "lutlib/resample/resample.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,13 +19,16 @@ class OperatorFlags {
 
     /// The operators that the flags describe. A flag opens an operator, unless it belongs to the
     /// one before it and is not set there yet: `--contrast 1.2 --contrast-pivot .4` is one.
-    /// `--opacity` belongs to the one before it. Throws UsageError.
-    std::vector<lutlib::Operation> operations() const;
+    /// `--opacity` belongs to the one before it, `--cdl-id` to the `--cdl-file` before it, which is
+    /// an operator; what of the file that does not hold is added to `losses`. Throws Error.
+    std::vector<lutlib::Operation> operations(std::vector<lutlib::Loss>& losses) const;
 
   private:
     struct Flag {
-        const lutlib::Op* op; ///< null: the opacity of the operator before it
-        std::size_t parameter;
+        enum class Kind : std::uint8_t { parameter, opacity, file, id };
+        Kind kind = Kind::parameter;
+        const lutlib::Op* op = nullptr; ///< of a parameter
+        std::size_t parameter = 0;
     };
     const Verb* verb_ = nullptr;
     std::vector<Flag> flags_; ///< by their number in the verb

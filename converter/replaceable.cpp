@@ -9,6 +9,7 @@
 #include "lutlib/io/picture_types.h"
 #include "lutlib/io/png.h"
 #include "lutlib/io/recipe_file.h"
+#include "lutlib/recipe/correction_file.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -56,6 +57,9 @@ bool is_as_written(const std::string& bytes, const std::string& path) {
     try {
         if (io::is_recipe(bytes)) {
             return to_json(lutlib::parse_recipe(bytes, path)) == bytes;
+        }
+        if (lutlib::correction_format_of(path) != nullptr) {
+            return lutlib::is_correction_text(bytes, path);
         }
         const lutlib::FileFormat& format = io::recognise_format(bytes, path);
         return format.write &&

@@ -8,6 +8,7 @@
 #include "converter/unused.h"
 #include "converter/usage.h"
 #include "lutlib/error.h"
+#include "lutlib/io/correction_files.h"
 #include "lutlib/io/file.h"
 #include "lutlib/io/recipe_file.h"
 #include "lutlib/limits.h"
@@ -18,6 +19,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -27,8 +29,8 @@ namespace {
 namespace io = lutlib::io;
 
 struct EditOptions {
-    std::string input, output, recipe, save_recipe, title, input_encoding, output_encoding,
-        adaptation;
+    std::string input, output, recipe, save_recipe, save_cdl, save_cdl_id, title, input_encoding,
+        output_encoding, adaptation;
     ConfigOptions config;
     SamplingOptions sampling;
     OperatorFlags operators;
@@ -51,8 +53,10 @@ void suit_light(lutlib::Recipe& recipe) {
     recipe.bake.shaper_size = lutlib::limits::max_shaper_size;
 }
 
-// The recipe file, then LUT as its base, then the flags. `base`: where the base lies.
-lutlib::Recipe assemble(const EditOptions& o, std::string& base) {
+// The recipe file, then LUT as its base, then the flags. `base`: where the base lies; `losses`:
+// what files of corrections hold and operators do not.
+lutlib::Recipe assemble(const EditOptions& o, std::string& base,
+                        std::vector<lutlib::Loss>& losses) {
     lutlib::Recipe recipe;
     if (!o.recipe.empty()) {
         const io::Look read = open_look(o.recipe);
@@ -103,7 +107,7 @@ lutlib::Recipe assemble(const EditOptions& o, std::string& base) {
     if (!o.title.empty()) {
         recipe.title = o.title;
     }
-    for (lutlib::Operation& operation : o.operators.operations()) {
+    for (lutlib::Operation& operation : o.operators.operations(losses)) {
         recipe.operations.push_back(std::move(operation));
     }
     if (o.look_opacity >= 0) {
@@ -153,38 +157,80 @@ void tell_of_base(const std::string& recipe, const std::string& base) {
     }
 }
 
+void tell_losses(const std::string& of, const std::vector<lutlib::Loss>& losses) {
+    for (const lutlib::Loss& loss : losses) {
+        print(fmt::format("lutconv: {}: lost: {}\n", of, loss_text(loss)),
+              std::string(io::standard_stream));
+    }
+}
+
+// The file of --save-cdl, with the recipe's first CDL.
+std::string cdl_of(const EditOptions& o, const lutlib::Recipe& recipe,
+                   std::vector<lutlib::Loss>& losses) {
+    const auto& operations = recipe.operations;
+    const auto found =
+        std::find_if(operations.begin(), operations.end(), [](const lutlib::Operation& operation) {
+            return operation.op->name == "cdl";
+        });
+    if (found == operations.end()) {
+        throw lutlib::UsageError("--save-cdl has nothing to write: the look has no operator cdl; "
+                                 "add one, as by --cdl-slope 1.1,1,0.9");
+    }
+    lutlib::ColorCorrection correction =
+        correction_of(recipe, static_cast<std::size_t>(found - operations.begin()), losses);
+    correction.id = o.save_cdl_id;
+    correction.description = recipe.title;
+    // What is there is ours, or --force was given.
+    return io::correction_bytes(o.save_cdl, correction, io::Unreadable::is_replaced);
+}
+
 int run_edit(const EditOptions& o, const Verb& verb) {
     o.config.check();
-    if (o.output.empty() && o.save_recipe.empty()) {
-        throw lutlib::UsageError("nothing to write: give -o LUT, --save-recipe R.json or both");
+    if (o.output.empty() && o.save_recipe.empty() && o.save_cdl.empty()) {
+        throw lutlib::UsageError(
+            "nothing to write: give -o LUT, --save-recipe R.json, --save-cdl C.ccc or several");
+    }
+    if (o.save_cdl.empty() && !o.save_cdl_id.empty()) {
+        throw lutlib::UsageError("--save-cdl-id needs a --save-cdl");
     }
     if (o.input.empty() && o.recipe.empty()) {
         throw lutlib::UsageError("nothing to edit: give a LUT, the word identity, or --recipe");
     }
     require_one_standard_input(std::array{o.input, o.recipe});
-    if (o.config.given() && (o.input != "identity" || !o.save_recipe.empty())) {
+    if (o.config.given() &&
+        (o.input != "identity" || !o.save_recipe.empty() || !o.save_cdl.empty())) {
         throw lutlib::UsageError(
             "a recipe cannot keep an OpenColorIO config: beside --ocio-config, edit the word "
-            "identity and leave out --save-recipe");
+            "identity and leave out --save-recipe and --save-cdl");
     }
     const std::string shown = standard_output_of(std::array{o.output, o.save_recipe});
     std::string base;
-    const lutlib::Recipe recipe = assemble(o, base);
-    std::string text;
-    std::vector<io::FileToWrite> recipe_file;
+    std::vector<lutlib::Loss> read, saved;
+    const lutlib::Recipe recipe = assemble(o, base, read);
+    tell_losses("--cdl-file", read);
+    std::string text, cdl;
+    std::vector<io::FileToWrite> others;
     if (!o.save_recipe.empty()) {
         text = io::recipe_text(recipe, o.save_recipe, base);
-        recipe_file.push_back({o.save_recipe, text});
+        others.push_back({o.save_recipe, text});
         tell_of_base(o.save_recipe, base);
     }
+    if (!o.save_cdl.empty()) {
+        cdl = cdl_of(o, recipe, saved);
+        others.push_back({o.save_cdl, cdl});
+        tell_losses(output_text(o.save_cdl), saved);
+    }
     if (o.output.empty()) {
-        io::write_files(recipe_file);
+        io::write_files(others);
     } else {
         const lutlib::Transform exact = exact_of(o, recipe);
         const lutlib::Lut lut = baked(o, recipe, exact);
         tell_unused(verb,
                     {adaptation_part(recipe.input, recipe.output_encoding()), shaper_part(lut)});
         nlohmann::ordered_json extra{{"operators", recipe.operations.size()}};
+        if (!read.empty() || !saved.empty()) {
+            extra["cdl"] = {{"read", to_json(read)}, {"saved", to_json(saved)}};
+        }
         std::vector<std::string> notes = notes_of(recipe);
         if (!o.config.given() && recipe.output_encoding().gamut != recipe.input.gamut) {
             const lutlib::GamutShare share = gamut_share(recipe, lut.domain());
@@ -198,7 +244,7 @@ int run_edit(const EditOptions& o, const Verb& verb) {
                           .exact = exact,
                           .encoding = recipe.output_encoding(),
                           .notes = notes,
-                          .others = recipe_file},
+                          .others = others},
                          o.json, extra);
     }
     return ok;
@@ -213,6 +259,11 @@ Run declare_edit(Verb& verb) {
     verb.add_output("-o,--output", o->output, "the baked LUT, or - for standard output");
     verb.add_option("--recipe", o->recipe, "operators to start from");
     verb.add_output("--save-recipe", o->save_recipe, "write the operators and their base here");
+    verb.add_output("--save-cdl", o->save_cdl,
+                    "write the look's first ASC CDL here: a .cc, or into the .ccc or .cdl that is "
+                    "there; what it does not hold is said");
+    verb.add_option("--save-cdl-id", o->save_cdl_id,
+                    "id of what --save-cdl writes: the correction of that id is replaced");
     verb.add_option("--title", o->title, "title of the result");
     verb.add_option("--input-encoding", o->input_encoding,
                     encoding_help("what the operators' code values are (default: what the LUT says "

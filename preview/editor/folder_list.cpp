@@ -2,6 +2,7 @@
 
 #include "lutlib/io/extension.h"
 #include "lutlib/io/formats.h"
+#include "lutlib/recipe/correction_file.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -33,10 +34,15 @@ std::vector<FileKind> kinds() {
     const Words looks = look_extensions(), models{"gltf", "glb", "obj"},
                 pictures{"png", "exr",  "hdr", "jpg", "jpeg", "tif", "tiff",
                          "tga", "webp", "dpx", "bmp", "ppm",  "psd", "cin"};
+    Words corrections;
+    for (const lutlib::CorrectionFormat& format : lutlib::correction_formats()) {
+        corrections.emplace_back(format.extension);
+    }
     return {{"looks, pictures, models", joined(joined(looks, pictures), models)},
             {"looks", looks},
             {"pictures", pictures},
             {"models", models},
+            {"ASC CDL", corrections},
             {"every file", {}}};
 }
 

@@ -31,6 +31,9 @@ void ask_for_file(Ui& ui, FileDialog dialog, const std::string& name = {});
 void ask_to_open(Ui& ui);
 /// Saves the recipe to a file that is chosen.
 void ask_to_save(Ui& ui);
+/// An ASC CDL for the look, or the look's into a file.
+void ask_for_correction(Ui& ui);
+void ask_to_save_correction(Ui& ui);
 
 /// Draws it while it is open.
 void file_dialog(Ui& ui);

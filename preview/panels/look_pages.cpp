@@ -25,9 +25,10 @@ constexpr std::array<std::string_view, 1> range_ops{"hue-range"};
 constexpr std::array<LookPage, 6> pages{{
     {"Operators", "all operators of the look, in their order", {}},
     {"Wheels", "lift, gamma, gain and offset", wheel_ops},
-    {"CDL", "slope, offset, power and saturation of an ASC CDL", cdl_ops},
+    {"CDL", "slope, offset, power and saturation of an ASC CDL, and its files", cdl_ops,
+     &cdl_files},
     {"Curves", "tone curves of all channels and of each", curve_ops},
-    {"Hues", "hue, saturation and luminance over hue", hue_ops, true},
+    {"Hues", "hue, saturation and luminance over hue", hue_ops, nullptr, true},
     {"Range", "what qualifiers of hue, saturation and luminance choose", range_ops},
 }};
 
@@ -116,6 +117,9 @@ std::span<const LookPage> look_pages() {
 }
 
 void page_of_operators(Ui& ui, const LookPage& page) {
+    if (page.above != nullptr) {
+        page.above(ui);
+    }
     if (page.is_over_one_axis) {
         ImGui::Checkbox("In one plot", &ui.look.one_plot);
         mark(ui, "page.one-plot");

@@ -16,9 +16,13 @@ struct LookPage {
     std::string_view name;
     std::string_view help;
     std::span<const std::string_view> ops; ///< empty: the recipe's own, in their order
+    void (*above)(Ui& ui) = nullptr;       ///< draws what stands above them; null: nothing
     bool is_over_one_axis = false; ///< each of them is a curve over the same axis as the others'
 };
 std::span<const LookPage> look_pages();
+
+/// ASC CDL files on the page CDL.
+void cdl_files(Ui& ui);
 
 /// The operators of a page that names some: the recipe's first of each kind, or a new one, which
 /// the recipe gets at its end as soon as it is changed.

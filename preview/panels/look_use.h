@@ -2,6 +2,8 @@
 // undo leaves it as it is.
 #pragma once
 
+#include "lutlib/recipe/color_correction.h"
+
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -20,6 +22,15 @@ struct CurveUse {
     std::string problem; ///< with those that were typed last
 };
 
+/// Of files of ASC CDL corrections.
+struct CdlUse {
+    std::string path;                                 ///< opened last; empty: none
+    std::vector<lutlib::ColorCorrection> corrections; ///< of it
+    std::size_t chosen = 0;                           ///< among them
+    std::string id;                                   ///< under which the next one is saved
+    std::string report; ///< what was opened, and what of it the operator does not hold
+};
+
 struct LookUse {
     std::size_t page = 0;
     std::vector<bool> open;             ///< operators whose controls are seen, by their places
@@ -27,6 +38,7 @@ struct LookUse {
     std::optional<std::size_t> dragged; ///< the operator whose heading the mouse holds
     std::map<std::string, CurveUse> curves;
     bool one_plot = true; ///< of a page whose curves lie over one axis
+    CdlUse cdl;
 };
 
 } // namespace preview::panels

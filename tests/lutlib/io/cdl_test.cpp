@@ -1,12 +1,18 @@
 // The CDL operator against OpenColorIO's CDLTransform, in both of its styles.
+#include "lutlib/error.h"
+#include "lutlib/io/correction_files.h"
+#include "lutlib/io/file.h"
 #include "lutlib/io/ocio.h"
+#include "lutlib/recipe/correction_file.h"
 #include "lutlib/recipe/recipe.h"
 #include "lutlib/transform.h"
+#include "tests/lutlib/io/scratch.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <random>
 
 namespace lutlib::io {
@@ -68,6 +74,52 @@ TEST(Cdl, agrees_with_opencolorio_clamped_and_not) {
             EXPECT_LT(worst, 2e-5) << cdl.saturation << ' ' << clamp;
         }
     }
+}
+
+TEST(CorrectionFiles, are_read_by_opencolorio_as_they_were_meant_and_by_us_to_the_bit) {
+    const ScratchFolder folder;
+    std::mt19937 random(2);
+    std::uniform_real_distribution<float> value(-0.2F, 1.3F);
+    std::vector<Rgb> in(5000);
+    for (Rgb& c : in) {
+        c = {value(random), value(random), value(random)};
+    }
+    for (const CorrectionFormat& format : correction_formats()) {
+        const std::string path = folder.file("a." + std::string(format.extension));
+        for (const Cdl& cdl : published) {
+            const ColorCorrection meant{"shot & <1>", "day",     cdl.slope,
+                                        cdl.offset,   cdl.power, cdl.saturation};
+            std::filesystem::remove(path);
+            write_file(path, correction_bytes(path, meant));
+            if (format.holds_many()) { // the first is the one that OpenColorIO is asked for
+                write_file(path, correction_bytes(path, {.id = "other", .saturation = 3}));
+            }
+            const std::vector<RgbD> theirs = images_of(
+                ocio().parse(read_file(path), std::string(format.extension), path, {}), in);
+            const auto read = read_corrections(path);
+            ASSERT_EQ(read.size(), format.holds_many() ? 2U : 1U);
+            EXPECT_EQ(read[0], meant);
+            Recipe recipe;
+            std::vector<Loss> losses;
+            recipe.operations = {operation_of(read[0], losses)};
+            EXPECT_TRUE(losses.empty());
+            const std::vector<RgbD> own = images_of(Transform::of(recipe), in);
+            double worst = 0;
+            for (std::size_t i = 0; i < in.size(); ++i) {
+                worst = std::max(worst, largest_magnitude(own[i] - theirs[i]));
+            }
+            EXPECT_LT(worst, 2e-5) << format.extension << ' ' << cdl.saturation;
+        }
+    }
+    EXPECT_THROW(correction_bytes(folder.file("a.xml"), {}), UsageError);
+    const std::string other = folder.file("other.ccc");
+    write_file(other, "no collection");
+    EXPECT_THROW(correction_bytes(other, {}), Error);
+    EXPECT_EQ(correction_bytes(other, {}, Unreadable::is_replaced),
+              correction_text({}, correction_formats()[1]));
+    write_file(other, "");
+    EXPECT_EQ(correction_bytes(other, {}), correction_text({}, correction_formats()[1]));
+    EXPECT_THROW(correction_bytes(folder.file("a.cc"), {.id = "\xe9"}), UsageError);
 }
 
 TEST(Cdl, gives_the_formulas_values) {

@@ -226,7 +226,7 @@ TEST(Options, focus_on_a_texel_of_one_sides_picture) {
         settings("--focus-at 24,12 --effect depth-of-field:aperture=4 --size 100x50");
     EXPECT_EQ(use_text(given.effects.back()),
               "depth-of-field:strength=1,focus=0,at-x=0.245,at-y=0.25,aperture=4,sensor=24,"
-              "largest=40,rings=3");
+              "largest=40,rings=3,cell=2");
     EXPECT_EQ(settings("--focus-at 24,12 --size 100x50").effects.back().effect,
               post_effect_named("depth-of-field"));
     EXPECT_THROW(settings("--focus-at 60,12 --size 100x50 --compare side"), lutlib::UsageError);

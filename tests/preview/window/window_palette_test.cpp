@@ -32,5 +32,19 @@ TEST_F(WindowPalette, does_what_is_typed_and_entered_or_clicked) {
     place("cube.front");
 }
 
+TEST_F(WindowPalette, chooses_how_finely_light_is_worked_out) {
+    start({"studio"}); // whose shadow maps are coarse in this test
+    const Screen before = first_screen();
+    for (const char* words : {"shadow filter 5x5", "occlusion resolution quarter"}) {
+        key("ctrl+p");
+        type(words);
+        key("Return");
+        screen_where([&](const Screen& now) { return now.changed(before, picture()) > 0.005; },
+                     words);
+        key("ctrl+z");
+        screen_where(is(before), "the usual light");
+    }
+}
+
 } // namespace
 } // namespace desktop

@@ -88,15 +88,16 @@ void heading(Ui& ui) {
         mark(ui, "strip.own");
     }
     ImGui::SameLine();
-    const std::size_t count = strip.listing.names.size();
-    const std::size_t others = strip.no_looks.size();
-    ImGui::TextDisabled(
-        "%s", fmt::format("{} {} in {}{}", count, count == 1 ? "look" : "looks",
-                          strip.listing.folder.empty() ? "no folder" : strip.listing.folder,
-                          others == 0 ? ""
-                                      : fmt::format("; left out: {} that {} none", others,
-                                                    others == 1 ? "is" : "are"))
-                  .c_str());
+    const std::size_t count = strip.listing.names.size(), others = strip.no_looks.size();
+    std::string text =
+        fmt::format("{} {} in {}", count, count == 1 ? "look" : "looks",
+                    strip.listing.folder.empty() ? "no folder" : strip.listing.folder);
+    if (others > 0) {
+        text += fmt::format("; left out: {}",
+                            others == 1 ? "1 file that is no look"
+                                        : fmt::format("{} files that are no looks", others));
+    }
+    ImGui::TextDisabled("%s", text.c_str());
 }
 
 /// Why there is nothing to see; empty where there is.

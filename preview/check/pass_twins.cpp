@@ -3,6 +3,7 @@
 #include "preview/effects/effect.h"
 #include "preview/passes/resolve.h"
 #include "preview/reference/bloom.h"
+#include "preview/reference/depth_of_field_cells.h"
 #include "preview/reference/film.h"
 #include "preview/reference/fxaa.h"
 #include "preview/reference/occlusion.h"
@@ -104,6 +105,55 @@ Image vignette_twin(const TwinInput& in) {
 
 Image fxaa_twin(const TwinInput& in) {
     return reference::fxaa(in.image, number_of(in, "fxaa", "strength"));
+}
+
+/// Of each texel's circle, behind the focus above 0: f/N f/(z_f - f) (1 - z_f / z) on the sensor,
+/// with what is 1 / z_f in the shader's form.
+std::vector<double> circles_of(const TwinInput& in) {
+    const auto lens = [&](std::string_view parameter) {
+        return number_of(in, "depth-of-field", parameter);
+    };
+    const FrameSettings& settings = in.situation.settings;
+    const Observed& depth = *in.sampled[1];
+    const Camera camera = camera_of(settings.orbit, static_cast<float>(depth.desc.width) /
+                                                        static_cast<float>(depth.desc.height));
+    const auto per_metre = [&](std::size_t texel) { // 1 / z
+        return (1 - static_cast<double>(depth.values[texel])) /
+               static_cast<double>(settings.orbit.near_plane);
+    };
+    const auto place = [](double share, std::uint32_t length) {
+        return std::min(static_cast<std::uint32_t>(share * length), length - 1);
+    };
+    const double sensor = lens("sensor") / 1000,
+                 focal = sensor / 2 * -static_cast<double>(camera.projection[1][1]);
+    const std::size_t middle =
+        std::size_t{place(lens("at-y"), depth.desc.height)} * depth.desc.width +
+        place(lens("at-x"), depth.desc.width);
+    const double focus =
+        std::clamp(lens("focus") > 0 ? 1 / lens("focus") : per_metre(middle), 0.0, 0.5 / focal);
+    const double largest = lens("largest") / 1000 * rows_of(in) / 2;
+    std::vector<double> out;
+    for (std::size_t i = 0; i < depth.values.size(); ++i) {
+        const double on_sensor = focal * focal * lens("strength") / lens("aperture") *
+                                 (focus - per_metre(i)) / (1 - focal * focus);
+        out.push_back(std::clamp(on_sensor / sensor * rows_of(in) / 2, -largest, largest));
+    }
+    return out;
+}
+
+Image lens_twin(const TwinInput& in) {
+    const auto count = [&](std::string_view parameter) {
+        return static_cast<int>(whole(number_of(in, "depth-of-field", parameter)));
+    };
+    return reference::focused_by_cells(
+        in.image, circles_of(in),
+        {.cell = count("cell"),
+         .rings = count("rings"),
+         .largest = number_of(in, "depth-of-field", "largest") / 1000 * rows_of(in) / 2});
+}
+
+int lens_reach(const TwinInput& in) {
+    return static_cast<int>(number_of(in, "depth-of-field", "largest") / 1000 * rows_of(in)) + 4;
 }
 
 double fringe_of(const TwinInput& in) {
@@ -234,6 +284,9 @@ constexpr TwinRow rows[] = {
     // A rounding to half floats is 2^-11, of the smallest 2^-24.
     {"hdr resolve", 0x1p-10, 0x1p-14, 0, usual_drift,
      [](const Situation& s) { return s.has_light(); }, resolve_twin},
+    // Layers keep radii as half floats, and which texel a point of a disc falls on may hang on
+    // that.
+    {"depth-of-field", 0x1p-6, 0x1p-14, 0.02, 2e-3, is_one_picture, lens_twin, lens_reach},
     {"chromatic-aberration", 0x1p-7, 0x1p-14, 0, 2e-3, is_one_picture, fringes_twin, fringes_reach},
     {"vignette", 0x1p-10, 1, 0, usual_drift, is_one_picture, vignette_twin},
     // Every stored level rounds to a half float; at most a dozen levels.

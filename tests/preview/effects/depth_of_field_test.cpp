@@ -1,6 +1,7 @@
 // Depth of field against its twin, which gathers by brute force, and what it must not do: lose
 // light, or let what is sharp bleed.
 #include "preview/reference/depth_of_field.h"
+#include "preview/reference/depth_of_field_cells.h"
 #include "tests/preview/effects/effect_fixture.h"
 
 #include <cmath>
@@ -124,6 +125,28 @@ TEST_F(DepthOfFieldTest, is_near_to_what_a_gather_of_every_texel_makes) {
     EXPECT_LT(apart_of(coarser, wanted), 0.1);
     for (const auto& light : {got, finer, coarser}) {
         EXPECT_NEAR(sum_of(light) / sum_of(wanted), 1, 0.01);
+    }
+}
+
+TEST_F(DepthOfFieldTest, equals_its_twin_but_where_a_rounding_moves_a_point_to_the_next_texel) {
+    const Seen seen = three_discs();
+    for (const int cell : {1, 2, 3, 4}) {
+        for (const int rings : {1, 3, 6}) {
+            const Image wanted = reference::focused_by_cells(
+                seen.light, radii(seen), {.cell = cell, .rings = rings, .largest = 6.4});
+            const auto got = focused(seen, ",focus=2,cell=" + std::to_string(cell) +
+                                               ",rings=" + std::to_string(rings));
+            std::size_t beyond = 0;
+            for (std::size_t i = 0; i < got.size(); ++i) {
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const double want = wanted.pixels[i][c];
+                    beyond += std::abs(static_cast<double>(got[i][c]) - want) > 0.01 * (1 + want);
+                }
+            }
+            EXPECT_LT(beyond, got.size() / 50) << cell << ' ' << rings;
+            EXPECT_LT(apart_of(got, wanted), 0.003) << cell << ' ' << rings;
+            EXPECT_NEAR(sum_of(got) / sum_of(wanted), 1, 1e-3) << cell << ' ' << rings;
+        }
     }
 }
 

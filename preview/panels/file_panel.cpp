@@ -1,5 +1,6 @@
 // Files in and out: look, recipe, strip; what an export lost.
 #include "preview/editor/commands.h"
+#include "preview/panels/file_actions.h"
 #include "preview/panels/ui.h"
 
 #include <imgui.h>
@@ -51,8 +52,7 @@ void file_panel(Ui& ui) {
     }
     ImGui::Separator();
 
-    const std::string recipe =
-        state.recipe_path.empty() ? look_name(state) + ".json" : state.recipe_path;
+    const std::string recipe = usual_recipe_file(ui);
     if (path_line(ui, "Save recipe", ui.recipe_file, recipe, "save")) {
         const std::string path = path_or(ui.recipe_file, recipe);
         attempt_writing(ui, path, [&ui, path] {
@@ -60,12 +60,9 @@ void file_panel(Ui& ui) {
             ui.report = "saved " + path + "\n";
         });
     }
-    const std::string lut = look_name(state) + "-export.cube";
+    const std::string lut = usual_lut_file(ui);
     if (path_line(ui, "Export LUT", ui.lut_file, lut, "export-lut")) {
-        const std::string path = path_or(ui.lut_file, lut);
-        begin_export(ui, [state, choice = ui.exporting.lut, path] {
-            return prepare_lut(state, choice, path);
-        });
+        export_lut(ui, path_or(ui.lut_file, lut));
     }
     lut_controls(ui);
     ImGui::Separator();
@@ -80,12 +77,9 @@ void file_panel(Ui& ui) {
         }
         ImGui::EndCombo();
     }
-    const std::string strip = look_name(state) + "-" + std::string(engine->name) + ".png";
+    const std::string strip = usual_strip_file(ui);
     if (path_line(ui, "Export strip", ui.strip_file, strip, "export-strip")) {
-        const std::string path = path_or(ui.strip_file, strip);
-        begin_export(ui, [state, choice = ui.exporting.strip, engine, path] {
-            return prepare_strip(state, *engine->engine, choice, path);
-        });
+        export_strip(ui, path_or(ui.strip_file, strip));
     }
     strip_controls(ui, *engine->engine);
     if (!ui.engine_folder.empty()) {
@@ -98,10 +92,9 @@ void file_panel(Ui& ui) {
         }
     }
     ImGui::Separator();
-    const std::string picture = look_name(state) + "-picture.png";
+    const std::string picture = usual_picture_file(ui);
     if (path_line(ui, "Save picture", ui.picture_file, picture, "save-picture")) {
-        const std::string path = path_or(ui.picture_file, picture);
-        attempt_writing(ui, path, [&ui, path] { ui.save_picture_to = path; });
+        save_picture(ui, path_or(ui.picture_file, picture));
     }
     constexpr int widest = 16384;
     ImGui::SliderInt("Width", &ui.picture_width, 0, widest,

@@ -1,10 +1,5 @@
 #include "preview/panels/palette.h"
 
-#include "preview/editor/search.h"
-#include "preview/editor/stills.h"
-#include "preview/effects/effect.h"
-#include "preview/panels/still_controls.h"
-
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -13,73 +8,6 @@
 namespace preview::panels {
 
 namespace {
-
-void add(std::vector<Action>& out, std::string text, std::function<void(Ui&)> act) {
-    out.push_back({.help = std::move(text), .act = std::move(act)});
-}
-
-void add_choices(std::vector<Action>& out) {
-    for (const ChoiceRow<PictureSettings>& row : picture_choices()) {
-        const std::vector<Option> options = row.options();
-        for (std::size_t i = 0; i < options.size(); ++i) {
-            add(out,
-                std::string(row.label) + ": " + std::string(options[i].name) + ", " +
-                    std::string(options[i].text),
-                [&row, i](Ui& ui) { row.choose(ui.history.draft(), i); });
-        }
-    }
-}
-
-void add_zooms(std::vector<Action>& out) {
-    for (const ZoomStep& step : zoom_steps) {
-        add(out, "zoom: " + std::string(step.label), [&step](Ui& ui) { zoom_to(ui, step.scale); });
-    }
-}
-
-void add_scopes(std::vector<Action>& out) {
-    for (const ScopeGain& row : scope_gains) {
-        add(out, "scope gain: " + std::string(row.label),
-            [&row](Ui& ui) { ui.history.draft().scopes_seen.gain = &row; });
-    }
-    add(out, "scope levels: the codes as they are shown",
-        [](Ui& ui) { ui.history.draft().scopes_seen.encoding.reset(); });
-    for (const lutlib::Encoding& row : lutlib::encodings()) {
-        add(out, "scope levels: " + row.label() + " (" + row.name() + ")",
-            [&row](Ui& ui) { ui.history.draft().scopes_seen.encoding = row; });
-    }
-}
-
-void add_switches(std::vector<Action>& out) {
-    for (const PostEffect* effect : post_effects()) {
-        add(out, "effect on or off: " + std::string(effect->label), [effect](Ui& ui) {
-            EffectUses& uses = ui.history.draft().effects;
-            use_of(uses, *effect) == nullptr ? put_use(uses, usual_use(*effect))
-                                             : take_out(uses, *effect);
-        });
-    }
-    for (std::size_t i = 0; i < scopes.size(); ++i) {
-        add(out, "scope seen or not: " + std::string(scopes[i].label), [i](Ui& ui) {
-            bool& is_seen = ui.history.draft().scopes_seen.seen[i];
-            is_seen = !is_seen;
-        });
-    }
-    for (const std::size_t side : {0U, 1U}) {
-        const std::string name(1, static_cast<char>('A' + side));
-        add(out, "open a reference still on side " + name,
-            [side](Ui& ui) { ask_for_still(ui, side); });
-        add(out, "take the still off side " + name,
-            [side](Ui& ui) { take_still_off(ui.history.draft(), side); });
-    }
-    add(out, "scopes: drag the region that they count", [](Ui& ui) { ui.region_drag.emplace(); });
-    add(out, "scopes: count all of the picture",
-        [](Ui& ui) { ui.history.draft().scopes_seen.region = {}; });
-    for (const EffectInfo& row : effects) {
-        add(out, "part of the frame on or off: " + std::string(row.label), [&row](Ui& ui) {
-            EffectSet& without = ui.history.draft().without;
-            without.set(row.effect, !without.has(row.effect));
-        });
-    }
-}
 
 /// What the keys do to the place of the chosen row.
 std::size_t moved(std::size_t at, std::size_t count) {
@@ -96,34 +24,11 @@ std::size_t moved(std::size_t at, std::size_t count) {
 
 } // namespace
 
-std::vector<Action> commands() {
-    std::vector<Action> out = actions();
-    const std::vector<std::string> names = panel_names();
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        add(out, "panel: " + names[i], [i](Ui& ui) { ui.panel = i; });
-    }
-    add_choices(out);
-    add_zooms(out);
-    add_switches(out);
-    add_scopes(out);
-    return out;
-}
-
-std::vector<std::size_t> found_commands(const std::vector<Action>& all, const std::string& typed) {
-    std::vector<std::size_t> out;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (is_found(all[i].help + " " + keys_of(all[i]), typed)) {
-            out.push_back(i);
-        }
-    }
-    return out;
-}
-
 void palette(Ui& ui) {
     if (!ui.shows_palette) {
         return;
     }
-    static const std::vector<Action> all = commands();
+    static std::vector<Action> all; // as it opened
     constexpr std::size_t most_rows = 14;
     const ImVec2 room = ImGui::GetIO().DisplaySize;
     const float width = std::min(em(44), room.x - em(1));
@@ -133,6 +38,7 @@ void palette(Ui& ui) {
                  ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoSavedSettings);
     if (ImGui::IsWindowAppearing()) {
+        all = commands(ui);
         ui.palette_text.clear();
         ui.palette_at = 0;
         ImGui::SetKeyboardFocusHere();

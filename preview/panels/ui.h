@@ -190,6 +190,10 @@ void scopes_panel(Ui& ui);
 void cube_panel(Ui& ui);
 void versions_panel(Ui& ui);
 void colors_panel(Ui& ui);
+/// The next click on the picture is for what shall be 18 % grey.
+void start_metering(Ui& ui);
+/// A picture to put about the scene.
+void ask_for_surroundings(Ui& ui);
 /// Keeps the colour under the mouse.
 void pick_color(Ui& ui);
 void dialogs(Ui& ui);

@@ -82,11 +82,6 @@ void bloom_controls(Ui& ui) {
     numbers_of(ui, "bloom-");
 }
 
-void set_exposure(Ui& ui, double stops) {
-    const NumberRow<PictureSettings>& row = picture_number("exposure");
-    ui.history.draft().exposure = static_cast<float>(std::clamp(stops, row.min, row.max));
-}
-
 /// The exposure by what the picture shows.
 void metering(Ui& ui) {
     if (ImGui::Button("Meter")) {
@@ -97,11 +92,7 @@ void metering(Ui& ui) {
     ImGui::SameLine();
     if (pick_button(ui, "Meter a place", "The exposure with which what is clicked is 18 % grey",
                     "meter.pick")) {
-        start_pick(ui, "Click what shall be 18 % grey", [](Ui& at, const Probe& probe) {
-            if (const std::optional<double> stops = stops_to_grey(probe.light)) {
-                set_exposure(at, static_cast<double>(at.history.draft().exposure) + *stops);
-            }
-        });
+        start_metering(ui);
     }
 }
 
@@ -216,9 +207,7 @@ void surroundings_controls(Ui& ui, Surroundings& surroundings) {
         ImGui::EndCombo();
     }
     if (ImGui::Button("Open a picture of them ...")) {
-        ask_for_file(ui, {.title = "Surround the scene with",
-                          .button = "Open",
-                          .chosen = [&ui](const std::string& path) { ui.surround_with = path; }});
+        ask_for_surroundings(ui);
     }
     mark(ui, "surroundings.open");
     tip("An equirectangular picture of all directions, as an .exr or .hdr of a sky", {}, false);
@@ -245,6 +234,23 @@ void zoom_controls(Ui& ui) {
 }
 
 } // namespace
+
+void start_metering(Ui& ui) {
+    start_pick(ui, "Click what shall be 18 % grey", [](Ui& at, const Probe& probe) {
+        if (const std::optional<double> stops = stops_to_grey(probe.light)) {
+            const NumberRow<PictureSettings>& row = picture_number("exposure");
+            float& exposure = at.history.draft().exposure;
+            exposure = static_cast<float>(
+                std::clamp(static_cast<double>(exposure) + *stops, row.min, row.max));
+        }
+    });
+}
+
+void ask_for_surroundings(Ui& ui) {
+    ask_for_file(ui, {.title = "Surround the scene with",
+                      .button = "Open",
+                      .chosen = [&ui](const std::string& path) { ui.surround_with = path; }});
+}
 
 void view_panel(Ui& ui) {
     State& state = ui.history.draft();

@@ -46,5 +46,32 @@ TEST_F(WindowPalette, chooses_how_finely_light_is_worked_out) {
     }
 }
 
+TEST_F(WindowPalette, reaches_operators_intermediates_scenes_and_exports) {
+    start({"plain"});
+    const Screen plain = first_screen();
+    const auto enter = [&](const std::string& words) {
+        key("ctrl+p");
+        type(words);
+        key("Return");
+    };
+    enter("intermediate: normal");
+    const Screen normals = screen_where(
+        [&](const Screen& now) { return now.changed(plain, picture()) > 0.5; }, "the normals");
+    enter("show no intermediate");
+    screen_where(is(plain), "the picture");
+    enter("add the operator (vibrance)");
+    place("op0");
+    key("ctrl+z");
+    enter("export strip unity");
+    place("file.name");
+    click("file.cancel");
+    enter("scene: chart");
+    screen_where(
+        [&](const Screen& now) {
+            return now.changed(plain, picture()) > 0.3 && now.changed(normals, picture()) > 0.3;
+        },
+        "the chart");
+}
+
 } // namespace
 } // namespace desktop

@@ -1,7 +1,9 @@
-#include "preview/editor/solo.h"
 #include "preview/window/app_parts.h"
 
 #include "lutlib/error.h"
+#include "lutlib/io/reason.h"
+#include "preview/editor/solo.h"
+#include "preview/editor/stills.h"
 #include "preview/frame/frame.h"
 #include "preview/frame/measured.h"
 #include "preview/window/present.h"
@@ -23,13 +25,25 @@ void App::request_looks() {
     baker_.request(std::move(request));
 }
 
+/// One that the GPU has no room for is taken off its side.
 void App::take_stills() {
     for (std::size_t i = 0; i < screen_->stills.size(); ++i) {
         const editor::Side& side = ui_.history.draft().sides[i];
         const auto& still = side.source == editor::SideSource::still ? side.still : nullptr;
-        if (screen_->stills[i].still != still) {
-            drawn_.reset();
+        if (screen_->stills[i].still == still) {
+            continue;
+        }
+        drawn_.reset();
+        try {
             screen_->set_still(i, still);
+        } catch (const std::exception& error) {
+            const auto* const of_vulkan = dynamic_cast<const vk::SystemError*>(&error);
+            if (of_vulkan != nullptr && is_lost(*of_vulkan)) {
+                throw;
+            }
+            ui_.errors.push_back("choose a smaller picture as a still than " + still->path + ": " +
+                                 lutlib::io::reason_of(error));
+            take_still_off(ui_.history.draft(), i);
         }
     }
 }

@@ -26,12 +26,13 @@ void Screen::set_still(std::size_t side, std::shared_ptr<const Still> still) {
     if (now.still == still) {
         return;
     }
-    device.vk().waitIdle();
-    now.picture.reset();
-    now.still = std::move(still);
-    if (now.still) {
-        now.picture.emplace(device, now.still->size, now.still->rgba, true);
+    GpuStill next;
+    if (still) {
+        next.picture.emplace(device, still->size, still->rgba, true);
+        next.still = std::move(still);
     }
+    device.vk().waitIdle();
+    now = std::move(next);
 }
 
 bool is_lost(const vk::SystemError& error) {

@@ -29,7 +29,8 @@ struct Screen {
     void show(std::shared_ptr<const Shown> next);
     /// Makes the images anew for the window's size.
     void resize(const Window& window);
-    /// Null: none. Waits for the GPU where it is another.
+    /// Null: none. Waits for the GPU where it is another; throws and leaves it where the GPU has no
+    /// room.
     void set_still(std::size_t side, std::shared_ptr<const Still> still);
 
     gpu::Device device;

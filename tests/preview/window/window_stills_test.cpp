@@ -68,6 +68,20 @@ TEST_F(WindowStills, are_opened_on_a_side_followed_converted_and_taken_off) {
     click("error.close");
 }
 
+TEST_F(WindowStills, that_the_gpu_has_no_room_for_are_said_and_taken_off) {
+    flat(16400, 1, 0x204060).write(file("wide.ppm")); // more than software devices have
+    start({"picture.ppm", "--b", "look.cube"});
+    const Screen before = first_screen();
+    click("tab.Versions");
+    click("still.A");
+    type("wide.ppm");
+    key("Return");
+    wait_until([&] { return places().count("error.close") > 0; }, "the reason");
+    click("error.close");
+    screen_where(is(before), "the picture as it was");
+    EXPECT_EQ(places().count("still.A.off"), 0U);
+}
+
 TEST_F(WindowStills, are_shown_from_the_start_by_an_option) {
     flat(400, 480, 0x204060).write(file("reference.ppm"));
     start({"picture.ppm", "--still", "reference.ppm"});

@@ -239,7 +239,7 @@ TEST_P(EveryScope, is_brighter_or_higher_by_each_step_of_its_gain) {
         for (const ScopeGain& gain : scope_gains) {
             ScopeDrawing drawn{drawing, logarithmic};
             drawn.gain = gain.factor;
-            const RgbaCodes picture = run(codes, 300, {0, 300}, drawn).picture;
+            const RgbaCodes picture = run(codes, 300, {.width = 300, .height = 200}, drawn).picture;
             const auto light = std::accumulate(picture.begin(), picture.end(), std::uint64_t{0});
             EXPECT_GT(light, last) << gain.name;
             last = light;

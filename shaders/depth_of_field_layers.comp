@@ -1,5 +1,6 @@
-// Parts a picture by cells of cell_side by cell_side texels into what lies before the focus and the rest, so that neither
-// blurs into the other, and finds the largest circle before the focus of each 16 by 16 of those.
+// Parts a picture by cells of cell_side by cell_side texels into what lies before the focus and the
+// rest, so that neither blurs into the other, and finds the largest circle before the focus of each 16
+// by 16 of those.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "common/lens.glsl"

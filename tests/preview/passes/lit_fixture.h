@@ -59,8 +59,7 @@ class GeometryTest : public GpuTest {
   protected:
     /// Radiance of the scene, four floats a pixel.
     std::vector<float> light(const Scene& scene, std::uint32_t map_size = 512,
-                             bool lists_lights = false,
-                             std::string_view shadow_filter = "3x3") {
+                             bool lists_lights = false, std::string_view shadow_filter = "3x3") {
         const GpuScene gpu_scene(device(), scene);
         Graph graph;
         const ViewBlock view = view_block(scene.orbit, 1.5F);

@@ -136,6 +136,9 @@ void fill_workplace(const fs::path& folder) {
     make(folder, "lutconv apply look.cube for_grading.png -o graded.png");
     make(folder, "lutconv apply identity.cube luts/before_after.png -o before.png");
     make(folder, "lutconv apply look.cube before.png -o after.png");
+    fs::copy(folder / "before.png", folder / "room.png");
+    make(folder, "lutconv edit identity --cdl-slope 1.1,1,0.9 --save-cdl shots.ccc "
+                 "--save-cdl-id sh010");
     write(folder / "photo.png", chart_photo());
     make(folder, "lutconv apply look.cube photo.png -o other_photo.png");
     for (const char* const frame : {"1001", "1002"}) {

@@ -86,7 +86,8 @@ void OperatorFlags::declare(Verb& verb) {
     }
     constexpr const char* from_file = "ASC CDL of a file";
     verb.add_in_order("--cdl-file",
-                      "an operator ASC CDL with the numbers of this .cc, .ccc or .cdl file",
+                      "an operator ASC CDL with the numbers of this .cc, .ccc or .cdl file, "
+                      "unclamped as OpenColorIO has it (--cdl-clamp on: as the standard)",
                       from_file);
     flags_.push_back({Flag::Kind::file});
     verb.add_in_order("--cdl-id", "which correction of the file before it (default: the first)",

@@ -38,10 +38,10 @@ DifferenceFigures difference_figures(std::span<const std::uint32_t> counted, std
         const std::uint64_t before = above;
         above += bins[bin];
         if (before <= share(0.01) && above > share(0.01)) {
-            out.p99 = middle;
+            out.p99 = std::min(middle, out.max);
         }
         if (before <= share(0.05) && above > share(0.05)) {
-            out.p95 = middle;
+            out.p95 = std::min(middle, out.max);
         }
     }
     out.mean = sum / static_cast<double>(texels);

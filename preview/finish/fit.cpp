@@ -24,8 +24,9 @@ std::string fit_text(Size picture, Size box) {
     const char* const bars = extent.width < box.width     ? ", with bars left and right"
                              : extent.height < box.height ? ", with bars above and below"
                                                           : "";
-    return fmt::format("its {}x{} pixels are shown as {}x{}, to fit into {}x{}{}", picture.width,
-                       picture.height, extent.width, extent.height, box.width, box.height, bars);
+    return fmt::format("its {}x{} pixels are shown as {}x{}, to fit into {}x{}{}{}", picture.width,
+                       picture.height, extent.width, extent.height, box.width, box.height, bars,
+                       *bars != 0 ? ", which figures of a difference count as equal" : "");
 }
 
 } // namespace preview

@@ -24,19 +24,22 @@ std::optional<double> stops_to_grey(const lutlib::RgbD& light) {
 }
 
 std::optional<double> stops_to_grey(std::span<const std::uint16_t> rgba) {
-    double stops = 0, brightest = 0;
+    double stops = 0, brightest = 0, count = 0;
     const auto channel = [&](std::size_t at) {
         return static_cast<double>(lutlib::float_from_half(rgba[at]));
     };
     for (std::size_t at = 0; at + 3 < rgba.size(); at += 4) {
         const double luma = luma_of({channel(at), channel(at + 1), channel(at + 2)});
-        stops += std::log2(std::max(luma, darkest));
-        brightest = std::max(brightest, luma);
+        if (luma > 0) {
+            stops += std::log2(std::max(luma, darkest));
+            brightest = std::max(brightest, luma);
+            ++count;
+        }
     }
     if (brightest <= darkest) {
         return std::nullopt;
     }
-    return std::log2(metered_grey) - 4 * stops / static_cast<double>(rgba.size());
+    return std::log2(metered_grey) - stops / count;
 }
 
 } // namespace preview

@@ -16,8 +16,8 @@ inline constexpr double metered_grey = 0.18;
 std::optional<double> stops_to_grey(const lutlib::RgbD& light);
 
 /// The same of a picture's mean luma in stops, of RGBA in halves, finite: Reinhard et al. 2002,
-/// "Photographic tone reproduction for digital images", equation 1. What is darker than 2^-12
-/// counts as that. Empty: all of it is.
+/// "Photographic tone reproduction for digital images", equation 1. What has no light, as bars about
+/// a picture, does not count; what is darker than 2^-12 counts as that. Empty: all of it is.
 std::optional<double> stops_to_grey(std::span<const std::uint16_t> rgba);
 
 } // namespace preview

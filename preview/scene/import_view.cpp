@@ -70,6 +70,9 @@ Orbit orbit_of(const FileCamera& camera, const glm::dmat4& fit, const Ball& ball
         const glm::vec3 right = across / length;
         orbit.roll = glm::degrees(
             std::atan2(-glm::dot(up, right), glm::dot(up, glm::cross(right, forward))));
+    } else { // straight down or up: what is above in the picture tells the direction
+        const glm::vec3 back = forward.y < 0 ? -up : up;
+        orbit.azimuth = glm::degrees(std::atan2(back.x, back.z));
     }
     return orbit;
 }

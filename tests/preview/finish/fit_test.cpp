@@ -19,10 +19,10 @@ TEST(Fit, says_what_becomes_of_a_picture) {
               "its 400x200 pixels are shown as 100x50, to fit into 100x50");
     EXPECT_EQ(fit_text({400, 200}, {100, 80}),
               "its 400x200 pixels are shown as 100x50, to fit into "
-              "100x80, with bars above and below");
+              "100x80, with bars above and below, which figures of a difference count as equal");
     EXPECT_EQ(fit_text({2, 4}, {80, 100}),
               "its 2x4 pixels are shown as 50x100, to fit into 80x100, "
-              "with bars left and right");
+              "with bars left and right, which figures of a difference count as equal");
 }
 
 } // namespace

@@ -33,9 +33,11 @@ TEST(Metering, of_a_picture_takes_the_mean_of_stops_not_of_light) {
     // Half of it at 1/4, half at 4: in stops their mean is 1.
     const auto both = halves({0.25F, 0.25F, 0.25F, 1, 4, 4, 4, 1});
     EXPECT_NEAR(stops_to_grey(both).value(), std::log2(0.18), 1e-6);
-    // What is black counts as 2^-12, so that it moves the mean by no more than that.
+    // Bars without light do not count; what is almost black counts as 2^-12.
     const auto half_black = halves({1, 1, 1, 1, 0, 0, 0, 1});
-    EXPECT_NEAR(stops_to_grey(half_black).value(), std::log2(0.18) + 6, 1e-6);
+    EXPECT_NEAR(stops_to_grey(half_black).value(), std::log2(0.18), 1e-6);
+    const auto half_dark = halves({1, 1, 1, 1, 1e-6F, 1e-6F, 1e-6F, 1});
+    EXPECT_NEAR(stops_to_grey(half_dark).value(), std::log2(0.18) + 6, 1e-6);
     EXPECT_FALSE(stops_to_grey(halves({0, 0, 0, 1})));
     EXPECT_FALSE(stops_to_grey(std::vector<std::uint16_t>{}));
 }

@@ -102,7 +102,8 @@ TEST_F(ScopeCodesOf, pq_stand_in_the_waveform_where_their_luminance_is_written) 
     Graph graph;
     const ImageHandle codes =
         add_scope_codes(graph, graph.import("white", image, image.desc()), levels);
-    const ImageHandle out = add_scope(graph, codes, waveform, {0, width}, drawing).picture;
+    const ImageHandle out =
+        add_scope(graph, codes, waveform, {.width = width, .height = height}, drawing).picture;
     graph.present(out);
     const RgbaCodes picture = run_and_read<std::uint8_t>(graph, out);
     const std::vector<LevelFigure> figures = level_figures(levels);

@@ -257,6 +257,23 @@ TEST_F(ImportTest, a_mirrored_picture_has_tangents_of_the_other_hand) {
     }
 }
 
+TEST_F(ImportTest, cameras_that_look_straight_down_or_up_have_their_own_top) {
+    for (const float side : {-1.0F, 1.0F}) { // down, as Blender's unturned one; up
+        GltfWriter gltf = one_square();
+        gltf.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1}}}});
+        gltf.add_node({{"camera", 0},
+                       {"translation", {0, -6 * side, 0}},
+                       {"rotation", {side * std::sqrt(.5), 0, 0, std::sqrt(.5)}}});
+        const Scene scene = import(gltf).scene;
+        const Camera camera = camera_of(scene.cameras.at(0).orbit, 16.0F / 9);
+        // The camera's right is x, its top -z when it looks down and z when up.
+        const glm::vec4 clip =
+            camera.projection * camera.view * scene.objects[0].transform * glm::vec4(1, 0, side, 1);
+        EXPECT_GT(clip.x / clip.w, 0.05F) << side;
+        EXPECT_LT(clip.y / clip.w, -0.05F) << side << ": y points down";
+    }
+}
+
 TEST_F(ImportTest, cameras_have_names_and_roll_and_may_be_orthographic) {
     GltfWriter gltf = one_square();
     gltf.add("cameras",

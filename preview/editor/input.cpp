@@ -1,6 +1,15 @@
 #include "preview/editor/input.h"
 
+#include <cmath>
+
 namespace preview::editor {
+
+namespace {
+
+/// Pixels that a hand moves the mouse by while it turns the wheel.
+constexpr float shaken = 8;
+
+} // namespace
 
 std::vector<InputEvent> InputQueue::next_frame() {
     using Kind = InputEvent::Kind;
@@ -18,6 +27,15 @@ std::vector<InputEvent> InputQueue::next_frame() {
         }
         if ((moved || turned) && event.held != out.back().held) {
             break;
+        }
+        if (event.kind == Kind::move) {
+            if (turned && std::hypot(event.x - x_, event.y - y_) > shaken) {
+                break;
+            }
+            if (!turned) {
+                x_ = event.x;
+                y_ = event.y;
+            }
         }
         moved = moved || event.kind == Kind::move;
         turned = turned || event.kind == Kind::wheel;

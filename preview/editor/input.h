@@ -43,11 +43,13 @@ class InputQueue {
     /// What the next frame sees, oldest first. Nothing follows a button's change in a frame, or the
     /// press of a key but its characters; a button changes in a later frame than the mouse came
     /// there, for a panel must know what is under the mouse. While the mouse moves or the wheel
-    /// turns in a frame, the modifiers stay. Empty only when nothing is left.
+    /// turns in a frame, the modifiers stay, and where the wheel turns the mouse stays but for the
+    /// shaking of a hand. Empty only when nothing is left.
     std::vector<InputEvent> next_frame();
 
   private:
     std::deque<InputEvent> events_;
+    float x_ = far_away, y_ = far_away; ///< where the mouse last came before a wheel turned
 };
 
 } // namespace preview::editor

@@ -11,8 +11,8 @@ namespace preview::editor {
 std::string file_of_look(const State& state) {
     const std::string& path = !state.recipe_path.empty() ? state.recipe_path : state.base_path;
     std::error_code unknown;
-    if (path.empty() || !std::filesystem::is_regular_file(path, unknown)) {
-        return {}; // also standard input
+    if (path.empty() || (!std::filesystem::is_regular_file(path, unknown) && !may_be_look(path))) {
+        return {}; // standard input; a file that is gone had its folder
     }
     return path_in(std::filesystem::current_path(unknown).string(), path);
 }

@@ -29,6 +29,10 @@ void tell_what_goes(const State& state) {
 void ask_to_quit(Ui& ui) {
     ui.asks_to_quit = has_unsaved(ui.history.draft());
     ui.quits = !ui.asks_to_quit;
+    // One question at a time, or Dear ImGui opens each in place of the other, frame by frame; an
+    // export waits for the answer.
+    ui.to_replace.clear();
+    ui.file_dialog = {};
 }
 
 void closing_dialog(Ui& ui) {

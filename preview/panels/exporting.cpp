@@ -127,7 +127,7 @@ void strip_controls(Ui& ui, const lutlib::Engine& engine) {
 void export_dialog(Ui& ui) {
     poll(ui);
     Exporting& exporting = ui.exporting;
-    if (exporting.is_busy() && !ImGui::IsPopupOpen(title)) {
+    if (exporting.is_busy() && !ui.asks_to_quit && !ImGui::IsPopupOpen(title)) {
         ImGui::OpenPopup(title);
     }
     ImGui::SetNextWindowSize({std::min(em(46), ImGui::GetIO().DisplaySize.x - em(1)), 0});

@@ -33,7 +33,7 @@ void App::loop() {
             frames_due_ = frames_after_event;
         }
         const Size size = window_.framebuffer_size();
-        if (size.width == 0 || size.height == 0) { // minimised
+        if (size.width < 2 || size.height == 0) { // minimised, or as small
             frames_due_ = 0;
             continue;
         }

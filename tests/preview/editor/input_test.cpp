@@ -93,6 +93,12 @@ TEST(InputQueue, shows_the_wheel_under_the_modifiers_that_were_held_when_it_turn
               (Frames{2, 3, 1}));
 }
 
+TEST(InputQueue, shows_the_wheel_where_the_mouse_was_when_it_turned_however_a_hand_shakes) {
+    EXPECT_EQ(frames_of({move(1), wheel(), move(5), wheel(), move(300), wheel(), move(1)}),
+              (Frames{4, 2, 1}));
+    EXPECT_EQ(frames_of({wheel(), move(300)}), (Frames{1, 1}));
+}
+
 TEST(InputQueue, shows_a_drag_under_the_modifiers_that_were_held) {
     const InputEvent down = with_ctrl(key(Key::modifier, true)), up = key(Key::modifier, false);
     EXPECT_EQ(frames_of({down, with_ctrl(move(1)), with_ctrl(button(true)), with_ctrl(move(2)), up,

@@ -51,6 +51,8 @@ TEST(LookFolder, knows_the_file_of_the_look_that_is_edited) {
               lutlib::io::Look::open(path_of(folder) + "/../" +
                                      fs::path(path_of(folder)).filename().string() + "/b.json"));
     EXPECT_EQ(file_of_look(state), path_of(folder) + "/b.json") << "its base is not it";
+    fs::remove(folder.file("b.json"));
+    EXPECT_EQ(file_of_look(state), path_of(folder) + "/b.json") << "what is gone had its folder";
     state.recipe_path = "-";
     EXPECT_EQ(file_of_look(state), "") << "standard input has no folder";
 }

@@ -132,6 +132,20 @@ TEST_F(WindowEnd, by_its_user_is_asked_about_while_there_is_work_that_no_file_ha
     EXPECT_TRUE(kept().empty());
 }
 
+TEST_F(WindowEnd, by_its_user_is_asked_about_over_a_dialog_too) {
+    start({"picture.ppm"});
+    edit();
+    for (const char* const opens : {"ctrl+o", "ctrl+shift+s", "ctrl+p", "F1"}) {
+        key(opens);
+        key("ctrl+q");
+        click("close.cancel");
+        click("tab.View");
+        click("tab.Files"); // the mouse is heard
+        EXPECT_TRUE(program_->is_running()) << opens;
+        key("Escape");
+    }
+}
+
 TEST_F(WindowEnd, by_its_user_is_asked_about_while_there_are_versions_that_no_file_has) {
     start({"picture.ppm", "--b", "look.cube"});
     key("ctrl+1"); // the look as its file has it

@@ -142,8 +142,8 @@ std::vector<NamedCamera> KeptCameras::of(const std::string& input) {
     return found != cameras_.end() ? found->second : std::vector<NamedCamera>();
 }
 
-/// Under a name that nothing has.
-void KeptCameras::put_aside() const {
+/// Under a name that nothing has, which it returns.
+std::string KeptCameras::put_aside() const {
     std::string to = path_ + ".broken";
     std::error_code failed;
     for (int number = 2; fs::exists(fs::symlink_status(to, failed)); ++number) {
@@ -153,18 +153,21 @@ void KeptCameras::put_aside() const {
     if (failed) {
         throw lutlib::Error("move it away, or delete it: " + failed.message(), {path_, 0, {}});
     }
+    return to;
 }
 
-void KeptCameras::write() {
+std::string KeptCameras::write() {
+    std::string aside;
     if (path_.empty()) {
-        return;
+        return aside;
     }
     try {
         if (is_broken_) {
-            put_aside();
+            aside = put_aside();
             is_broken_ = false;
         }
         lutlib::io::write_file(path_, text_of(cameras_));
+        return aside;
     } catch (const lutlib::Error& error) {
         path_.clear();
         throw lutlib::Error("write down the cameras that you keep, for they last until this "
@@ -174,9 +177,11 @@ void KeptCameras::write() {
 }
 
 void KeptCameras::keep(const std::string& input, NamedCamera camera) {
+    bool is_damaged_since = false;
     try {
         take_file();
-    } catch (const lutlib::Error&) { // was told when the scene was opened, or is put aside now
+    } catch (const lutlib::Error&) {
+        is_damaged_since = true;
     }
     std::vector<NamedCamera>& list = cameras_[key_of(input)];
     if (camera.name.empty()) {
@@ -190,7 +195,12 @@ void KeptCameras::keep(const std::string& input, NamedCamera camera) {
         throw lutlib::Error("forget another camera of this scene first: it has " +
                             std::to_string(most_of_one));
     }
-    write();
+    const std::string aside = write();
+    if (is_damaged_since) {
+        throw lutlib::Error("look after what others have put in the place of the cameras that are "
+                            "kept, which is in " +
+                            aside + " now: those that this window knows are kept again");
+    }
 }
 
 void KeptCameras::forget(const std::string& input, const std::string& name) {

@@ -30,7 +30,8 @@ class KeptCameras {
     /// there and cannot be read; then those of this window alone are known.
     std::vector<NamedCamera> of(const std::string& input);
     /// In place of one of the same name; without a name it gets one. A file that cannot be read is
-    /// put aside first. Throws lutlib::Error where nothing can be written (and tries no more: it is
+    /// put aside first. Throws lutlib::Error where that is so since of(), and all is kept; where
+    /// nothing can be written (and tries no more: it is
     /// kept until the window closes), or there are too many.
     void keep(const std::string& input, NamedCamera camera);
     /// Throws lutlib::Error likewise.
@@ -38,8 +39,9 @@ class KeptCameras {
 
   private:
     void take_file();
-    void put_aside() const;
-    void write();
+    std::string put_aside() const;
+    /// Where it has put what was no cameras; empty: nothing.
+    std::string write();
 
     std::string path_;
     bool is_broken_ = false; ///< what is there are no cameras

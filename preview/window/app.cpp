@@ -65,8 +65,7 @@ App::App(WindowSetup setup)
     }
     if (editor::settings_folder().empty()) {
         tell("name a folder in XDG_CONFIG_HOME or HOME: without one an unsaved look is not kept "
-             "when "
-             "the window ends, and the panels' places are not remembered");
+             "when the window ends, and neither cameras nor the panels' places are remembered");
     }
     ui_.left_behind = autosave_.found();
     for (const std::string& path : ui_.left_behind) {

@@ -127,6 +127,23 @@ TEST_F(KeptCamerasTest, say_once_that_their_file_is_broken_and_put_it_aside) {
     }
 }
 
+TEST_F(KeptCamerasTest, that_others_damage_meanwhile_are_kept_again_and_that_is_told) {
+    KeptCameras kept(path_);
+    kept.keep("sample", {"a", {}});
+    lutlib::io::write_file(path_, "[");
+    try {
+        kept.keep("sample", {"b", {}});
+        ADD_FAILURE() << "nothing was said";
+    } catch (const lutlib::Error& error) {
+        EXPECT_NE(std::string(error.what()).find(path_ + ".broken"), std::string::npos)
+            << error.what();
+    }
+    EXPECT_EQ(contents(path_ + ".broken"), "[");
+    EXPECT_EQ(names_of(KeptCameras(path_).of("sample")), (Names{"a", "b"}));
+    kept.keep("sample", {"c", {}}); // says nothing more
+    EXPECT_EQ(names_of(kept.of("sample")), (Names{"a", "b", "c"}));
+}
+
 TEST_F(KeptCamerasTest, have_numbers_within_their_ranges) {
     const auto read = cameras_from(R"({"cameras": {"sample": [{"name": "a",
         "target": [1e30, -1e30, 0], "near": -1, "distance": -5, "fov": 1e9, "azimuth": 720}]}})");

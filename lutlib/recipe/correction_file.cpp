@@ -12,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <set>
 
 namespace lutlib {
 namespace {
@@ -128,6 +129,9 @@ class Reader {
             inside_ = true;
             out_.corrections.push_back({{}, piece.begin, 0});
             current().id = attribute_of(piece, "id");
+            if (!current().id.empty() && !ids_.insert(current().id).second) {
+                walk_.refuse("two corrections have one id: give each its own", current().id);
+            }
         }
         path_.emplace_back(piece.name);
         text_.clear();
@@ -186,7 +190,8 @@ class Reader {
     XmlWalk walk_;
     std::vector<std::string> path_; ///< elements that are open
     std::string text_;              ///< of the innermost
-    bool inside_ = false;           ///< a correction
+    std::set<std::string> ids_;
+    bool inside_ = false; ///< a correction
     Found out_;
 };
 

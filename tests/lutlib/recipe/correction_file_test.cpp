@@ -133,6 +133,9 @@ TEST(CorrectionFile, that_is_none_is_refused_with_its_line) {
         {"<ColorCorrection><!-- a", 1},
         {"\n<!DOCTYPE x [<!ENTITY a \"b\">]>\n<ColorCorrection/>", 2},
         {"<ColorCorrectionCollection>" + deep, 1},
+        {"<ColorCorrectionCollection>\n<ColorCorrection id=\"a\"/>\n<ColorCorrection id=\"a\"/>\n"
+         "</ColorCorrectionCollection>",
+         3},
     };
     for (const Bad& row : bad) {
         try {

@@ -18,7 +18,7 @@ layout(binding = 3) writeonly uniform image2D target;
 layout(push_constant) uniform Push {
     float scale;
     float keep; // weight of own
-    float threshold, knee;
+    BloomOnset onset;
 } push;
 
 float largest(vec3 c) {
@@ -27,7 +27,7 @@ float largest(vec3 c) {
 
 vec3 fetch(vec2 at, vec2 texel) {
     vec3 light = textureLod(source, at * texel, 0.0).rgb;
-    return prefilter ? light * bloom_share(largest(light), push.threshold, push.knee) : light;
+    return prefilter ? light * bloom_share(largest(light), push.onset) : light;
 }
 
 void main() {

@@ -14,7 +14,7 @@ layout(constant_id = 1) const int stored = 0;
 layout(binding = 0) uniform sampler2D source;
 layout(binding = 1) uniform Weights { vec4 rows[4]; };
 layout(binding = 2) writeonly uniform image2D target;
-layout(push_constant) uniform Push { float threshold, knee; } push;
+layout(push_constant) uniform Push { BloomOnset onset; };
 
 const int side = 34; // the group's 32x32 texels and one around them
 const int threads = 256;
@@ -33,7 +33,7 @@ void main() {
     for (int k = 0; k < texels_each; ++k) {
         vec3 c = light[k];
         if (prefilter) {
-            float share = bloom_share(max(c.r, max(c.g, c.b)), push.threshold, push.knee);
+            float share = bloom_share(max(c.r, max(c.g, c.b)), onset);
             c = share > 0.0 ? round_to_half(c * share) : vec3(0.0);
         }
         tile[thread + k * threads] = uvec2(packHalf2x16(c.rg), packHalf2x16(vec2(c.b, 0.0)));

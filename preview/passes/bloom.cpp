@@ -66,7 +66,7 @@ void add_halving(Declared& in, const BloomStep& step, const std::string& name,
     pass.uniform(in.graph.data_of(name + " weights", rows_of_texels(step.taps)));
     target = pass.write(target);
     pass.constants({step.prefilter, in.stored});
-    pass.push(std::array{in.plan.threshold, in.plan.knee});
+    pass.push(onset_of(in.plan));
     const Size size = size_of(in.graph, target);
     pass.dispatch_over(size.width, size.height);
 }
@@ -93,7 +93,11 @@ void add_filter(Declared& in, const BloomStep& step, const std::string& name, Im
     target = pass.write(target);
     pass.constants({static_cast<std::uint32_t>(step.taps.size()), step.prefilter, step.karis,
                     step.own >= 0, in.stored});
-    pass.push(std::array{step.scale, step.keep, in.plan.threshold, in.plan.knee});
+    struct Push {
+        float scale, keep;
+        BloomOnset onset;
+    };
+    pass.push(Push{step.scale, step.keep, onset_of(in.plan)});
     const Size size = size_of(in.graph, target);
     pass.dispatch_over(size.width, size.height);
 }
@@ -238,6 +242,11 @@ std::string name_of(const BloomPlan& plan, const BloomDispatch& dispatch) {
 }
 
 } // namespace
+
+BloomOnset onset_of(const BloomPlan& plan) {
+    constexpr float none = 1e-30F; // its reciprocal is no longer finite soon below
+    return {plan.threshold, plan.knee, plan.knee > none ? 0.25F / plan.knee : 0.0F};
+}
 
 Bloomed add_bloom(Graph& graph, ImageHandle hdr, const BloomPlan& plan, const BloomWork& work) {
     Declared in{graph, plan, hdr, std::vector<ImageHandle>(plan.images.size()),

@@ -18,6 +18,13 @@ struct BloomWork {
     bool fuses = true;               ///< a dispatch does many steps; else each does one
 };
 
+/// Of shaders/common/bloom.glsl.
+struct BloomOnset {
+    float threshold, knee, parabola;
+};
+
+BloomOnset onset_of(const BloomPlan& plan);
+
 /// `plan` is made for the picture's size.
 Bloomed add_bloom(Graph& graph, ImageHandle hdr, const BloomPlan& plan, const BloomWork& work = {});
 

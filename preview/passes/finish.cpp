@@ -33,9 +33,9 @@ FilterBlock filter_block(const BloomPlan& plan) {
 }
 
 struct Push {
-    float exposure, strength, threshold, knee;
     WipeShape wipe;
-    float heat_scale;
+    float exposure, strength, heat_scale;
+    BloomOnset onset;
 };
 
 ImageHandle imported(Graph& graph, const std::string& name,
@@ -123,9 +123,9 @@ void bind_finish(Graph& graph, Pass& pass, const Finishing& finishing,
                                          place_of(b)};
     constants.insert(constants.end(), own_constants.begin(), own_constants.end());
     pass.constants(std::move(constants));
-    pass.push(Push{std::exp2(settings.exposure), plan.strength, plan.threshold, plan.knee,
-                   wipe_shape(settings, *settings.compare, size_of(graph, picture)),
-                   settings.heat_scale});
+    pass.push(Push{wipe_shape(settings, *settings.compare, size_of(graph, picture)),
+                   std::exp2(settings.exposure), plan.strength, settings.heat_scale,
+                   onset_of(plan)});
 }
 
 Finished add_finish(Graph& graph, const Finishing& finishing) {

@@ -1,13 +1,19 @@
-// Which share of its light a colour gives to bloom: none below threshold - knee, the excess over
-// the threshold above threshold + knee, a parabola between. preview/finish/blooms.cpp has the same.
-float bloom_share(float brightness, float threshold, float knee) {
-    float over = brightness - threshold;
-    if (!(over > -knee)) {
+/// Of light that blooms above a threshold, with a soft step of half width `knee` about it; `parabola` is
+/// 1 / (4 knee), 0 without a knee. preview/passes/bloom.cpp fills it.
+struct BloomOnset {
+    float threshold, knee, parabola;
+};
+
+/// Which share of its light a colour gives to bloom: none below threshold - knee, the excess over
+/// the threshold above threshold + knee, between them a parabola, which is nowhere less than the excess.
+/// preview/finish/blooms.cpp has the same.
+float bloom_share(float brightness, BloomOnset onset) {
+    float over = brightness - onset.threshold;
+    if (!(over > -onset.knee)) {
         return 0.0;
     }
-    float soft = min(over + knee, 2.0 * knee);
-    float light = over < knee ? soft * soft / (4.0 * knee) : over;
-    return light / brightness;
+    float soft = min(over + onset.knee, 2.0 * onset.knee);
+    return max(soft * soft * onset.parabola, over) / brightness;
 }
 
 /// Light of which `own` has gone into a glow.

@@ -35,10 +35,10 @@ layout(binding = 8) uniform sampler3D volume_b;
 layout(binding = 9) uniform sampler2D shaper_b;
 layout(binding = 10) uniform LookB { Look look_b; };
 layout(push_constant) uniform Push {
+    vec4 wipe;      // common/wipe.glsl
     float exposure; // factor
-    float strength, threshold, knee;
-    vec4 wipe; // common/wipe.glsl
-    float heat_scale;
+    float strength, heat_scale;
+    BloomOnset onset;
 } push;
 
 vec3 picture_at(ivec2 at) {
@@ -64,7 +64,7 @@ vec3 bloomed(ivec2 at, vec3 light) {
     }
     vec3 own = light;
     if (bloom_threshold) {
-        own *= bloom_share(max(light.r, max(light.g, light.b)), push.threshold, push.knee);
+        own *= bloom_share(max(light.r, max(light.g, light.b)), push.onset);
     }
     return with_bloom(light, own, glow_at(at), push.strength);
 }

@@ -13,8 +13,8 @@ layout(binding = 2) uniform usampler2D normals;
 layout(binding = 3) writeonly uniform image2D target;
 layout(push_constant) uniform Push { float radius, strength; };
 
-/// preview/passes/occlusion.cpp makes them: a direction in the frame of tangent, bitangent and normal,
-/// and a share of the radius.
+/// preview/passes/occlusion.cpp makes them: in the frame of tangent, bitangent and normal, of a hemisphere
+/// of radius 1.
 layout(std430, binding = 4) readonly buffer Points { vec4 points[]; };
 
 /// Across the normal, away from its smallest component. Of components that are equal, as those of
@@ -40,38 +40,30 @@ void main() {
         imageStore(target, cell, vec4(1.0));
         return;
     }
-    vec3 position = ray_at(view, vec2(at) + 0.5, vec2(size)) * z_of(view, depth);
+    vec2 texel = 2.0 / vec2(size), first_texel = 0.5 * texel - 1.0; // of the picture from -1 to 1
+    float near = view.position_near.w, z = z_of(view, depth);
+    vec3 position = vec3(vec2(at) * texel + first_texel, 1.0) * z;
     vec3 normal = decode_octahedral(from_bits(texelFetch(normals, at, 0).xy));
     vec3 tangent = tangent_to(normal);
-    vec3 bitangent = cross(normal, tangent);
+    mat3 to_seen = seen_from(view);
+    mat3 hemisphere = radius * to_seen * mat3(tangent, cross(normal, tangent), normal);
+    vec3 plane = plane_of(view, normal);
+    float own_rise = dot(plane, position) + 0.01 * radius, most_gap = 2.0 * radius;
     int first = ((cell.y & 3) * 4 + (cell.x & 3)) * samples;
-    vec3 right = view.right.xyz / dot(view.right.xyz, view.right.xyz);
-    vec3 up = view.up.xyz / dot(view.up.xyz, view.up.xyz);
-    float least_rise = 0.01 * radius, most_gap = 2.0 * radius;
+    uvec2 last = uvec2(size) - 1u;
+    vec2 half_size = 0.5 * vec2(size);
     int hidden = 0;
+    // Without a branch, so that many texels are on their way at once.
     for (int i = 0; i < samples; ++i) {
-        vec4 place = points[first + i];
-        vec3 direction = place.x * tangent + place.y * bitangent + place.z * normal;
-        vec3 point = position + radius * place.w * direction;
-        float z = dot(point, view.forward.xyz);
-        if (!(z > view.position_near.w)) {
-            continue;
-        }
-        vec2 screen = vec2(dot(point, right), dot(point, up)) / z;
-        ivec2 there = ivec2(floor((screen * 0.5 + 0.5) * vec2(size)));
-        if (any(lessThan(there, ivec2(0))) || any(greaterThanEqual(there, size))) {
-            continue;
-        }
-        float depth_there = texelFetch(depths, there, 0).r;
-        if (depth_there >= 1.0) {
-            continue;
-        }
-        float shown = z_of(view, depth_there);
-        vec3 surface = ray_at(view, vec2(there) + 0.5, vec2(size)) * shown;
-        hidden += z > shown && z - shown < most_gap &&
-                          dot(normal, surface - position) > least_rise
-                      ? 1
-                      : 0;
+        vec3 point = position + hemisphere * points[first + i].xyz;
+        vec2 place = point.xy / max(point.z, near) * half_size + half_size;
+        uvec2 there = uvec2(ivec2(floor(place)));
+        bool is_seen = point.z > near && all(lessThan(there, uvec2(size)));
+        // Of what is infinitely far: it lies behind every point.
+        float shown = z_of(view, texelFetch(depths, ivec2(min(there, last)), 0).r);
+        float rise = dot(plane, vec3(vec2(there) * texel + first_texel, 1.0)) * shown;
+        bool is_behind = point.z > shown && point.z - shown < most_gap && rise > own_rise;
+        hidden += is_seen && is_behind ? 1 : 0;
     }
     imageStore(target, cell, vec4(max(1.0 - strength * float(hidden) / float(samples), 0.0)));
 }

@@ -27,23 +27,24 @@ void main() {
         imageStore(target, cell, vec4(own));
         return;
     }
-    vec3 position = ray_at(view, vec2(at) + 0.5, vec2(size)) * z_of(view, depth);
     vec3 normal = decode_octahedral(from_bits(texelFetch(normals, at, 0).xy));
-    float per_metre = 1.0 / (0.1 * radius);
+    vec2 texel = 2.0 / vec2(size);
+    vec3 plane = plane_of(view, normal);
+    // A point's height above the origin in the normal's direction, of its z, and what a cell adds.
+    float height = dot(plane, vec3((vec2(at) + 0.5) * texel - 1.0, 1.0));
+    float step = float(cell_side) * (along_x ? plane.x * texel.x : plane.y * texel.y);
+    float own_height = height * z_of(view, depth), per_metre = 1.0 / (0.1 * radius);
     float sum = own, total = 1.0;
     for (int i = -2; i <= 2; ++i) {
         ivec2 other_cell = cell + (along_x ? ivec2(i, 0) : ivec2(0, i));
-        if (i == 0 || any(lessThan(other_cell, ivec2(0))) ||
-            any(greaterThanEqual(other_cell, cells))) {
+        if (i == 0 || any(greaterThanEqual(uvec2(other_cell), uvec2(cells)))) {
             continue;
         }
-        ivec2 there = cell_side * other_cell;
-        float depth_there = texelFetch(depths, there, 0).r;
+        float depth_there = texelFetch(depths, cell_side * other_cell, 0).r;
         if (depth_there >= 1.0) {
             continue;
         }
-        vec3 other = ray_at(view, vec2(there) + 0.5, vec2(size)) * z_of(view, depth_there);
-        float away = abs(dot(normal, other - position));
+        float away = abs((height + float(i) * step) * z_of(view, depth_there) - own_height);
         float weight = (abs(i) == 2 ? 0.5 : 1.0) * max(1.0 - away * per_metre, 0.0);
         sum += weight * texelFetch(source, other_cell, 0).r;
         total += weight;

@@ -39,8 +39,8 @@ std::uint32_t reversed(std::uint32_t bits) {
     return out;
 }
 
-/// For each of 4x4 pixels `samples` directions in the frame of tangent, bitangent and normal, and
-/// the share of the radius at which the point lies. Made here because sines and cosines of a GPU
+/// For each of 4x4 pixels `samples` places in the frame of tangent, bitangent and normal, of a
+/// hemisphere of radius 1. Made here because sines and cosines of a GPU
 /// may be a thousandth off, which moves points to other texels.
 std::vector<glm::vec4> points(std::uint32_t samples) {
     constexpr double golden = 0.61803398875;
@@ -51,9 +51,10 @@ std::vector<glm::vec4> points(std::uint32_t samples) {
         for (std::uint32_t i = 0; i < samples; ++i) {
             const double share = (i + unit_of(bits.x)) / samples;
             const double turn = 2 * std::numbers::pi * fraction(i * golden + unit_of(bits.y));
-            const double reach = fraction(unit_of(reversed(i)) + unit_of(bits.z));
-            out.emplace_back(std::sqrt(share) * std::cos(turn), std::sqrt(share) * std::sin(turn),
-                             std::sqrt(1 - share), reach * reach);
+            const double root = fraction(unit_of(reversed(i)) + unit_of(bits.z));
+            const double reach = root * root, across = reach * std::sqrt(share);
+            out.emplace_back(across * std::cos(turn), across * std::sin(turn),
+                             reach * std::sqrt(1 - share), 0);
         }
     }
     return out;

@@ -42,14 +42,10 @@ float mean_falloff(float x) {
     return x > 1e-3 ? 0.5 * (1.0 / (1.0 + x * x) + atan(x) / x) : 1.0;
 }
 
-float angle_between(vec3 a, vec3 b) {
-    return acos(clamp(dot(a, b) * inversesqrt(max(dot(a, a) * dot(b, b), 1e-12)), -1.0, 1.0));
-}
-
-/// Where a line through `a` along `step` comes nearest to a ray from the surface, in steps.
-float nearest_step(vec3 a, vec3 step, vec3 ray) {
-    float along = dot(ray, step);
-    return (dot(ray, a) * along - dot(a, step)) / max(dot(step, step) - along * along, 1e-9);
+/// Where a line through a place `a` along a step comes nearest to a ray from the surface, in steps:
+/// by the dot products of the step with the ray, with `a` and with itself, and of the ray with `a`.
+float nearest_step(float ray_step, float a_step, float step_step, float ray_a) {
+    return (ray_a * ray_step - a_step) / max(step_step - ray_step * ray_step, 1e-9);
 }
 
 struct AreaSample {
@@ -61,17 +57,66 @@ struct AreaSample {
 
 AreaSample sample_rod(vec3 centre, vec3 extent, vec3 normal, vec3 mirrored) {
     vec3 a = centre - extent, b = centre + extent;
+    float squared_a = dot(a, a), squared_b = dot(b, b), product = dot(a, b);
     AreaSample s;
-    s.irradiance =
-        line_irradiance(vec2(dot(normal, a), dot(normal, b)), vec2(dot(a, a), dot(b, b)),
-                        dot(a, b), 4.0 * dot(extent, extent));
-    s.towards = a + clamp(nearest_step(a, b - a, mirrored), 0.0, 1.0) * (b - a);
-    s.reach = 0.5 * vec2(angle_between(s.towards, a), angle_between(s.towards, b));
-    // The mean of 1 / d^2 over the line.
+    s.irradiance = line_irradiance(vec2(dot(normal, a), dot(normal, b)),
+                                   vec2(squared_a, squared_b), product,
+                                   4.0 * dot(extent, extent));
+    vec3 step = b - a;
+    float t = nearest_step(dot(mirrored, step), dot(a, step), dot(step, step), dot(mirrored, a));
+    t = clamp(t, 0.0, 1.0);
+    s.towards = a + t * step;
+    // By sines and cosines, as an arc cosine does not resolve small angles. The sines are parts of
+    // |a x b|.
     float area = length(cross(a, b));
-    s.inverse = area > 1e-4 ? angle_between(a, b) / area
+    vec2 cosines = mix(vec2(squared_a, product), vec2(product, squared_b), t);
+    vec2 angles = atan(max(vec2(t, 1.0 - t) * area, 1e-12), cosines);
+    s.reach = 0.5 * angles;
+    // The mean of 1 / d^2 over the line.
+    s.inverse = area > 1e-4 ? (angles.x + angles.y) / area
                             : 1.0 / max(dot(s.towards, s.towards), 1e-6);
     return s;
+}
+
+/// A linear function of places on a circle at the corners of its octagon: the first four by eighths
+/// of a turn, and what lies opposite them. `across`: along the circle's two axes, times its radius.
+struct Corners {
+    vec4 near, opposite;
+};
+
+Corners at_corners(float centre, vec2 across) {
+    const float diagonal = 0.70710678;
+    vec4 aside = vec4(across.x, diagonal * (across.x + across.y), across.y,
+                      diagonal * (across.y - across.x));
+    return Corners(centre + aside, centre - aside);
+}
+
+/// The sum over the octagon's edges, of which `edge` is the squared length.
+float octagon_irradiance(Corners over, Corners squared, float edge) {
+    float sum = 0.0;
+    vec2 last = vec2(over.opposite.w, squared.opposite.w);
+    for (int i = 0; i < 8; ++i) {
+        vec2 next = i < 4 ? vec2(over.near[i], squared.near[i])
+                          : vec2(over.opposite[i - 4], squared.opposite[i - 4]);
+        sum += line_irradiance(vec2(last.x, next.x), vec2(last.y, next.y),
+                               0.5 * (last.y + next.y - edge), edge);
+        last = next;
+    }
+    return sum;
+}
+
+/// The same above the horizon, four edges at once. `inverse`: 1 / root of `squared`.
+float octagon_irradiance_above(Corners over, Corners squared, Corners inverse, float edge) {
+    vec4 near = over.near * inverse.near, opposite = over.opposite * inverse.opposite;
+    vec4 far_near = squared.near * inverse.near;
+    vec4 far_opposite = squared.opposite * inverse.opposite;
+    vec4 products = 0.5 * (squared.near + vec4(squared.near.yzw, squared.opposite.x) - edge);
+    vec4 shares = (near + vec4(near.yzw, opposite.x)) /
+                  max(far_near * vec4(far_near.yzw, far_opposite.x) + products, 1e-6);
+    products = 0.5 * (squared.opposite + vec4(squared.opposite.yzw, squared.near.x) - edge);
+    shares += (opposite + vec4(opposite.yzw, near.x)) /
+              max(far_opposite * vec4(far_opposite.yzw, far_near.x) + products, 1e-6);
+    return dot(shares, vec4(1.0));
 }
 
 // By dot products alone: a corner is centre + cos(t) x + sin(t) y, and those of neighbours are
@@ -82,45 +127,55 @@ AreaSample sample_ring(vec3 centre, vec3 extent, vec3 normal, vec3 mirrored) {
     vec3 axis = dot(extent, extent) > 0.0 ? extent / radius : vec3(0.0, 1.0, 0.0);
     vec3 x = normalize(cross(axis, abs(axis.x) < 0.9 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
     vec3 y = cross(axis, x);
-    const float diagonal = 0.70710678;
     float corner_radius = 1.0527 * radius, square = corner_radius * corner_radius;
-    float edge = square * (2.0 - 2.0 * diagonal);
-    vec2 over_of = corner_radius * vec2(dot(normal, x), dot(normal, y));
-    vec2 far_of = 2.0 * corner_radius * vec2(dot(centre, x), dot(centre, y));
-    vec2 facing_of = corner_radius * vec2(dot(mirrored, x), dot(mirrored, y));
-    float over_centre = dot(normal, centre), far_centre = dot(centre, centre) + square;
-    float facing_centre = dot(mirrored, centre);
+    const float least = 1e-6;
+    vec2 over_across = corner_radius * vec2(dot(normal, x), dot(normal, y));
+    float over_centre = dot(normal, centre);
+    Corners over = at_corners(over_centre, over_across);
+    vec2 centre_across = vec2(dot(centre, x), dot(centre, y));
+    Corners squared = at_corners(dot(centre, centre) + square,
+                                 2.0 * corner_radius * centre_across);
+    squared.near = max(squared.near, least);
+    squared.opposite = max(squared.opposite, least);
+    Corners inverse = Corners(inversesqrt(squared.near), inversesqrt(squared.opposite));
+    float edge = square * (2.0 - sqrt(2.0));
     AreaSample s;
-    s.irradiance = 0.0;
-    float best = -2.0;
-    vec2 turn = vec2(1.0, 0.0), best_turn = turn;
-    vec2 last = vec2(over_centre + over_of.x, far_centre + far_of.x);
-    for (int i = 0; i < 8; ++i) {
-        turn = diagonal * vec2(turn.x - turn.y, turn.x + turn.y);
-        vec2 next = vec2(over_centre + dot(turn, over_of), far_centre + dot(turn, far_of));
-        s.irradiance += line_irradiance(vec2(last.x, next.x), vec2(last.y, next.y),
-                                        0.5 * (last.y + next.y - edge), edge);
-        float facing =
-            (facing_centre + dot(turn, facing_of)) * inversesqrt(max(next.y, 1e-12));
-        if (facing > best) {
-            best = facing;
-            best_turn = turn;
-        }
-        last = next;
-    }
+    s.irradiance = over_centre >= length(over_across)
+                       ? octagon_irradiance_above(over, squared, inverse, edge)
+                       : octagon_irradiance(over, squared, edge);
     s.irradiance /= 8.0;
-    vec3 outward = best_turn.x * x + best_turn.y * y;
-    for (int i = 0; i < 2; ++i) {
-        vec3 along = cross(axis, outward);
-        // By the angle whose tangent that is.
-        float aside = clamp(nearest_step(centre + radius * outward, along, mirrored) / radius, -1.0,
-                            1.0);
-        outward = (outward + aside * along) * inversesqrt(1.0 + aside * aside);
+    // From the corner that is nearest to the mirrored ray.
+    float facing_centre = dot(mirrored, centre);
+    vec2 facing_across = vec2(dot(mirrored, x), dot(mirrored, y));
+    Corners facing = at_corners(facing_centre, corner_radius * facing_across);
+    vec4 near = facing.near * inverse.near, opposite = facing.opposite * inverse.opposite;
+    const float diagonal = 0.70710678;
+    const vec2 turns[4] = vec2[4](vec2(1.0, 0.0), vec2(diagonal, diagonal), vec2(0.0, 1.0),
+                                  vec2(-diagonal, diagonal));
+    float best = near.x;
+    vec2 turn = turns[0];
+    for (int i = 0; i < 4; ++i) {
+        if (near[i] > best) {
+            best = near[i];
+            turn = turns[i];
+        }
+        if (opposite[i] > best) {
+            best = opposite[i];
+            turn = -turns[i];
+        }
     }
-    s.towards = centre + radius * outward;
-    float squared = max(dot(s.towards, s.towards), 1e-6);
-    s.inverse = 1.0 / squared;
-    s.reach = vec2(0.5 * pi * radius * inversesqrt(squared));
+    for (int i = 0; i < 2; ++i) {
+        // Along the tangent, by the angle whose tangent that is.
+        vec2 tangent = vec2(-turn.y, turn.x);
+        float aside = nearest_step(dot(facing_across, tangent), dot(centre_across, tangent), 1.0,
+                                   facing_centre + radius * dot(facing_across, turn));
+        aside = clamp(aside / radius, -1.0, 1.0);
+        turn = (turn + aside * tangent) * inversesqrt(1.0 + aside * aside);
+    }
+    s.towards = centre + radius * (turn.x * x + turn.y * y);
+    float distance_squared = max(dot(s.towards, s.towards), 1e-6);
+    s.inverse = 1.0 / distance_squared;
+    s.reach = vec2(0.5 * pi * radius * inversesqrt(distance_squared));
     return s;
 }
 
@@ -146,22 +201,18 @@ vec3 shade_area(Light light, vec3 position, vec3 normal, vec3 view, vec3 albedo,
     float thickness = light.up_thickness.w;
     vec3 point = s.towards + aside * min(thickness / max(length(aside), 1e-6), 1.0);
     vec3 direction = normalize(point);
-    vec3 halfway = view + direction;
-    halfway *= inversesqrt(max(dot(halfway, halfway), 1e-18));
-    float alpha = max(roughness, least_roughness);
-    alpha *= alpha;
-    float n_dot_h = clamp(dot(normal, halfway), 0.0, 1.0);
-    float width = sqrt(n_dot_h * n_dot_h * (alpha * alpha - 1.0) + 1.0);
-    // Across the plane of incidence the half vector turns by more than half of what the light does.
-    vec2 ends = 1.2 * s.reach / width;
-    float across = 0.5 * thickness / (far * width);
-    float mean = 1.0 / (1.0 + 1.2 * across * across);
-    if (is_rod || is_ring) {
-        float total = max(s.reach.x + s.reach.y, 1e-6);
-        mean = (s.reach.x * mean_falloff(ends.x) + s.reach.y * mean_falloff(ends.y)) / total *
-               mean_falloff(across);
-    }
     Lobes lobes = lobes_of(normal, view, direction, albedo, roughness, metalness);
+    // Across the plane of incidence the half vector turns by more than half of what the light does.
+    vec2 ends = 1.2 * s.reach * lobes.sharpness;
+    float across = 0.5 * thickness / far * lobes.sharpness;
+    float mean;
+    if (is_rod || is_ring) {
+        float first = mean_falloff(ends.x), second = is_ring ? first : mean_falloff(ends.y);
+        mean = (s.reach.x * first + s.reach.y * second) / max(s.reach.x + s.reach.y, 1e-6) *
+               mean_falloff(across);
+    } else {
+        mean = 1.0 / (1.0 + 1.2 * across * across);
+    }
     return lobes.diffuse * s.irradiance +
            lobes.specular * (max(dot(normal, direction), 0.0) * s.inverse * mean);
 }

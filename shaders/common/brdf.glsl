@@ -5,12 +5,6 @@
 const float pi = 3.14159265358979;
 const float least_roughness = 0.045;
 
-float ggx_distribution(float n_dot_h, float alpha) {
-    float a2 = alpha * alpha;
-    float d = n_dot_h * n_dot_h * (a2 - 1.0) + 1.0;
-    return a2 / (pi * d * d);
-}
-
 float smith_visibility(float n_dot_l, float n_dot_v, float alpha) {
     float a2 = alpha * alpha;
     float l = n_dot_v * sqrt(n_dot_l * n_dot_l * (1.0 - a2) + a2);
@@ -21,6 +15,7 @@ float smith_visibility(float n_dot_l, float n_dot_v, float alpha) {
 /// Of the model without n.l.
 struct Lobes {
     vec3 diffuse, specular;
+    float sharpness; // from 1 / alpha, where the half vector is the normal, to 1 across it
 };
 
 Lobes lobes_of(vec3 normal, vec3 view, vec3 light, vec3 albedo, float roughness, float metalness) {
@@ -33,12 +28,17 @@ Lobes lobes_of(vec3 normal, vec3 view, vec3 light, vec3 albedo, float roughness,
     float v_dot_h = clamp(dot(view, halfway), 0.0, 1.0);
     float alpha = max(roughness, least_roughness);
     alpha *= alpha;
-    float lobe = ggx_distribution(n_dot_h, alpha) * smith_visibility(n_dot_l, n_dot_v, alpha);
+    float a2 = alpha * alpha;
+    // n.h^2 (a^2 - 1) + 1. By the sine, as 1 - n.h^2 has no digits left where smooth surfaces shine.
+    vec3 sine = cross(normal, halfway);
+    float width = dot(sine, sine) + a2 * n_dot_h * n_dot_h;
+    float lobe = a2 / (pi * width * width) * smith_visibility(n_dot_l, n_dot_v, alpha);
     float grazing = 1.0 - v_dot_h;
     float grazing2 = grazing * grazing;
     vec3 f0 = mix(vec3(0.04), albedo, metalness);
     vec3 fresnel = f0 + (1.0 - f0) * (grazing2 * grazing2 * grazing);
-    return Lobes((1.0 - fresnel) * (1.0 - metalness) * albedo / pi, fresnel * lobe);
+    return Lobes((1.0 - fresnel) * (1.0 - metalness) * albedo / pi, fresnel * lobe,
+                 inversesqrt(width));
 }
 
 /// Radiance towards `view` per unit of irradiance at normal incidence from `light`.

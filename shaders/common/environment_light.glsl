@@ -14,9 +14,9 @@ vec3 environment_radiance(vec3 direction, float roughness) {
     float blur = 1.0 / (2.0 * alpha * alpha);
     for (int i = 0; i < soft_boxes; ++i) {
         vec4 box = environment.soft_boxes[i].axis_sharpness;
-        float sharpness = box.w * blur / (box.w + blur);
-        float lobe = exp(sharpness * (dot(direction, box.xyz) - 1.0));
-        sum += environment.soft_boxes[i].radiance.rgb * (sharpness / box.w * lobe);
+        float kept = blur / (box.w + blur); // of the sharpness
+        float lobe = exp(box.w * kept * (dot(direction, box.xyz) - 1.0));
+        sum += environment.soft_boxes[i].radiance.rgb * (kept * lobe);
     }
     return sum;
 }
@@ -35,8 +35,11 @@ vec3 environment_irradiance(vec3 normal) {
     for (int i = 0; i < soft_boxes; ++i) {
         vec4 box = environment.soft_boxes[i].axis_sharpness;
         float total = box.w + cosine_sharpness;
-        float reach = length(box.w * box.xyz + cosine_sharpness * normal);
-        float integral = (exp(reach - total) - exp(-reach - total)) / reach;
+        // Of the sum of both lobes' axes.
+        float cosine = dot(box.xyz, normal);
+        float squared = total * total + 2.0 * cosine_sharpness * box.w * (cosine - 1.0);
+        float inverse = inversesqrt(max(squared, 1e-6)), reach = squared * inverse;
+        float integral = (exp(reach - total) - exp(-reach - total)) * inverse;
         sum += environment.soft_boxes[i].radiance.rgb * (2.0 * pi * cosine_amplitude * integral);
     }
     return sum;

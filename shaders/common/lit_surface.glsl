@@ -83,6 +83,11 @@ vec3 light_from(Surface surface, vec3 position, vec3 normal, vec3 face, vec3 to_
             }
             squared /= share;
         }
+        float reached =
+            has_shadows && light.position_layer.w >= 0.0 ? lit(light, position, face) : 1.0;
+        if (!(reached > 0.0)) {
+            continue;
+        }
         vec3 shaded;
         if (is_area) {
             shaded = shade_area(light, position, normal, to_eye, albedo, roughness, metalness) *
@@ -90,10 +95,7 @@ vec3 light_from(Surface surface, vec3 position, vec3 normal, vec3 face, vec3 to_
         } else {
             shaded = shade(normal, to_eye, direction, albedo, roughness, metalness);
         }
-        if (has_shadows && light.position_layer.w >= 0.0) {
-            shaded *= lit(light, position, face);
-        }
-        radiance += shaded * light.intensity_texel.rgb / squared;
+        radiance += shaded * light.intensity_texel.rgb * (reached / squared);
     }
     if (has_environment) {
         float n_dot_v = clamp(dot(normal, to_eye), 0.0, 1.0);

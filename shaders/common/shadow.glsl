@@ -13,18 +13,20 @@ vec2 shares_of_pair(int i, float part) {
 
 /// The share of a square of shadow_side by shadow_side texels about a place of the map that the
 /// light reaches. Its surface has the depth `depth` at `origin`, and `slope` more a texel.
-float reached_about(vec2 place, vec2 origin, float layer, vec2 size, float depth, vec2 slope) {
-    vec2 first = floor(place), part = place - first;
+float reached_about(vec2 place, vec2 origin, float layer, float texel, float depth, vec2 slope) {
+    vec2 lowest = floor(place), part = place - lowest;
+    lowest -= float(shadow_side / 2);
+    float own_lowest = depth + dot(slope, lowest - origin);
+    vec2 between = (lowest + 1.0) * texel; // of the lowest four
     float sum = 0.0;
     for (int y = 0; y <= shadow_side / 2; ++y) {
         for (int x = 0; x <= shadow_side / 2; ++x) {
-            vec2 corner = first - float(shadow_side / 2 - 1) + vec2(2 * x, 2 * y);
+            vec2 step = vec2(2 * x, 2 * y);
             // From the lower left against the clock.
-            vec4 stored = textureGather(shadow_maps, vec3(corner / size, layer));
-            vec2 low = corner - 1.0 - origin;
-            float expected = depth + dot(slope, low);
-            vec4 own = expected + vec4(slope.y, slope.x + slope.y, slope.x, 0.0);
-            vec4 reached = vec4(greaterThanEqual(stored, own));
+            vec4 stored = textureGather(shadow_maps, vec3(between + step * texel, layer));
+            float own = own_lowest + dot(slope, step);
+            vec4 owns = own + vec4(slope.y, slope.x + slope.y, slope.x, 0.0);
+            vec4 reached = vec4(greaterThanEqual(stored, owns));
             vec2 wx = shares_of_pair(x, part.x), wy = shares_of_pair(y, part.y);
             sum += dot(reached, vec4(wx.x * wy.y, wx.y * wy.y, wx.y * wy.x, wx.x * wy.x));
         }
@@ -40,55 +42,58 @@ float reached_about(vec2 place, vec2 origin, float layer, vec2 size, float depth
 float lit(Light light, vec3 position, vec3 normal) {
     float tangent = light.right_tangent.w;
     vec3 from = position - (is_sun(light) ? light.extent_shape.xyz : light.position_layer.xyz);
-    vec3 forward = light.forward.xyz, right = light.right_tangent.xyz, up = light.up_thickness.xyz;
     float layer = light.position_layer.w;
+    // In the frame of the map: to the right, up and forward.
+    vec3 seen, facing;
     if (light.faces.x != 0u) {
         vec3 a = abs(from);
         float largest = max(a.x, max(a.y, a.z));
-        vec3 axis = a.x == largest   ? vec3(1.0, 0.0, 0.0)
-                    : a.y == largest ? vec3(0.0, 1.0, 0.0)
-                                     : vec3(0.0, 0.0, 1.0);
-        float side = dot(axis, from) < 0.0 ? -1.0 : 1.0;
-        uint face = 2u * uint(axis.y + 2.0 * axis.z) + (side < 0.0 ? 1u : 0u);
+        bool is_x = a.x == largest, is_y = a.y == largest;
+        seen = is_x ? from.yzx : is_y ? from.zxy : from;
+        facing = is_x ? normal.yzx : is_y ? normal.zxy : normal;
+        bool is_negative = seen.z < 0.0;
+        uint face = (is_x ? 0u : is_y ? 2u : 4u) + (is_negative ? 1u : 0u);
         if ((light.faces.x >> face & 1u) == 0u) {
             return 1.0;
         }
         layer += float(face);
-        forward = side * axis;
-        right = axis.zxy;
-        up = axis.yzx;
+        seen.z = largest;
+        facing.z = is_negative ? -facing.z : facing.z;
+    } else {
+        mat3 frame = mat3(light.right_tangent.xyz, light.up_thickness.xyz, light.forward.xyz);
+        seen = from * frame;
+        facing = normal * frame;
     }
-    from += normal * (0.5 * light.intensity_texel.w * (is_sun(light) ? 1.0 : dot(from, forward)));
-    float z = dot(from, forward);
+    seen += facing * (0.5 * light.intensity_texel.w * (is_sun(light) ? 1.0 : seen.z));
     float near = light.range.y, far = light.range.z;
     // A sun's shadows go on behind the box of the casters.
-    if (!(z > near && (is_sun(light) || z < far))) {
+    if (!(seen.z > near && (is_sun(light) || seen.z < far))) {
         return 1.0;
     }
-    vec2 screen = vec2(dot(from, right), dot(from, up)) / (is_sun(light) ? tangent : z * tangent);
+    vec2 screen = seen.xy / (is_sun(light) ? tangent : seen.z * tangent);
     if (any(greaterThan(abs(screen), vec2(1.0)))) {
         return 1.0;
     }
-    // Depth is far / (far - near) (1 - near / z), and 1 / z of a plane changes evenly over the map.
-    float scale = near * far / (far - near);
-    float depth = far / (far - near) - scale / z;
-    float height = min(dot(normal, from), -0.05 * length(from));
-    vec2 size = vec2(textureSize(shadow_maps, 0).xy);
-    vec2 slope = -scale * tangent / height * vec2(dot(normal, right), dot(normal, up)) * 2.0 / size;
+    float size = float(textureSize(shadow_maps, 0).x), texel = 1.0 / size;
+    float depth;
+    vec2 slope = -2.0 * texel * tangent * facing.xy;
     if (is_sun(light)) {
-        depth = (z - near) / (far - near);
-        slope = depth < 1.0 ? -tangent / (far - near) / min(dot(normal, forward), -0.05) *
-                                  vec2(dot(normal, right), dot(normal, up)) * 2.0 / size
-                            : vec2(0.0);
+        depth = (seen.z - near) / (far - near);
+        slope *= depth < 1.0 ? 1.0 / ((far - near) * min(facing.z, -0.05)) : 0.0;
         depth = min(depth, 1.0);
+    } else {
+        // Depth is far / (far - near) (1 - near / z), and 1 / z of a plane changes evenly over the map.
+        float scale = near * far / (far - near);
+        depth = far / (far - near) - scale / seen.z;
+        slope *= scale / min(dot(facing, seen), -0.05 * length(seen));
     }
     vec2 place = (screen * 0.5 + 0.5) * size - 0.5;
     if (shadow_places == 1) {
-        return reached_about(place, place, layer, size, depth, slope);
+        return reached_about(place, place, layer, texel, depth, slope);
     }
     float sum = 0.0;
     for (int i = 0; i < shadow_places; ++i) {
-        sum += reached_about(place + disc_places[i], place, layer, size, depth, slope);
+        sum += reached_about(place + disc_places[i], place, layer, texel, depth, slope);
     }
     return sum / float(shadow_places);
 }

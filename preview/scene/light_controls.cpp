@@ -1,6 +1,7 @@
 #include "preview/scene/light_controls.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 namespace preview {
 
@@ -21,6 +22,14 @@ void set_color(PointLight& light, glm::vec3 color) {
     if (strongest(color) > 0) {
         light.intensity = color * (strongest(light.intensity) / strongest(color));
     }
+}
+
+/// Keeps the direction, also of a light that is made a point.
+void set_size(PointLight& light, glm::vec3 size) {
+    constexpr float least = 1e-6F;
+    const float now = glm::length(light.extent);
+    const glm::vec3 along = now > 0 ? light.extent / now : glm::vec3(0, 1, 0);
+    light.extent = along * std::max(size.x, least);
 }
 
 using Kind = LightControl::Kind;
@@ -45,6 +54,14 @@ const LightControl rows[] = {
      Kind::number, 0, farthest, false,
      [](const PointLight& light) { return glm::vec3(light.reach, 0, 0); },
      [](PointLight& light, glm::vec3 v) { light.reach = v.x; }},
+    {"size", "Size", "half the length of a rod, the radius of a ring, metres; 0: a point", "m",
+     Kind::number, 0, 100, false,
+     [](const PointLight& light) { return glm::vec3(glm::length(light.extent), 0, 0); }, set_size},
+    {"thickness", "Thickness",
+     "the radius of a ball, of a rod or of a ring's tube, metres; 0: as thin as a point or line",
+     "m", Kind::number, 0, 100, false,
+     [](const PointLight& light) { return glm::vec3(light.thickness, 0, 0); },
+     [](PointLight& light, glm::vec3 v) { light.thickness = v.x; }},
     {"shadow", "Casts a shadow", "whether objects block its light", "", Kind::flag, 0, 1, false,
      [](const PointLight& light) { return glm::vec3(light.casts_shadow ? 1 : 0, 0, 0); },
      [](PointLight& light, glm::vec3 v) { light.casts_shadow = v.x != 0; }},

@@ -44,7 +44,7 @@ LightShadow shadow_of(const Scene& scene, const Geometry& geometry, const PointL
 
 /// Of SceneHandles::area_shapes; none for a point.
 inline std::uint32_t area_shape_of(const PointLight& light) {
-    return light.is_point() ? 0 : 1U << static_cast<unsigned>(light.shape);
+    return light.is_point() ? 0 : 1U << static_cast<unsigned>(light.lit_shape());
 }
 
 /// The light's block. `first_layer` is that of its shadow's first view, -1 where it has none.

@@ -1,5 +1,8 @@
 // The scene in the shaders' form, and what each view needs of it; without a GPU.
 #include "preview/scene/light_data.h"
+
+#include "lutlib/named.h"
+#include "preview/scene/light_controls.h"
 #include "preview/scene/scene_data.h"
 
 #include <gtest/gtest.h>
@@ -111,6 +114,24 @@ TEST(SceneDataTest, a_light_without_a_caster_or_a_receiver_in_its_frustum_says_s
     EXPECT_EQ(shadow(other).reason, "the light's intensity is 0");
     other.lights[0].casts_shadow = false;
     EXPECT_EQ(shadow(other).reason, "the light casts none");
+}
+
+TEST(SceneDataTest, a_ring_or_rod_of_no_size_is_a_point_and_keeps_its_direction) {
+    const LightControl& size = *lutlib::find_named(light_controls(), "size");
+    for (const PointLight& found : scene_at(*scene_named("studio"), 0).lights) {
+        if (found.shape == PointLight::Shape::point) {
+            continue;
+        }
+        PointLight light = found;
+        light.thickness = 0;
+        EXPECT_NE(area_shape_of(light), 0U) << light.name;
+        size.set(light, glm::vec3(0));
+        EXPECT_EQ(area_shape_of(light), 0U) << light.name;
+        EXPECT_EQ(light_block(light, {}, 0, 512).extent_shape.w, 0.0F) << light.name;
+        size.set(light, glm::vec3(glm::length(found.extent), 0, 0));
+        EXPECT_NE(area_shape_of(light), 0U) << light.name;
+        EXPECT_LT(glm::length(light.extent - found.extent), 1e-5F) << light.name;
+    }
 }
 
 TEST(SceneDataTest, a_light_that_shadows_all_round_has_six_maps_and_looks_up_those_with_casters) {

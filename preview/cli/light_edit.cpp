@@ -62,7 +62,7 @@ glm::vec3 values_of(const LightControl& control, const std::string& values,
 
 } // namespace
 
-void edit_light(std::vector<PointLight>& lights, const std::string& text) {
+LightEdit edit_light(std::vector<PointLight>& lights, const std::string& text) {
     const std::size_t equals = text.find('=');
     // A light's name may hold dots, a control's does not.
     const std::size_t dot = equals == std::string::npos ? equals : text.rfind('.', equals);
@@ -72,6 +72,7 @@ void edit_light(std::vector<PointLight>& lights, const std::string& text) {
     PointLight& light = light_named(lights, text.substr(0, dot), text);
     const LightControl& control = control_named(text.substr(dot + 1, equals - dot - 1), text);
     control.set(light, values_of(control, text.substr(equals + 1), text));
+    return {static_cast<std::size_t>(&light - lights.data()), &control};
 }
 
 } // namespace preview

@@ -32,6 +32,40 @@ void set_size(PointLight& light, glm::vec3 size) {
     light.extent = along * std::max(size.x, least);
 }
 
+std::string_view no_reach(const PointLight& light, bool /*shadows_fall*/) {
+    return light.is_sun ? "a sun has no reach" : "";
+}
+
+std::string_view no_shadow(const PointLight& /*light*/, bool shadows_fall) {
+    return shadows_fall ? "" : "--without shadows switches every shadow off";
+}
+
+std::string_view no_shadow_map(const PointLight& light, bool shadows_fall) {
+    return light.casts_shadow ? no_shadow(light, shadows_fall) : "it casts no shadow";
+}
+
+/// A sun shines towards what it is aimed at.
+std::string_view no_aim(const PointLight& light, bool shadows_fall) {
+    return light.is_sun                                      ? ""
+           : light.casts_shadow && light.shadows_all_round() ? "its shadow falls all round"
+                                                             : no_shadow_map(light, shadows_fall);
+}
+
+std::string_view no_angle(const PointLight& light, bool shadows_fall) {
+    return light.is_sun ? "a sun's shadow map sees all that casts shadows"
+                        : no_shadow_map(light, shadows_fall);
+}
+
+std::string_view no_size(const PointLight& light, bool /*shadows_fall*/) {
+    return light.is_sun                              ? "a sun has no size"
+           : light.shape == PointLight::Shape::point ? "it is neither a rod nor a ring"
+                                                     : "";
+}
+
+std::string_view no_thickness(const PointLight& light, bool /*shadows_fall*/) {
+    return light.is_sun ? "a sun has no thickness" : "";
+}
+
 using Kind = LightControl::Kind;
 
 constexpr float least_intensity = 1e-4F, most_intensity = 1e10F;
@@ -53,32 +87,44 @@ const LightControl rows[] = {
     {"reach", "Reach", "where it has faded to nothing, metres; 0: it reaches everywhere", "m",
      Kind::number, 0, farthest, false,
      [](const PointLight& light) { return glm::vec3(light.reach, 0, 0); },
-     [](PointLight& light, glm::vec3 v) { light.reach = v.x; }},
+     [](PointLight& light, glm::vec3 v) { light.reach = v.x; }, no_reach},
     {"size", "Size", "half the length of a rod, the radius of a ring, metres; 0: a point", "m",
      Kind::number, 0, 100, false,
-     [](const PointLight& light) { return glm::vec3(glm::length(light.extent), 0, 0); }, set_size},
+     [](const PointLight& light) { return glm::vec3(glm::length(light.extent), 0, 0); }, set_size,
+     no_size},
     {"thickness", "Thickness",
      "the radius of a ball, of a rod or of a ring's tube, metres; 0: as thin as a point or line",
      "m", Kind::number, 0, 100, false,
      [](const PointLight& light) { return glm::vec3(light.thickness, 0, 0); },
-     [](PointLight& light, glm::vec3 v) { light.thickness = v.x; }},
+     [](PointLight& light, glm::vec3 v) { light.thickness = v.x; }, no_thickness},
     {"shadow", "Casts a shadow", "whether objects block its light", "", Kind::flag, 0, 1, false,
      [](const PointLight& light) { return glm::vec3(light.casts_shadow ? 1 : 0, 0, 0); },
-     [](PointLight& light, glm::vec3 v) { light.casts_shadow = v.x != 0; }},
+     [](PointLight& light, glm::vec3 v) { light.casts_shadow = v.x != 0; }, no_shadow},
     {"aim", "Shadow's aim", "the middle of what its shadow map sees, metres", "m", Kind::point,
      -farthest, farthest, false, [](const PointLight& light) { return light.aim; },
-     [](PointLight& light, glm::vec3 v) { light.aim = v; }},
+     [](PointLight& light, glm::vec3 v) { light.aim = v; }, no_aim},
     {"angle", "Shadow's angle",
      "what its shadow map sees, degrees; no shadow falls outside. Over 170: all round, by six maps",
      "degrees", Kind::number, 1, PointLight::all_round, false,
      [](const PointLight& light) { return glm::vec3(light.shadow_angle, 0, 0); },
-     [](PointLight& light, glm::vec3 v) { light.shadow_angle = v.x; }},
+     [](PointLight& light, glm::vec3 v) { light.shadow_angle = v.x; }, no_angle},
 };
 
 } // namespace
 
 std::span<const LightControl> light_controls() {
     return rows;
+}
+
+std::string_view idle_because(const LightControl& control, const PointLight& light,
+                              bool shadows_fall) {
+    if (!light.is_on && control.name != "on") {
+        return "it is switched off";
+    }
+    if (strongest(light.intensity) == 0 && control.name != "intensity") {
+        return "its intensity is 0";
+    }
+    return control.idle_because != nullptr ? control.idle_because(light, shadows_fall) : "";
 }
 
 std::string light_name(const PointLight& light, std::size_t index) {

@@ -23,9 +23,17 @@ struct LightControl {
     /// Flags are 0 or 1; those and numbers are in x.
     glm::vec3 (*get)(const PointLight& light);
     void (*set)(PointLight& light, glm::vec3 value);
+    /// Why it changes nothing of such a light, while shadows fall or are switched off; empty: it
+    /// does. Null: it always does.
+    std::string_view (*idle_because)(const PointLight& light, bool shadows_fall) = nullptr;
 };
 
 std::span<const LightControl> light_controls();
+
+/// Why the control changes nothing of what is seen of this light, as of one that is off; empty: it
+/// does.
+std::string_view idle_because(const LightControl& control, const PointLight& light,
+                              bool shadows_fall);
 
 /// How many of a value's components its kind has.
 constexpr int components(LightControl::Kind kind) {

@@ -96,6 +96,12 @@ std::string_view idle_because(const lutlib::Values& values, const EffectDepth& d
                : "";
 }
 
+std::string_view idle_in_depth_of_field(const lutlib::Values& values, std::size_t parameter,
+                                        double /*seconds*/) {
+    const bool is_point = parameter == 2 || parameter == 3;
+    return is_point && number_at(values, 1) > 0 ? "focus says how far it is" : "";
+}
+
 /// As many as the shader has room for, of which it takes those of its rings.
 std::vector<std::array<float, 4>> disc_points(int rings) {
     std::vector<std::array<float, 4>> out{{0, 0, 0, 0}};
@@ -202,6 +208,7 @@ const PostEffect depth_of_field{
     .parameters = depth_of_field_parameters,
     .needs_depth = true,
     .idle_because = idle_because,
+    .idle_parameter = idle_in_depth_of_field,
     .add = add_depth_of_field};
 
 } // namespace preview::effect

@@ -74,11 +74,20 @@ struct PostEffect {
     /// Why it would change nothing in a picture of so many rows; empty: it does. Null: never.
     std::string_view (*idle_because)(const lutlib::Values& values, const EffectDepth& depth,
                                      std::uint32_t rows) = nullptr;
+    /// Why a parameter changes nothing at this moment beside the other values; empty: it does.
+    /// Null: each always does.
+    std::string_view (*idle_parameter)(const lutlib::Values& values, std::size_t parameter,
+                                       double seconds) = nullptr;
     /// Declares its passes. Returns a picture of the same size and format; values are in range.
     ImageHandle (*add)(Graph& graph, const EffectInput& in, const lutlib::Values& values) = nullptr;
 };
 
-/// For the function `add` of a row.
+/// Of a parameter that says how fast something changes.
+inline std::string_view idle_rate(double seconds) {
+    return seconds == 0 ? "at --time 0 nothing has moved yet" : "";
+}
+
+/// For the functions of a row.
 inline float number_at(const lutlib::Values& values, std::size_t parameter) {
     return static_cast<float>(std::get<double>(values[parameter]));
 }

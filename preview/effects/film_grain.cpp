@@ -47,6 +47,11 @@ ImageHandle add_film_grain(Graph& graph, const EffectInput& in, const lutlib::Va
     return out;
 }
 
+std::string_view idle_in_film_grain(const lutlib::Values& /*values*/, std::size_t parameter,
+                                    double seconds) {
+    return parameter == 2 ? idle_rate(seconds) : "";
+}
+
 } // namespace
 
 const PostEffect film_grain{
@@ -57,6 +62,7 @@ const PostEffect film_grain{
                  "points of a grid",
     .stage = Stage::after_look,
     .parameters = film_grain_parameters,
+    .idle_parameter = idle_in_film_grain,
     .add = add_film_grain};
 
 } // namespace preview::effect

@@ -64,6 +64,14 @@ ImageHandle add_glitch(Graph& graph, const EffectInput& in, const lutlib::Values
     return out;
 }
 
+std::string_view idle_in_glitch(const lutlib::Values& values, std::size_t parameter,
+                                double seconds) {
+    if (parameter >= 4 && number_at(values, 2) == 0 && number_at(values, 3) == 0) {
+        return "nothing is torn, and there is no static";
+    }
+    return parameter == 5 ? idle_rate(seconds) : "";
+}
+
 } // namespace
 
 const PostEffect glitch{
@@ -74,6 +82,7 @@ const PostEffect glitch{
                  "torn",
     .stage = Stage::after_look,
     .parameters = glitch_parameters,
+    .idle_parameter = idle_in_glitch,
     .add = add_glitch};
 
 } // namespace preview::effect

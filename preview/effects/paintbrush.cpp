@@ -87,6 +87,14 @@ ImageHandle add_paintbrush(Graph& graph, const EffectInput& in, const lutlib::Va
     return out;
 }
 
+std::string_view idle_in_paintbrush(const lutlib::Values& values, std::size_t parameter,
+                                    double seconds) {
+    if (parameter >= 4 && number_at(values, 3) == 0) {
+        return "strokes do not follow the flow (coherence=0)";
+    }
+    return parameter == 5 ? idle_rate(seconds) : "";
+}
+
 } // namespace
 
 const PostEffect paintbrush{
@@ -97,6 +105,7 @@ const PostEffect paintbrush{
                  "strokes sum w color / sum w",
     .stage = Stage::after_look,
     .parameters = paintbrush_parameters,
+    .idle_parameter = idle_in_paintbrush,
     .add = add_paintbrush};
 
 } // namespace preview::effect

@@ -43,6 +43,11 @@ ImageHandle add_vaporwave(Graph& graph, const EffectInput& in, const lutlib::Val
     return out;
 }
 
+std::string_view idle_in_vaporwave(const lutlib::Values& /*values*/, std::size_t parameter,
+                                   double seconds) {
+    return parameter == 2 ? idle_rate(seconds) : "";
+}
+
 } // namespace
 
 const PostEffect vaporwave{
@@ -53,6 +58,7 @@ const PostEffect vaporwave{
     .stage = Stage::after_look,
     .parameters = vaporwave_parameters,
     .needs_depth = true,
+    .idle_parameter = idle_in_vaporwave,
     .add = add_vaporwave};
 
 } // namespace preview::effect

@@ -44,10 +44,19 @@ void tell_written(const Options& options, const std::string& path) {
 void tell_left_out(const Options& options, const std::vector<Withheld>& withheld,
                    std::set<std::string>& told) {
     for (const std::string& line : left_out(asked_parts(options), withheld)) {
-        if (told.insert(line).second && !options.explain) {
+        if (told.insert(unused_option(line)).second && !options.explain) {
             tell(line);
         }
     }
+}
+
+/// The options of which the rendering has told already that they change nothing.
+std::set<std::string> told_by(const Rendering& rendering) {
+    std::set<std::string> out;
+    for (const std::string& line : rendering.unused) {
+        out.insert(unused_option(line));
+    }
+    return out;
 }
 
 /// Takes the exposure that --meter asks for.
@@ -121,7 +130,7 @@ void render_moment(const Options& options, const Rendering& rendering, Executor&
 void render_sequence(const Options& options, const Rendering& rendering, Executor& executor,
                      const FrameRange& range) {
     int written = 0;
-    std::set<std::string> told;
+    std::set<std::string> told = told_by(rendering);
     for (int frame = range.first; frame <= range.last; ++frame) {
         const std::string path = frame_path(options.output, frame);
         if (!options.resume || !is_frame_there(path)) {
@@ -219,7 +228,7 @@ void render(const Options& options) {
         return;
     }
     Report report;
-    std::set<std::string> told;
+    std::set<std::string> told = told_by(rendering);
     if (!options.output.empty() || options.explain || rendering.settings.probe) {
         render_once(options, rendering, executor, report, told);
     }

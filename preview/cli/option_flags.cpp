@@ -4,7 +4,6 @@
 #include "lutlib/named.h"
 #include "preview/cli/option_rows.h"
 #include "preview/cli/options_unused.h"
-#include "preview/effects/effect.h"
 #include "preview/look/cube_settings.h"
 
 #include <CLI/CLI.hpp>
@@ -116,30 +115,19 @@ void declare_cube(CLI::App& app, Options& options) {
     }
 }
 
-void declare_effects(CLI::App& app, Options& options) {
-    app.add_option_function<std::vector<std::string>>(
-           "--effect",
-           [&options](const std::vector<std::string>& texts) {
-               for (const std::string& text : texts) {
-                   put_use(options.effects, parse_use(text));
-               }
-           },
-           "Lays an effect over the picture, as vignette or vignette:strength=0.5,angle=90; --list "
-           "has them. May be repeated")
-        ->allow_extra_args(false)
-        ->type_name("NAME[:PARAMETER=VALUE,...]");
-    app.add_option("--without", options.without,
-                   "Parts of the frame and effects to switch off, with commas between them, from "
-                   "--list")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->type_name("PARTS");
-    app.add_option(
-           "--light", options.lights,
-           "Changes a light, as sun.intensity=2 or 1.color=1,0.5,0; --list has the controls. "
-           "May be repeated")
-        ->allow_extra_args(false)
-        ->type_name("LIGHT.CONTROL=VALUE");
+void declare(CLI::App& app, const ListRow& row, Options& options) {
+    CLI::Option* const option = app.add_option_function<std::vector<std::string>>(
+        row.flag,
+        [&row, &options](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+                row.take(options, text);
+            }
+        },
+        row.help);
+    option->allow_extra_args(false)->type_name(row.type);
+    if (row.between != '\0') {
+        option->delimiter(row.between);
+    }
 }
 /// The first word may name a study; its subject follows.
 void take_study(Options& options) {
@@ -175,7 +163,9 @@ void declare(CLI::App& app, Options& options) {
     for (const OptionRow& row : picture_option_rows()) {
         declare(app, row, options);
     }
-    declare_effects(app, options);
+    for (const ListRow& row : option_lists()) {
+        declare(app, row, options);
+    }
     for (const ChoiceRow<Options>& row : option_choices()) {
         declare(app, row, options);
     }

@@ -1,7 +1,7 @@
 // Options of a command line that change nothing in what it asks for, and what of it a file lacks.
 #pragma once
 
-#include "preview/cli/options.h"
+#include "preview/cli/option_needs.h"
 
 #include <string>
 #include <vector>
@@ -11,22 +11,13 @@ namespace preview {
 /// A sentence for each that was given, as far as the command line alone tells.
 std::vector<std::string> unused_options(const Options& options);
 
-/// What is known once the input has been read.
-struct KnownInput {
-    const Scene* scene = nullptr; ///< null: a picture is shown
-    bool has_codes = false;       ///< its numbers are for a display already
-};
-
 /// A sentence for each that was given and changes nothing of this input, without a window.
 /// `settings` are those that settings_of() makes of `options`.
 std::vector<std::string> unused_options(const Options& options, const KnownInput& input,
                                         const FrameSettings& settings);
 
-/// Whether the output is of a type that holds light and never codes: OpenEXR, Radiance.
-bool output_holds_light(const Options& options);
-
-/// Whether the output is the counts of the scope that is shown, as CSV.
-bool writes_counts(const Options& options);
+/// Which option such a sentence is about, as "--split".
+std::string unused_option(const std::string& line);
 
 /// What a person has asked for and a file of the light before the tone map has not, in a sentence
 /// with the remedy; empty: nothing.

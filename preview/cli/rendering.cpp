@@ -79,9 +79,9 @@ Rendering::Rendering(const Options& options)
         settings.orbit = orbit_of(options, *shown->scene, &editor::cameras_kept_of);
         surroundings = surroundings_of(options, *shown->scene);
     }
-    for (const std::string& line : unused_options(
-             options, {shown->scene ? &*shown->scene : nullptr, shown->display_encoded()},
-             settings)) {
+    unused = unused_options(
+        options, {shown->scene ? &*shown->scene : nullptr, shown->display_encoded()}, settings);
+    for (const std::string& line : unused) {
         tell(line);
     }
     settings.raster = options.raster->on(device, picture_size(settings.output, *settings.compare));

@@ -31,6 +31,7 @@ struct Rendering {
     Surroundings surroundings;
     FileFormat file;
     std::string notes; ///< lines of --explain: what the files have and the frame has not
+    std::vector<std::string> unused;    ///< what was told of options that change nothing
     std::array<std::string, 2> no_look; ///< why a side has none
     std::array<std::string, 2> names;   ///< of the sides
     std::optional<GpuLook> look_a, look_b;

@@ -4,12 +4,38 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace preview {
+
+/// One thing that a setting may need; setting_needs.h has their names.
+enum class Need : std::uint8_t;
+
+/// What a setting needs of a run so as to change something in it. Without a default: each row says
+/// it, or that there is no such thing.
+class Needs {
+  public:
+    constexpr Needs(Need need) : bits_(bit(need)) {}
+    /// Of what changes something in every run.
+    static constexpr Needs nothing() { return Needs(std::uint64_t{0}); }
+    constexpr bool has(Need need) const { return (bits_ & bit(need)) != 0; }
+    constexpr Needs operator|(Needs other) const { return Needs(bits_ | other.bits_); }
+    friend constexpr bool operator==(Needs, Needs) = default;
+
+  private:
+    explicit constexpr Needs(std::uint64_t bits) : bits_(bits) {}
+    static constexpr std::uint64_t bit(Need need) {
+        return std::uint64_t{1} << static_cast<unsigned>(need);
+    }
+    std::uint64_t bits_;
+};
+constexpr Needs operator|(Need a, Needs b) {
+    return Needs(a) | b;
+}
 
 /// A number of the struct S.
 template <class S>
@@ -18,6 +44,7 @@ struct NumberRow {
     std::string_view label;
     std::string_view unit = {};
     std::string_view help;
+    Needs needs;
     double min = 0, max = 1;
     /// The range that a slider shows; equal: the whole.
     double slider_min = 0, slider_max = 0;
@@ -43,6 +70,7 @@ struct SwitchRow {
     std::string_view flag; ///< on the command line, without dashes
     std::string_view label;
     std::string_view help;
+    Needs needs;
     bool& (*of)(S& settings) = nullptr;
 };
 
@@ -60,6 +88,7 @@ struct ChoiceRow {
     std::string_view kind;  ///< "tone map": what refusals call it
     std::string_view title; ///< "Tone maps": what --list calls the options
     std::string_view help;
+    Needs needs;
     std::vector<Option> (*options)() = nullptr;
     /// The number of the option that is chosen; null where nobody asks.
     std::size_t (*chosen)(const S& settings) = nullptr;
@@ -113,12 +142,13 @@ std::vector<Option> options_of(const Rows& rows) {
 template <class S, auto member, auto rows>
 constexpr ChoiceRow<S> choice_of(std::string_view flag, std::string_view label,
                                  std::string_view kind, std::string_view title,
-                                 std::string_view help) {
+                                 std::string_view help, Needs needs) {
     return {.flag = flag,
             .label = label,
             .kind = kind,
             .title = title,
             .help = help,
+            .needs = needs,
             .options = [] { return options_of(rows()); },
             .chosen =
                 [](const S& settings) {

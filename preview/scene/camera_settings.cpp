@@ -1,5 +1,7 @@
 #include "preview/scene/camera_settings.h"
 
+#include "preview/finish/setting_needs.h"
+
 namespace preview {
 
 namespace {
@@ -9,6 +11,7 @@ constexpr NumberRow<Orbit> numbers[] = {
      .label = "Azimuth",
      .unit = "degrees",
      .help = "Turns the camera to the right, degrees",
+     .needs = Need::frame | Need::scene,
      .min = -180,
      .max = 180,
      .of = [](Orbit& o) -> float& { return o.azimuth; }},
@@ -16,6 +19,7 @@ constexpr NumberRow<Orbit> numbers[] = {
      .label = "Elevation",
      .unit = "degrees",
      .help = "Raises the camera, degrees",
+     .needs = Need::frame | Need::scene,
      .min = -89,
      .max = 89,
      .of = [](Orbit& o) -> float& { return o.elevation; }},
@@ -23,6 +27,7 @@ constexpr NumberRow<Orbit> numbers[] = {
      .label = "Distance",
      .unit = "m",
      .help = "Moves the camera away, metres",
+     .needs = Need::frame | Need::scene,
      .min = 0.2,
      .max = 1000,
      .slider_min = 0.2,
@@ -33,6 +38,7 @@ constexpr NumberRow<Orbit> numbers[] = {
      .label = "Field of view",
      .unit = "degrees",
      .help = "Widens the field of view, degrees",
+     .needs = Need::frame | Need::scene,
      .min = 1,
      .max = 170,
      .slider_min = 10,
@@ -42,6 +48,7 @@ constexpr NumberRow<Orbit> numbers[] = {
      .label = "Roll",
      .unit = "degrees",
      .help = "Turns the camera about its axis, degrees",
+     .needs = Need::frame | Need::scene,
      .min = -180,
      .max = 180,
      .of = [](Orbit& o) -> float& { return o.roll; }},
@@ -49,6 +56,7 @@ constexpr NumberRow<Orbit> numbers[] = {
      .label = "Pan to the right",
      .unit = "m",
      .help = "Moves the camera and what it looks at to the right, metres",
+     .needs = Need::frame | Need::scene,
      .min = -1000,
      .max = 1000,
      .slider_min = -5,
@@ -58,6 +66,7 @@ constexpr NumberRow<Orbit> numbers[] = {
      .label = "Pan upwards",
      .unit = "m",
      .help = "Moves the camera and what it looks at upwards, metres",
+     .needs = Need::frame | Need::scene,
      .min = -1000,
      .max = 1000,
      .slider_min = -5,

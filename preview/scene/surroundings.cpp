@@ -1,5 +1,7 @@
 #include "preview/scene/surroundings.h"
 
+#include "preview/finish/setting_needs.h"
+
 #include <cmath>
 
 namespace preview {
@@ -12,6 +14,7 @@ constexpr NumberRow<Surroundings> numbers[] = {
      .label = "Sun's height",
      .unit = "degrees",
      .help = "Puts the sun so high above the horizon, degrees; twilight below 0",
+     .needs = Need::frame | Need::scene | Need::surroundings_kind,
      .min = -20,
      .max = 90,
      .of = [](Surroundings& s) -> float& { return s.sky.sun_height; }},
@@ -19,12 +22,14 @@ constexpr NumberRow<Surroundings> numbers[] = {
      .label = "Sun's azimuth",
      .unit = "degrees",
      .help = "Turns the sun to the right, degrees",
+     .needs = Need::frame | Need::scene | Need::surroundings_kind,
      .min = -180,
      .max = 180,
      .of = [](Surroundings& s) -> float& { return s.sky.sun_azimuth; }},
     {.flag = "turbidity",
      .label = "Turbidity",
      .help = "Fills the air with haze: 2 is clear, 10 hazy; held within 2 to 10",
+     .needs = Need::frame | Need::scene | Need::surroundings_kind,
      .min = 1,
      .max = 30,
      .slider_min = 2,
@@ -34,6 +39,7 @@ constexpr NumberRow<Surroundings> numbers[] = {
      .label = "Surroundings' exposure",
      .unit = "stops",
      .help = "Brightens the sky with its sun, or the picture of the surroundings, stops",
+     .needs = Need::frame | Need::scene | Need::surroundings_kind,
      .min = -20,
      .max = 20,
      .slider_min = -5,
@@ -43,6 +49,7 @@ constexpr NumberRow<Surroundings> numbers[] = {
      .label = "Surroundings' rotation",
      .unit = "degrees",
      .help = "Turns the picture of the surroundings to the right, degrees",
+     .needs = Need::frame | Need::scene | Need::surroundings_kind,
      .min = -180,
      .max = 180,
      .of = [](Surroundings& s) -> float& { return s.rotation; }},
@@ -50,18 +57,21 @@ constexpr NumberRow<Surroundings> numbers[] = {
      .label = "Noise's hue",
      .unit = "degrees",
      .help = "Chooses the hue of the noise at time 0, degrees; it turns once in 30 seconds",
+     .needs = Need::frame | Need::scene | Need::surroundings_kind,
      .min = 0,
      .max = 360,
      .of = [](Surroundings& s) -> float& { return s.noise_hue; }},
     {.flag = "noise-value",
      .label = "Noise's value",
      .help = "Brightens the noise; of HSV",
+     .needs = Need::frame | Need::scene | Need::surroundings_kind,
      .min = 0,
      .max = 1,
      .of = [](Surroundings& s) -> float& { return s.noise_value; }},
     {.flag = "noise-scale",
      .label = "Noise's scale",
      .help = "Makes the noise finer",
+     .needs = Need::frame | Need::scene | Need::surroundings_kind,
      .min = 0.1,
      .max = 50,
      .slider_min = 0.5,

@@ -13,7 +13,7 @@ Names joined(Names a, const Names& b) {
 
 const Names plain_gpu{"preview/gpu/size.*", "preview/gpu/types.*"};
 /// Descriptors without any setting: plain, too.
-constexpr std::string_view setting_rows = "preview/finish/setting_rows.*";
+constexpr std::string_view setting_rows = "preview/finish/setting_*";
 const Names no_screen{"vulkan/", "GLFW/", "imgui"};
 const Names no_vulkan{"vulkan/", "GLFW/"};
 const Names no_big_library{"OpenColorIO/", "OpenImageIO/", "vulkan/", "GLFW/", "glm/", "imgui"};
@@ -109,7 +109,7 @@ const std::vector<Part>& parts() {
         {"preview/graph/execute.*",
          joined({"lutlib", "preview/gpu", "preview/graph", "preview/graph/realise.*"}, plain_gpu)},
         {"preview/graph/realise.*", joined({"lutlib", "preview/gpu", "preview/graph"}, plain_gpu)},
-        {"preview/finish/setting_rows.*", {}, no_screen},
+        {"preview/finish/setting_*", {}, no_screen},
         {"preview/finish", joined({"lutlib/*", setting_rows}, plain_gpu), no_screen},
         {"preview/effects", joined({"lutlib/*", "preview/finish", "preview/graph"}, plain_gpu),
          no_screen},

@@ -26,7 +26,7 @@ lutlib::LookEncodings filled(lutlib::LookEncodings said) {
 SheetLook placed(const io::Look& look, const SheetPlace& place) {
     lutlib::LookPlace whole{filled(look.encodings()), place.picture, lutlib::srgb(), place.converts,
                             &place.adaptation};
-    SheetLook out{look.path(), {}, look.encodings(), whole.applied()};
+    SheetLook out{look.path(), {}, look.encodings(), whole.applied(), whole.needed().converts()};
     if (!place.engine) {
         out.shown = out.placement.around(look.exact());
         return out;
@@ -35,6 +35,7 @@ SheetLook placed(const io::Look& look, const SheetPlace& place) {
     lutlib::LookPlace in_engine = io::place_in(engine, out.said, place.converts);
     in_engine.adaptation = &place.adaptation;
     out.placement = in_engine.applied();
+    out.would_convert = in_engine.needed().converts();
     const lutlib::Bake baked =
         bake(out.placement.around(look.exact()), engine, engine.default_size, engine.default_bits);
     // An engine gets its own codes, whatever is converted for the look in its strip.

@@ -32,6 +32,7 @@ struct SheetLook {
     lutlib::Transform shown;     ///< from the picture's codes to sRGB
     lutlib::LookEncodings said;  ///< what the look is made for, as far as that is known
     lutlib::Placement placement; ///< what is converted around the look
+    bool would_convert = false;  ///< unless it is asked not to
 };
 
 /// The picture's codes as sRGB.

@@ -47,6 +47,14 @@ Part adaptation_part(const lutlib::Encoding& from, const lutlib::Encoding& to) {
     return adaptation(changes_white(from, to));
 }
 
+Part no_convert_part(bool would_convert) {
+    return {"--no-convert", would_convert, "nothing would be converted"};
+}
+
+Part no_convert_part(const lutlib::LookPlace& place) {
+    return no_convert_part(place.needed().converts());
+}
+
 Part shaper_part(const lutlib::Lut& result) {
     return {"--shaper", result.cube.has_value(),
             "the result is a curve, which has no table before it"};

@@ -28,6 +28,10 @@ bool has_lattice(const lutlib::io::Look& look);
 Part adaptation_part(const lutlib::Placement& placement);
 Part adaptation_part(const lutlib::Encoding& from, const lutlib::Encoding& to);
 
+/// --no-convert, where a look is made for other codes than it gets or than its results are read as.
+Part no_convert_part(bool would_convert);
+Part no_convert_part(const lutlib::LookPlace& place);
+
 /// --shaper, of a result that is a cube.
 Part shaper_part(const lutlib::Lut& result);
 

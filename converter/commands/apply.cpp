@@ -95,14 +95,17 @@ void tell_unused(const Verb& verb, const io::Look& look,
     const std::string unknown = "what the look takes and gives is not known: say it with "
                                 "--look-input and --look-output";
     Part adaptation{"--adaptation", pictures.empty(), ""};
+    bool would_convert = pictures.empty();
     for (const auto& graded : pictures) {
         has_alpha = has_alpha || !graded || graded->has_alpha;
+        would_convert = would_convert || !graded || graded->place.needed().converts();
         if (graded && !adaptation.has_part) {
             adaptation = adaptation_part(graded->place.applied());
         }
     }
     tell_unused(verb, {interpolation_part(has_lattice(look)),
                        adaptation,
+                       no_convert_part(would_convert),
                        {"--alpha", has_alpha, "no picture has alpha"},
                        {"--picture-encoding", encodings.input.has_value(), unknown},
                        {"--output-encoding", encodings.output.has_value(), unknown}});

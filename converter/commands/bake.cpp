@@ -125,6 +125,7 @@ BakeResult make_result(const BakeOptions& o, const Verb& verb) {
     const lutlib::Transform exact = o.config.before(placement.around(look.exact()));
     tell_unused(verb, {interpolation_part(has_lattice(look)),
                        adaptation_part(placement),
+                       no_convert_part(out.place),
                        {"--reference-white", is_measured(o), "nothing is measured"}});
     out.title = look.title();
     out.interpolation = look.interpolation();

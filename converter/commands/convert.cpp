@@ -266,8 +266,19 @@ void print_conversion(const ConvertOptions& o, const Converted& made,
     print(json, o.output);
 }
 
+void tell_unused_beside_tags(const Verb& verb) {
+    const std::string why_not = "--strip-tags keeps every texel";
+    tell_unused(verb, {{"--bits", false, why_not},
+                       {"--look-input", false, why_not},
+                       {"--look-output", false, why_not},
+                       {"--adaptation", false, why_not},
+                       {"--no-convert", false, why_not},
+                       {"--strict", false, why_not}});
+}
+
 int convert_one(const ConvertOptions& o, const Verb& verb) {
     if (o.strip_tags) {
+        tell_unused_beside_tags(verb);
         return strip_tags(o);
     }
     const io::Look look =
@@ -277,7 +288,8 @@ int convert_one(const ConvertOptions& o, const Verb& verb) {
                        {"--size", made.file.lut.cube.has_value(), "the file holds a curve"},
                        {"--title", made.format->holds.title, "this format holds no title"},
                        {"--row", look.kind().layout != nullptr, "the look is no picture"},
-                       adaptation_part(made.place.applied())});
+                       adaptation_part(made.place.applied()),
+                       no_convert_part(made.place)});
     if (o.strict) {
         refuse(made.file.losses, o.output);
     }

@@ -184,6 +184,18 @@ std::string cdl_of(const EditOptions& o, const lutlib::Recipe& recipe,
     return io::correction_bytes(o.save_cdl, correction, io::Unreadable::is_replaced);
 }
 
+// A recipe keeps how it is baked; a CDL does not.
+void tell_unused_without_lut(const EditOptions& o, const Verb& verb) {
+    const bool is_kept = !o.save_recipe.empty();
+    const std::string why_not = "neither a LUT nor a recipe is written";
+    tell_unused(verb, {{"--json", false, "its figures are those of a LUT: name one with -o"},
+                       {"--size", is_kept, why_not},
+                       {"--domain", is_kept, why_not},
+                       {"--shaper", is_kept, why_not},
+                       {"--shaper-size", is_kept, why_not},
+                       {"--adaptation", is_kept, why_not}});
+}
+
 int run_edit(const EditOptions& o, const Verb& verb) {
     o.config.check();
     if (o.output.empty() && o.save_recipe.empty() && o.save_cdl.empty()) {
@@ -221,6 +233,7 @@ int run_edit(const EditOptions& o, const Verb& verb) {
         tell_losses(output_text(o.save_cdl), saved);
     }
     if (o.output.empty()) {
+        tell_unused_without_lut(o, verb);
         io::write_files(others);
     } else {
         const lutlib::Transform exact = exact_of(o, recipe);

@@ -4,6 +4,7 @@
 #include "converter/options.h"
 #include "converter/paint_picture.h"
 #include "converter/report.h"
+#include "converter/unused.h"
 #include "converter/usage.h"
 #include "lutlib/bake/bake.h"
 #include "lutlib/error.h"
@@ -233,10 +234,11 @@ Run declare_identity(Verb& verb) {
             fmt::format(" {} ({}){}", place.name, place.help, &place == &places.back() ? "" : ",");
     }
     verb.add_option("--place", o->place, help).capture_default_str();
-    return [o] {
+    return [o, &verb] {
         if (!o->into.empty()) {
             return run_into(*o);
         }
+        tell_unused(verb, {{"--place", false, "it says where --into places the strip"}});
         io::write_file(o->output, bytes_of(*o));
         return static_cast<int>(ok);
     };

@@ -244,12 +244,14 @@ int run_sheet(const SheetOptions& o, const Verb& verb) {
     require_replaceable(o.output, inputs);
     const Sheet sheet = make_sheet(o, sources);
     Part adaptation{"--adaptation", false, ""};
+    bool would_convert = false;
     for (const SheetLook& look : sheet.looks) {
         if (!adaptation.has_part) {
             adaptation = adaptation_part(look.placement);
         }
+        would_convert = would_convert || look.would_convert;
     }
-    tell_unused(verb, {adaptation});
+    tell_unused(verb, {adaptation, no_convert_part(would_convert)});
     write_raster(o.output, sheet.whole, io::input_name(o.picture));
     o.json ? print_sheet_json(o, sheet) : print_sheet_text(o, sheet);
     return ok;

@@ -50,7 +50,8 @@ int verify_one(const VerifyOptions& o, const Verb& verb) {
                                 .config = &o.config,
                                 .samples = static_cast<std::size_t>(o.samples),
                                 .reference_white = o.reference_white});
-    tell_unused(verb, {interpolation_part(v.lattice), adaptation_part(v.place.applied())});
+    tell_unused(verb, {interpolation_part(v.lattice), adaptation_part(v.place.applied()),
+                       no_convert_part(v.place)});
     o.json ? print(to_json(s, v), "") : print(to_text(s, v), "");
     return v.passed ? ok : verification_failed;
 }

@@ -117,7 +117,8 @@ TEST(UnusedOptions, are_said_on_standard_error) {
     const Folder folder;
     const std::string cube = folder.write("a.cube", saturated_cube(3)),
                       curve = folder.write("c.cube", "LUT_1D_SIZE 2\n0 0 0\n.5 .5 .5\n"),
-                      out = folder.path("o.cube"), picture = folder.path("o.png");
+                      out = folder.path("o.cube"), picture = folder.path("o.png"),
+                      stripped = folder.path("t.png");
     ASSERT_EQ(lutconv({"bake", cube, "-o", picture}).exit_code, 0);
     const std::vector<Row> lines{
         {{"convert", cube, "-o", out, "--bits", "8"}, "--bits"},
@@ -133,6 +134,26 @@ TEST(UnusedOptions, are_said_on_standard_error) {
         {{"eval", curve, "--interpolation", "nearest", "0", "0", "0"}, "--interpolation"},
         {{"apply", cube, picture, "-o", folder.path("a.png"), "--alpha", "straight"}, "--alpha"},
         {{"check", cube, "--tolerance", "1"}, "--tolerance"},
+        {{"convert", picture, "-o", stripped, "--strip-tags", "--bits", "8"}, "--bits"},
+        {{"convert", picture, "-o", stripped, "--strip-tags", "--look-input", "pq"},
+         "--look-input"},
+        {{"convert", picture, "-o", stripped, "--strip-tags", "--look-output", "pq"},
+         "--look-output"},
+        {{"convert", picture, "-o", stripped, "--strip-tags", "--adaptation", "cat02"},
+         "--adaptation"},
+        {{"convert", picture, "-o", stripped, "--strip-tags", "--no-convert"}, "--no-convert"},
+        {{"convert", picture, "-o", stripped, "--strip-tags", "--strict"}, "--strict"},
+        {{"convert", cube, "-o", out, "--no-convert"}, "--no-convert"},
+        {{"bake", cube, "-o", picture, "--no-convert"}, "--no-convert"},
+        {{"verify", picture, "--against", cube, "--no-convert"}, "--no-convert"},
+        {{"apply", cube, picture, "-o", folder.path("b.png"), "--no-convert"}, "--no-convert"},
+        {{"identity", "-o", out, "--place", "right"}, "--place"},
+        {{"edit", cube, "--exposure", "1", "--save-recipe", folder.path("r.json"), "--json"},
+         "--json"},
+        {{"edit", "identity", "--cdl-offset", "0", "--cdl-clamp", "on", "--save-cdl",
+          folder.path("o.ccc"), "--size", "9"},
+         "--size"},
+        {{"sheet", picture, cube, "-o", folder.path("s.png"), "--no-convert"}, "--no-convert"},
     };
     for (const Row& line : lines) {
         const Result result = lutconv_in_process(line.arguments);

@@ -1,6 +1,7 @@
 // lutconv edit: operators on top of a LUT or of nothing, baked to a LUT and kept as a recipe.
 #include "converter/command.h"
 #include "converter/config_options.h"
+#include "converter/idle_operators.h"
 #include "converter/look_files.h"
 #include "converter/recipe_options.h"
 #include "converter/report.h"
@@ -107,6 +108,7 @@ lutlib::Recipe assemble(const EditOptions& o, std::string& base,
     if (!o.title.empty()) {
         recipe.title = o.title;
     }
+    const std::size_t first = recipe.operations.size();
     for (lutlib::Operation& operation : o.operators.operations(losses)) {
         recipe.operations.push_back(std::move(operation));
     }
@@ -115,6 +117,7 @@ lutlib::Recipe assemble(const EditOptions& o, std::string& base,
     }
     o.sampling.apply_to(recipe.bake);
     suit_light(recipe);
+    tell_idle_operators(recipe, first);
     return recipe;
 }
 

@@ -1,8 +1,10 @@
 #include "preview/cli/options_unused.h"
 
+#include "lutlib/named.h"
 #include "preview/cli/light_edit.h"
 #include "preview/cli/sequence.h"
 #include "preview/effects/effect.h"
+#include "preview/frame/usual_finish.h"
 #include "preview/look/cube_settings.h"
 
 #include <fmt/format.h>
@@ -61,6 +63,66 @@ void add_effects(std::vector<std::string>& lines, const Options& options) {
                 lines.push_back(
                     unused_text(fmt::format("{}:{}", option, use.effect->parameters[i].name), why));
             }
+        }
+    }
+}
+
+/// What a part of the frame needs of a run so as to be there without --without.
+struct PartNeeds {
+    Effect part;
+    Needs needs;
+};
+constexpr PartNeeds part_needs[] = {
+    {Effect::lights, Need::scene},
+    {Effect::shadows, Need::scene | Need::lights | Need::casting_light},
+    {Effect::environment, Need::scene},
+    {Effect::occlusion, Need::scene},
+    {Effect::specular_aa, Need::scene},
+    {Effect::floor, Need::scene},
+    {Effect::bloom, Need::light | Need::bloom},
+    {Effect::tonemap, Need::light},
+    {Effect::looks, Need::look},
+    {Effect::names, Needs::nothing()},
+};
+static_assert(std::size(part_needs) == effects.size());
+
+/// Why this part would not be there anyhow; empty: it would.
+std::string why_no_part(const EffectInfo& info, const OptionInRun& in) {
+    const PartNeeds& row = part_needs[static_cast<std::size_t>(info.effect)];
+    if (const NeedRow* const missing = first_missing(row.needs, in)) {
+        return why_not_met(*missing, in);
+    }
+    if (info.effect == Effect::floor && !in.input->scene->floor) {
+        return "no floor was put under the scene";
+    }
+    const Compare& compare = *in.settings->compare;
+    return info.effect == Effect::names && !compare.shows_one && &compare != &compare_side
+               ? "the two sides are not seen"
+               : "";
+}
+
+/// Whether an effect would be in use but for --without.
+bool is_wanted(const PostEffect& effect, const Options& options, const KnownInput& input) {
+    const bool is_usual =
+        effect.usual_for_scenes &&
+        options.fxaa.value_or(input.scene != nullptr && usual_finish(options.input).is_antialiased);
+    const bool is_focused = effect.name == "depth-of-field" && !options.focus_at.empty();
+    return is_usual || is_focused || use_of(options.effects, effect) != nullptr;
+}
+
+/// Parts and effects that would not be there anyhow.
+void add_without(std::vector<std::string>& lines, const Options& options, const KnownInput& input,
+                 const FrameSettings& settings) {
+    for (const std::string& name : options.without) {
+        const std::string option = fmt::format("--without {}", name);
+        const EffectInfo* const part = lutlib::find_named(effects, name);
+        const PostEffect* const effect = post_effect_named(name);
+        const std::string why =
+            part != nullptr ? why_no_part(*part, {options, option, &input, &settings})
+            : effect != nullptr && !is_wanted(*effect, options, input) ? "it is not in use"
+                                                                       : "";
+        if (!why.empty()) {
+            lines.push_back(unused_text(option, why));
         }
     }
 }
@@ -161,11 +223,7 @@ std::vector<std::string> unused_options(const Options& options, const KnownInput
             out.push_back(unused_text(option.name, why_not_met(*missing, in)));
         }
     }
-    if (settings.without.has(Effect::floor) && (input.scene == nullptr || !input.scene->floor)) {
-        out.push_back(unused_text("--without floor", input.scene == nullptr
-                                                         ? "a picture is shown"
-                                                         : "no floor was put under the scene"));
-    }
+    add_without(out, options, input, settings);
     if (input.scene != nullptr && !settings.without.has(Effect::lights)) {
         add_lights(out, options, *input.scene, !settings.without.has(Effect::shadows));
     }

@@ -193,6 +193,34 @@ TEST(OptionNeeds, that_only_a_frame_knows_are_parts_of_it) {
     EXPECT_EQ(asked("--tonemap agx --without tonemap"), Parts{});
 }
 
+TEST(OptionNeeds, of_parts_that_are_switched_off_are_told_too) {
+    const auto said = [](const std::string& arguments, Of of) {
+        const InputOf& known = input_of(of);
+        const Options options = parsed("-o x.png " + arguments);
+        return unused_options(options, known.input, settings_of(options, {}));
+    };
+    using Lines = std::vector<std::string>;
+    for (const EffectInfo& part : effects) {
+        const std::string option = "--without " + std::string(part.name);
+        const bool is_there = part.effect != Effect::looks && part.effect != Effect::floor &&
+                              part.effect != Effect::names;
+        EXPECT_EQ(said(option, Of::scene).size(), is_there ? 0U : 1U) << option;
+    }
+    EXPECT_EQ(said("--without looks,names --b x.cube", Of::scene), Lines{});
+    EXPECT_EQ(said("--without environment,tonemap", Of::codes),
+              (Lines{"--without environment changes nothing here: a picture is shown",
+                     "--without tonemap changes nothing here: the picture is display-encoded "
+                     "already"}));
+    EXPECT_EQ(said("--without shadows", Of::shadowless),
+              Lines{"--without shadows changes nothing here: no light casts a shadow"});
+    EXPECT_EQ(said("--without vignette", Of::scene),
+              Lines{"--without vignette changes nothing here: it is not in use"});
+    EXPECT_EQ(said("--without fxaa", Of::scene), Lines{});
+    EXPECT_EQ(said("--without fxaa --fxaa", Of::codes), Lines{});
+    EXPECT_EQ(said("--without fxaa", Of::codes).size(), 1U);
+    EXPECT_EQ(said("--without vignette --effect vignette", Of::scene), Lines{}) << "said before";
+}
+
 TEST(OptionNames, are_the_longest_that_switch_on) {
     EXPECT_EQ(main_name("--engine,--engine-b"), "--engine-b");
     EXPECT_EQ(main_name("-o,--output"), "--output");

@@ -162,7 +162,7 @@ LightBlock light_block(const PointLight& light, const LightShadow& shadow, int f
         block.forward = glm::vec4(frustum.forward, 0);
         block.faces.x = shadow.faces;
     }
-    block.up_thickness.w = light.thickness;
+    block.up_thickness.w = light.is_point() ? 0 : light.thickness;
     block.forward.w = light.ends() ? 1 / (light.reach * light.reach) : 0;
     block.extent_shape = glm::vec4(light.extent, static_cast<float>(light.lit_shape()));
     if (light.is_sun) {

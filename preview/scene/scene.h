@@ -64,7 +64,7 @@ struct PointLight {
     float thickness = 0; ///< radius of the ball, the rod or the ring's tube
     /// A rod or ring that is too small to be told from a point is one.
     Shape lit_shape() const { return glm::dot(extent, extent) > 1e-10F ? shape : Shape::point; }
-    bool is_point() const { return lit_shape() == Shape::point && thickness == 0; }
+    bool is_point() const { return is_sun || (lit_shape() == Shape::point && thickness == 0); }
     bool shadows_all_round() const { return shadow_angle > 170; }
     /// Metres from its middle at which it has faded to nothing, as KHR_lights_punctual's `range`
     /// has it: the light times 1 - (d / reach)^4. 0: it reaches everywhere. Not of a sun.

@@ -134,6 +134,20 @@ TEST(SceneDataTest, a_ring_or_rod_of_no_size_is_a_point_and_keeps_its_direction)
     }
 }
 
+TEST(SceneDataTest, a_sun_shines_from_one_direction_whatever_its_size_is_set_to) {
+    PointLight sun;
+    sun.is_sun = true;
+    sun.aim = {1, -2, 0};
+    const LightBlock before = light_block(sun, {}, 0, 512);
+    sun.thickness = 0.5F;
+    sun.extent = {1, 0, 0};
+    sun.shape = PointLight::Shape::rod;
+    EXPECT_EQ(area_shape_of(sun), 0U);
+    const LightBlock block = light_block(sun, {}, 0, 512);
+    EXPECT_EQ(block.up_thickness, before.up_thickness);
+    EXPECT_EQ(block.extent_shape, before.extent_shape);
+}
+
 TEST(SceneDataTest, a_light_that_shadows_all_round_has_six_maps_and_looks_up_those_with_casters) {
     Scene scene = ball_scene({0, 1, 0});
     scene.lights[0].shadow_angle = PointLight::all_round;

@@ -48,7 +48,7 @@ void store(Ui& ui, std::size_t place) {
 void say_if_none(Ui& ui, bool is_there, std::size_t place) {
     if (!is_there) {
         const std::string number = std::to_string(place + 1);
-        ui.errors.push_back("store a version there first: Ctrl+" + number);
+        ui.errors.add("store a version there first: Ctrl+" + number);
     }
 }
 
@@ -67,7 +67,7 @@ void with_chosen(Ui& ui) {
     if (ui.look.chosen && *ui.look.chosen < state.recipe.operations.size()) {
         change(state, *ui.look.chosen);
     } else {
-        ui.errors.emplace_back("click the heading of an operator in the panel Look first");
+        ui.errors.add("click the heading of an operator in the panel Look first");
     }
 }
 

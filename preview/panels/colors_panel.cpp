@@ -65,7 +65,7 @@ void color_rows(Ui& ui, std::size_t at) {
 
 void pick_color(Ui& ui) {
     if (!ui.pointer || !ui.facts.measured.probe) {
-        ui.errors.emplace_back("point at the picture first: the colour under the mouse is kept");
+        ui.errors.add("point at the picture first: the colour under the mouse is kept");
         return;
     }
     pick(ui.picked, {*ui.pointer, *ui.facts.measured.probe});

@@ -240,9 +240,9 @@ void open_look_beside(Ui& ui, int step) {
         } catch (const lutlib::Error&) { // the strip tells why
         }
     }
-    ui.errors.push_back(count == 0 ? nothing_because(strip)
-                                   : "choose another folder: no other look of " +
-                                         strip.listing.folder + " can be read");
+    ui.errors.add(count == 0 ? nothing_because(strip)
+                             : "choose another folder: no other look of " + strip.listing.folder +
+                                   " can be read");
 }
 
 } // namespace preview::panels

@@ -85,8 +85,8 @@ void choices_of_left_behind(Ui& ui) {
 
 void export_to_engine(Ui& ui) {
     if (ui.engine_folder.empty()) {
-        ui.errors.emplace_back("name the engine's folder at the start: lutpreview "
-                               "--watch-engine-folder DIR");
+        ui.errors.add("name the engine's folder at the start: lutpreview "
+                      "--watch-engine-folder DIR");
         return;
     }
     const State& state = ui.history.draft();

@@ -42,10 +42,10 @@ void picker_buttons(Ui& ui, const lutlib::Op& op, std::size_t at, const std::str
                 Operation* const operation = operation_at(state, at, op);
                 if (operation != nullptr && !picker.put(*operation, color_into(state, probe, at),
                                                         context_of(state.recipe))) {
-                    picking.errors.push_back("pick another place: this one has no " +
-                                             std::string(op.space == lutlib::Space::oklab
-                                                             ? "hue"
-                                                             : "light that tells a white"));
+                    picking.errors.add("pick another place: this one has no " +
+                                       std::string(op.space == lutlib::Space::oklab
+                                                       ? "hue"
+                                                       : "light that tells a white"));
                 }
             });
     }

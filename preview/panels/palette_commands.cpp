@@ -109,9 +109,9 @@ void add_choices(Commands& out, const Ui&) {
 void show_on(Ui& ui, std::size_t at, const SideSourceInfo& row) {
     Side& side = ui.history.draft().sides[at];
     if (row.source == SideSource::file && !side.lut) {
-        ui.errors.emplace_back("open a file on that side first, in the panel Files");
+        ui.errors.add("open a file on that side first, in the panel Files");
     } else if (row.source == SideSource::version && !side.version) {
-        ui.errors.emplace_back("put a version on that side first: Shift with its number");
+        ui.errors.add("put a version on that side first: Shift with its number");
     } else if (row.source == SideSource::still && !side.still) {
         ask_for_still(ui, at);
     } else {

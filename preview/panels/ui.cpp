@@ -34,26 +34,6 @@ bool is_held(const Ui& ui, Key key) {
     return ui.down[static_cast<std::size_t>(key)];
 }
 
-void error_window(Ui& ui) {
-    if (ui.errors.empty()) {
-        return;
-    }
-    ImGui::SetNextWindowPos({em(2), em(4)}, ImGuiCond_Appearing);
-    ImGui::SetNextWindowSize({em(37), 0});
-    const bool open = ImGui::Begin("Error", nullptr, ImGuiWindowFlags_NoCollapse);
-    mark_window(ui, "error");
-    if (open) {
-        for (const std::string& error : ui.errors) {
-            ImGui::TextWrapped("%s", error.c_str());
-        }
-        if (ImGui::Button("Close")) {
-            ui.errors.clear();
-        }
-        mark(ui, "error.close");
-    }
-    ImGui::End();
-}
-
 void replace_dialog(Ui& ui) {
     if (!ui.to_replace.empty() && !ImGui::IsPopupOpen("Replace?")) {
         ImGui::OpenPopup("Replace?");
@@ -113,7 +93,7 @@ void attempt(Ui& ui, const std::function<void()>& action) {
         action();
     } catch (const std::exception& error) {
         ui.history.draft() = before;
-        ui.errors.emplace_back(lutlib::io::reason_of(error));
+        ui.errors.add(lutlib::io::reason_of(error));
     }
 }
 

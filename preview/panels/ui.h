@@ -7,6 +7,7 @@
 #include "preview/editor/model.h"
 #include "preview/finish/picked_color.h"
 #include "preview/finish/probe.h"
+#include "preview/panels/errors.h"
 #include "preview/panels/exporting.h"
 #include "preview/panels/file_dialog.h"
 #include "preview/panels/look_strip.h"
@@ -90,7 +91,7 @@ struct Ui {
 
     History history;
     Facts facts;
-    std::vector<std::string> errors;  ///< shown until they are closed
+    Errors errors;                    ///< shown until they are closed
     std::string report;               ///< of the last export
     std::vector<std::string> notices; ///< why what is shown is not what files have now
     /// The recipe's file as it has changed beside unsaved changes; null: there is nothing to

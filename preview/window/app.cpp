@@ -60,7 +60,7 @@ App::App(WindowSetup setup)
     gui_->set_scale(window_.content_scale() * ui_.text_scale);
     for (const std::string& notice : {gui_->notice(), memory_.notice()}) {
         if (!notice.empty()) {
-            ui_.errors.push_back(notice);
+            ui_.errors.add(notice);
         }
     }
     if (editor::settings_folder().empty()) {
@@ -158,7 +158,7 @@ void App::follow_shown() {
 
 /// In the window, and on standard error for who started it from there.
 void App::tell(const std::string& notice) {
-    ui_.errors.push_back(notice);
+    ui_.errors.add(notice);
     wake(); // nothing else may ask for a frame
     lutlib::io::print_err("lutpreview: " + lutlib::io::shown_text(notice) + "\n");
 }
@@ -249,7 +249,7 @@ void App::take_left_behind() {
         std::error_code failed;
         std::filesystem::remove(dropped, failed);
         if (failed) {
-            ui_.errors.push_back("delete " + dropped + " yourself: " + failed.message());
+            ui_.errors.add("delete " + dropped + " yourself: " + failed.message());
         }
         ui_.left_behind = autosave_.found();
     }

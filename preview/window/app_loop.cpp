@@ -65,7 +65,7 @@ void App::loop() {
 /// Everything on the GPU anew; the look is safe before that is tried.
 void App::recover(const vk::SystemError& error) {
     keep_look();
-    ui_.errors.push_back(recovery_.lost(error));
+    ui_.errors.add(recovery_.lost(error));
     wake();
     try {
         make_screen();

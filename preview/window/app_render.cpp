@@ -41,8 +41,8 @@ void App::take_stills() {
             if (of_vulkan != nullptr && is_lost(*of_vulkan)) {
                 throw;
             }
-            ui_.errors.push_back("choose a smaller picture as a still than " + still->path + ": " +
-                                 lutlib::io::reason_of(error));
+            ui_.errors.add("choose a smaller picture as a still than " + still->path + ": " +
+                           lutlib::io::reason_of(error));
             take_still_off(ui_.history.draft(), i);
         }
     }
@@ -56,7 +56,7 @@ void App::take_looks() {
     ui_.facts.bake_milliseconds = baked->milliseconds;
     frames_due_ = frames_after_event;
     if (!baked->error.empty()) {
-        ui_.errors.push_back(baked->error);
+        ui_.errors.add(baked->error);
         return;
     }
     for (std::size_t i = 0; i < screen_->looks.size(); ++i) {
@@ -77,8 +77,8 @@ FrameHandles App::declared(Graph& graph, const FrameInputs& inputs, FrameSetting
         if (settings.view == nullptr) {
             throw;
         }
-        ui_.errors.push_back("choose another intermediate, or another scene: this one makes no '" +
-                             std::exchange(ui_.debug_view, {}) + "'");
+        ui_.errors.add("choose another intermediate, or another scene: this one makes no '" +
+                       std::exchange(ui_.debug_view, {}) + "'");
         settings.view = nullptr;
         graph = Graph();
         return build_frame(graph, inputs, settings);
@@ -132,7 +132,7 @@ void App::meter() {
         ui_.history.draft().exposure = *metered;
         ui_.history.settle();
     } else {
-        ui_.errors.emplace_back("show something that shines: there is no light to meter");
+        ui_.errors.add("show something that shines: there is no light to meter");
     }
     drawn_.reset();
     wake();
@@ -151,8 +151,8 @@ void App::freeze_scopes(const FrameHandles& handles, const ScopeLevels& levels) 
         ui_.facts.frozen_levels = levels;
     } else {
         ui_.scopes_frozen = false;
-        ui_.errors.push_back("show something that the scopes count before you freeze them" +
-                             (ui_.facts.no_scopes.empty() ? "" : ": " + ui_.facts.no_scopes));
+        ui_.errors.add("show something that the scopes count before you freeze them" +
+                       (ui_.facts.no_scopes.empty() ? "" : ": " + ui_.facts.no_scopes));
     }
     wake();
 }

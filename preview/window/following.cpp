@@ -98,7 +98,7 @@ void Following::take(panels::Ui& ui, const std::function<void()>& show) {
         }
     }
     if (!failure_.empty()) {
-        ui.errors.push_back("files that change on disk are not read again: " + failure_);
+        ui.errors.add("files that change on disk are not read again: " + failure_);
         failure_.clear();
     }
 }

@@ -119,7 +119,7 @@ void ThumbnailShelf::forget_look(panels::Ui& ui, const ThumbnailKey& key, Entry&
 void ThumbnailShelf::take_news(panels::Ui& ui) {
     const editor::LookReader::News news = reader_->take();
     if (!news.failure.empty()) {
-        ui.errors.push_back("what changes in the folder of the strip is not seen: " + news.failure);
+        ui.errors.add("what changes in the folder of the strip is not seen: " + news.failure);
     }
     for (const std::string& path : news.changed) {
         ui.look_strip.is_outdated = true;

@@ -206,7 +206,7 @@ TEST(Palette, commands_change_what_they_say) {
     EXPECT_EQ(state.recipe.output_encoding().curve->name, "slog3");
     act_on("side A shows: file");
     EXPECT_EQ(state.sides[0].source, SideSource::none);
-    EXPECT_EQ(ui.errors.size(), 1U) << "there is no file on that side";
+    EXPECT_EQ(ui.errors.rows().size(), 1U) << "there is no file on that side";
     act_on("side A shows the strip as read by: " + std::string(gpu_lookup_named("unity")->label));
     EXPECT_EQ(state.sides[0].source, SideSource::baked);
     EXPECT_EQ(state.sides[0].engine->name, "unity");

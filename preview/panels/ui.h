@@ -123,6 +123,7 @@ struct Ui {
     std::optional<Pick> pick;
     std::optional<RegionDrag> region_drag;
     std::optional<ProbePlace> pointer;      ///< the pixel of the picture's place under the mouse
+    std::string status_told;                ///< all of what was pointed at last; empty: nothing was
     Rect picture_place;                     ///< in the last frame
     std::string debug_view;                 ///< the intermediate that is shown; empty: the picture
     double seconds = 0;                     ///< the moment of the scene

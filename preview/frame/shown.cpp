@@ -5,6 +5,7 @@
 #include "lutlib/io/alpha.h"
 #include "lutlib/io/image.h"
 #include "lutlib/io/orientation.h"
+#include "preview/look/odd_numbers.h"
 #include "preview/scene/floor.h"
 #include "preview/scene/import.h"
 
@@ -43,13 +44,19 @@ ShownPicture read_picture(Shown& shown, const std::string& path, const std::stri
     if (image.source && image.source->orientation > 1) {
         image = upright(image, image.source->orientation);
     }
+    const bool has_codes = lutlib::io::info_of(image.depth).integer;
+    if (!has_codes) {
+        for (const std::string& line : told_of(settle_odd_numbers(image.rgba))) {
+            tell(line);
+        }
+    }
     if (image.premultiplied && has_transparency(image)) {
         make_straight(image);
         tell("its colours are multiplied by its alpha, and shown as they are without it");
     }
     const std::optional<lutlib::Encoding> encoding = encoding_of(image);
     ShownPicture picture;
-    picture.display_encoded = lutlib::io::info_of(image.depth).integer;
+    picture.display_encoded = has_codes;
     if (image.profile_tag) {
         tell("its colour profile is " + profile_is);
     }
@@ -143,6 +150,16 @@ void load_surroundings(Shown& shown, const std::string& path) {
     shown.surroundings = std::move(picture);
     shown.surroundings_file = path;
     shown.files.push_back(path);
+}
+
+std::vector<std::string> told_of_surroundings(const Shown& shown) {
+    std::vector<std::string> out;
+    for (const std::string& line : shown.told) {
+        if (!shown.surroundings_file.empty() && line.starts_with(shown.surroundings_file + ": ")) {
+            out.push_back(line);
+        }
+    }
+    return out;
 }
 
 Shown load_again(const Shown& shown) {

@@ -47,6 +47,9 @@ Shown load_shown(const std::string& input, double seconds);
 /// lutlib::Error for a file that is no picture, and UsageError for surroundings of a picture.
 void load_surroundings(Shown& shown, const std::string& path);
 
+/// What was made of the colours of the picture that surrounds the scene; part of told.
+std::vector<std::string> told_of_surroundings(const Shown& shown);
+
 /// The same, by its names alone, as its files have it now. Throws as both of those do.
 Shown load_again(const Shown& shown);
 

@@ -4,6 +4,7 @@
 #include "lutlib/io/alpha.h"
 #include "lutlib/io/image.h"
 #include "lutlib/io/orientation.h"
+#include "preview/look/odd_numbers.h"
 
 #include <fmt/format.h>
 
@@ -88,6 +89,9 @@ std::shared_ptr<const Still> load_still(const std::string& path,
     Still still;
     still.path = path;
     still.said = said;
+    if (!io::info_of(image.depth).integer) {
+        still.told = told_of(settle_odd_numbers(image.rgba));
+    }
     if (image.premultiplied && has_transparency(image)) {
         make_straight(image);
         still.told.emplace_back(
@@ -97,7 +101,7 @@ std::shared_ptr<const Still> load_still(const std::string& path,
         to_display(image.rgba, *from);
     }
     for (float& value : image.rgba) {
-        value = value >= 0 ? std::min(value, 1.0F) : 0; // NaN is 0
+        value = value >= 0 ? std::min(value, 1.0F) : 0;
     }
     still.size = {static_cast<std::uint32_t>(image.width),
                   static_cast<std::uint32_t>(image.height)};

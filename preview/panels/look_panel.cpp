@@ -242,6 +242,13 @@ void lines(const std::vector<std::string>& texts) {
     }
 }
 
+void told_lines(Ui& ui, const std::vector<std::string>& texts, const std::string& place) {
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        ImGui::TextWrapped("%s", texts[i].c_str());
+        mark(ui, place + std::to_string(i));
+    }
+}
+
 void look_panel(Ui& ui) {
     const std::size_t count = ui.history.draft().recipe.operations.size();
     ui.look.open.resize(count); // undo and files change the list too

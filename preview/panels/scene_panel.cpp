@@ -178,6 +178,7 @@ void scene_panel(Ui& ui) {
     for (const std::string& line : ui.facts.left_out) {
         ImGui::TextWrapped("Left out: %s", line.c_str());
     }
+    told_lines(ui, ui.facts.told, "told.");
     if (!ui.facts.is_scene) {
         ImGui::TextUnformatted("A picture is shown: it has no lights.");
     }

@@ -54,14 +54,14 @@ void ask_for_still(Ui& ui, std::size_t side) {
                       }});
 }
 
-void still_notes(const Ui& ui, const Still& still) {
+void still_notes(Ui& ui, const Still& still, const std::string& place) {
     ImGui::TextDisabled("%s", still.path.c_str());
     ImGui::TextWrapped("%s", still.shown_as.c_str());
     const std::string fit = fit_text(still.size, seen_in(ui, ui.picture_place).own);
     if (!fit.empty()) {
         ImGui::TextWrapped("%s", fit.c_str());
     }
-    lines(still.told);
+    told_lines(ui, still.told, place + ".told.");
 }
 
 void still_controls(Ui& ui) {
@@ -83,7 +83,7 @@ void still_controls(Ui& ui) {
             mark(ui, "still." + name + ".off");
         }
         if (state.sides[i].still) {
-            still_notes(ui, *state.sides[i].still);
+            still_notes(ui, *state.sides[i].still, "still." + name);
             encoding_choice(ui, state.sides[i], "still." + name);
         }
         ImGui::PopID();

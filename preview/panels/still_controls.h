@@ -10,7 +10,7 @@ void ask_for_still(Ui& ui, std::size_t side);
 /// Reads it and shows it on that side. Throws lutlib::Error.
 void open_still(Ui& ui, std::size_t side, const std::string& path);
 /// How the side's still is shown.
-void still_notes(const Ui& ui, const Still& still);
+void still_notes(Ui& ui, const Still& still, const std::string& place);
 /// The part of the panel Versions.
 void still_controls(Ui& ui);
 

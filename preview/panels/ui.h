@@ -45,12 +45,14 @@ struct Measured {
 /// What the panels show and do not change.
 struct Facts {
     std::string device, input;
-    std::vector<std::string> left_out;    ///< of the input, by its import
-    std::vector<NamedCamera> cameras;     ///< of a model's file
-    std::vector<Option> debug_views;      ///< intermediates that can be shown
-    bool is_scene = true;                 ///< there is a camera to move
-    Orbit usual_orbit;                    ///< as the scene has it
-    std::vector<PointLight> usual_lights; ///< likewise
+    std::vector<std::string> left_out;          ///< of the input, by its import
+    std::vector<std::string> told;              ///< what was made of its pictures' colours
+    std::vector<std::string> surroundings_told; ///< of those, the surroundings'
+    std::vector<NamedCamera> cameras;           ///< of a model's file
+    std::vector<Option> debug_views;            ///< intermediates that can be shown
+    bool is_scene = true;                       ///< there is a camera to move
+    Orbit usual_orbit;                          ///< as the scene has it
+    std::vector<PointLight> usual_lights;       ///< likewise
     bool has_surroundings_picture = false;
     Size picture_size;            ///< of a picture
     bool display_encoded = false; ///< there is nothing to tone map
@@ -221,6 +223,8 @@ void zoom_to(Ui& ui, float scale);
 
 /// Texts one below the other, wrapped.
 void lines(const std::vector<std::string>& texts);
+/// The same of what reading has told, each with a place of its own, by number.
+void told_lines(Ui& ui, const std::vector<std::string>& texts, const std::string& place);
 
 /// What the tabs are called, in their order.
 std::vector<std::string> panel_names();

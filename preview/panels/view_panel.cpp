@@ -170,7 +170,7 @@ void side_controls(Ui& ui, Side& side, const std::string& name, const std::strin
         lines(side.told);
     }
     if (side.source == SideSource::still && side.still) {
-        still_notes(ui, *side.still);
+        still_notes(ui, *side.still, "side" + name + ".still");
     }
     if (side.source == SideSource::baked) {
         if (ImGui::BeginCombo("Engine", std::string(side.engine->label).c_str())) {
@@ -214,6 +214,7 @@ void surroundings_controls(Ui& ui, Surroundings& surroundings) {
     for (const NumberRow<Surroundings>& row : chosen.numbers) {
         number(ui, row, surroundings);
     }
+    told_lines(ui, ui.facts.surroundings_told, "surroundings.told.");
 }
 
 /// How large the picture's pixels are seen.

@@ -141,6 +141,8 @@ void App::follow_shown() {
     drawn_.reset();
     reader_.forget();
     ui_.facts.left_out = shown->left_out;
+    ui_.facts.told = shown->told;
+    ui_.facts.surroundings_told = told_of_surroundings(*shown);
     ui_.facts.cameras = shown->scene ? shown->scene->cameras : std::vector<NamedCamera>();
     if (ui_.facts.input != shown->name) {
         ui_.facts.input = shown->name;

@@ -65,6 +65,32 @@ TEST(PictureFile, of_the_surroundings_is_named_in_what_is_said_of_it) {
     EXPECT_TRUE(shown.not_written.empty());
 }
 
+TEST(PictureFile, of_a_picture_or_surroundings_says_which_numbers_are_no_light) {
+    const lutlib::ScratchFolder folder;
+    const std::string path = folder.file("odd.exr");
+    lutlib::io::FloatImage image;
+    image.width = 4;
+    image.height = 1;
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float inf = std::numeric_limits<float>::infinity();
+    image.rgba = {nan, 1, 1, 1, 1, nan, 1, 1, inf, 1, 1, 1, 1, 1, -1, 1};
+    lutlib::io::ImageWriteOptions options;
+    options.depth = lutlib::io::Depth::float32;
+    static_cast<void>(lutlib::io::write_image(path, image, options));
+    const std::vector<std::string> told{
+        path + ": 2 pixels hold NaN, which is taken for 0",
+        path + ": 1 pixel holds infinity, which is taken for 65504, the largest half float",
+        path + ": 1 pixel holds numbers below 0; what is still below 0 as it is shown is 0 there"};
+    EXPECT_EQ(load_shown(path, 0).told, told);
+    Shown scene = load_shown("plain", 0);
+    EXPECT_TRUE(told_of_surroundings(scene).empty());
+    load_surroundings(scene, path);
+    EXPECT_EQ(scene.told, told);
+    EXPECT_EQ(told_of_surroundings(scene), told);
+    EXPECT_EQ(scene.surroundings->rgba[0], 0);
+    EXPECT_EQ(scene.surroundings->rgba[8], 65504);
+}
+
 TEST(PictureFile, keeps_the_alpha_of_the_picture) {
     ShownPicture picture;
     picture.size = {4, 2};

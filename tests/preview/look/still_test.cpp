@@ -43,8 +43,8 @@ TEST_F(StillOf, codes_shows_them_as_they_are_and_says_that_it_guesses) {
 TEST_F(StillOf, light_encodes_it_by_srgbs_curve_within_what_a_display_has) {
     constexpr float inf = std::numeric_limits<float>::infinity();
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-    const auto still =
-        load_still(write("a.exr", {0.18F, 0.5F, 2, 1, -1, nan, inf, 1}, io::Depth::float32));
+    const auto still = load_still(write(
+        "a.exr", {0.18F, 0.5F, 2, 1, -1, nan, inf, 1, 0.18F, inf, nan, 1}, io::Depth::float32));
     const auto code = [](double light) { return lutlib::srgb().encode(light); };
     EXPECT_NEAR(still->rgba[0], code(0.18F), 1e-6);
     EXPECT_NEAR(still->rgba[1], code(0.5), 1e-6);
@@ -52,6 +52,9 @@ TEST_F(StillOf, light_encodes_it_by_srgbs_curve_within_what_a_display_has) {
     EXPECT_EQ(still->rgba[4], 0);
     EXPECT_EQ(still->rgba[5], 0);
     EXPECT_EQ(still->rgba[6], 1);
+    EXPECT_NEAR(still->rgba[8], code(0.18F), 1e-6) << "of a channel beside infinity and NaN";
+    ASSERT_EQ(still->told.size(), 3U);
+    EXPECT_EQ(still->told[0], "2 pixels hold NaN, which is taken for 0");
     EXPECT_NE(still->shown_as.find("encoded by sRGB's curve without a tone map"),
               std::string::npos);
 }

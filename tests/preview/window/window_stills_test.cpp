@@ -2,6 +2,7 @@
 #include "tests/preview/window/window_fixture.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace desktop {
 namespace {
@@ -21,6 +22,40 @@ class WindowStills : public Window {
         };
     }
 };
+
+/// One pixel in four holds NaN, one infinity, one less than 0.
+void write_odd_picture(const std::filesystem::path& path) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float inf = std::numeric_limits<float>::infinity();
+    const std::array<float, 12> numbers{0.2F, 0.2F, 0.2F, nan, 1, 1, 1, inf, 1, 1, 1, -1};
+    std::ofstream out(path, std::ios::binary);
+    out << "PF\n2 2\n-1.0\n"; // a portable float map, little-endian
+    out.write(reinterpret_cast<const char*>(numbers.data()), sizeof numbers);
+}
+
+TEST_F(WindowStills, and_surroundings_tell_which_of_their_numbers_are_no_light) {
+    write_odd_picture(file("odd.pfm"));
+    start({"plain", "--b", "look.cube"});
+    click("tab.Versions");
+    click("still.A");
+    type("odd.pfm");
+    key("Return");
+    wait_until([&] { return places().count("still.A.told.2") > 0; }, "three kinds of numbers");
+    click("tab.Scene");
+    EXPECT_EQ(places().count("told.0"), 0U) << "a still is no part of the scene";
+    click("tab.View");
+    scroll_to("surroundings.open");
+    click("surroundings.open");
+    type("odd.pfm");
+    key("Return");
+    wait_until([&] { return places().count("surroundings.told.2") > 0; }, "the same of them");
+    click("tab.Scene");
+    EXPECT_EQ(places().count("told.2"), 1U);
+    open("odd.pfm"); // as the picture
+    click("tab.Scene");
+    EXPECT_EQ(places().count("told.2"), 1U);
+    EXPECT_EQ(places().count("told.3"), 0U);
+}
 
 TEST_F(WindowStills, are_opened_on_a_side_followed_converted_and_taken_off) {
     flat(400, 480, 0x204060).write(file("reference.ppm"));

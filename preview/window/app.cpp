@@ -56,6 +56,8 @@ App::App(WindowSetup setup)
     }
     ui_.panels_width = memory_.memory().panels_width;
     ui_.recent = memory_.memory().recent;
+    ui_.look_strip.is_open = memory_.memory().has_strip;
+    ui_.look_strip.folder = memory_.memory().strip_folder;
     gui_.emplace(window_.handle(), layout_path(), setup_.font);
     gui_->set_scale(window_.content_scale() * ui_.text_scale);
     for (const std::string& notice : {gui_->notice(), memory_.notice()}) {
@@ -186,6 +188,8 @@ void App::keep_memory() {
     now.text_scale = ui_.text_scale;
     now.panels_width = ui_.panels_width;
     now.recent = ui_.recent;
+    now.has_strip = ui_.look_strip.is_open;
+    now.strip_folder = ui_.look_strip.folder;
     try {
         memory_.keep(now);
     } catch (const lutlib::Error& error) {

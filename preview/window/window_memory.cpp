@@ -39,7 +39,8 @@ std::string text_of(const WindowMemory& memory) {
     json out{{"maximised", memory.is_maximised},
              {"recent files", memory.recent},
              {"text scale", memory.text_scale},
-             {"panels' width", memory.panels_width}};
+             {"panels' width", memory.panels_width},
+             {"strip of looks", {{"open", memory.has_strip}, {"folder", memory.strip_folder}}}};
     if (memory.area) {
         out["area"] = {{"x", memory.area->x},
                        {"y", memory.area->y},
@@ -64,6 +65,10 @@ WindowMemory memory_from(const std::string& text) {
         out.text_scale =
             number(all, "text scale", out.text_scale, least_text_scale, most_text_scale);
         out.panels_width = number(all, "panels' width", out.panels_width, 0, most_panels_width);
+        if (const auto strip = all.find("strip of looks"); strip != all.end()) {
+            out.has_strip = strip->value("open", out.has_strip);
+            out.strip_folder = strip->value("folder", out.strip_folder);
+        }
     } catch (const json::exception&) {
         throw lutlib::Error(std::string(no_memory));
     }

@@ -15,6 +15,8 @@ struct WindowMemory {
     float text_scale = 1;              ///< times the desktop's
     float panels_width = 0;            ///< in heights of the text; 0: nobody has chosen one
     std::vector<std::string> recent{}; ///< files opened or saved last, the newest first
+    bool has_strip = false;            ///< the looks of a folder are seen under the picture
+    std::string strip_folder{};        ///< that somebody has chosen for them; empty: the look's own
     friend bool operator==(const WindowMemory&, const WindowMemory&) = default;
 };
 

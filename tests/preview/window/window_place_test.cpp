@@ -61,9 +61,15 @@ TEST(WindowPlace, has_a_size_on_a_monitor_that_its_frame_fills) {
 }
 
 TEST(WindowMemory, is_read_as_it_was_written) {
-    const WindowMemory all{
-        DesktopArea{-12, 34, 1500, 820}, true, 1.1F, 28.5F, {"/a.cube", "/b \"c\".exr"}};
+    const WindowMemory all{DesktopArea{-12, 34, 1500, 820},
+                           true,
+                           1.1F,
+                           28.5F,
+                           {"/a.cube", "/b \"c\".exr"},
+                           true,
+                           "/looks of mine"};
     EXPECT_EQ(memory_from(text_of(all)), all);
+    EXPECT_FALSE(memory_from(R"({"strip of looks": {"folder": "/a"}})").has_strip);
     EXPECT_EQ(memory_from(text_of({})), WindowMemory{});
     WindowMemory bytes;
     bytes.recent = {"/not \xff UTF-8"};
@@ -85,8 +91,10 @@ TEST(WindowMemory, brings_numbers_into_their_range) {
 }
 
 TEST(WindowMemory, refuses_what_is_none_and_names_the_remedy) {
-    for (const char* const text : {"", "[", "[]", "3", "{\"area\": 3}", "{\"area\": {\"x\": 1}}",
-                                   "{\"text scale\": \"large\"}", "{\"maximised\": 1}"}) {
+    for (const char* const text :
+         {"", "[", "[]", "3", "{\"area\": 3}", "{\"area\": {\"x\": 1}}",
+          "{\"text scale\": \"large\"}", "{\"maximised\": 1}", "{\"strip of looks\": 1}",
+          "{\"strip of looks\": {\"open\": \"yes\"}}"}) {
         try {
             memory_from(text);
             ADD_FAILURE() << text;

@@ -182,6 +182,36 @@ TEST_F(WindowStrip, follows_its_folder) {
     wait_for_picture("a.cube");
 }
 
+TEST_F(WindowStrip, is_open_in_the_next_window_with_its_folder) {
+    fs::create_directory(file("others"));
+    fs::copy_file(file("look.cube"), file("others/c.cube"));
+    start_unsized({"--size", "800x530", "picture.ppm", "--b", "looks/a.cube"});
+    first_screen();
+    open_strip({"a.cube"});
+    quit();
+    start_unsized({"--size", "800x530", "picture.ppm", "--b", "looks/a.cube"});
+    wait_for_picture("b.json");
+    click("strip.folder");
+    click("file.up");
+    type("others");
+    key("Return");
+    click("file.choose");
+    wait_for_picture("c.cube");
+    quit();
+    start_unsized({"--size", "800x530", "picture.ppm", "--b", "looks/a.cube"});
+    wait_for_picture("c.cube");
+    EXPECT_FALSE(has("strip.a.cube"));
+    click("strip.own");
+    click("strip.close");
+    quit();
+    fs::remove_all(file("others"));
+    start_unsized({"--size", "800x530", "picture.ppm", "--b", "looks/a.cube"});
+    first_screen();
+    EXPECT_FALSE(has("strip.close"));
+    key("l");
+    wait_for_picture("a.cube"); // of the look's own folder again
+}
+
 TEST_F(WindowStrip, rests_while_files_that_are_no_looks_change_beside_them) {
     start_unsized({"--size", "800x530", "picture.ppm", "--b", "look.cube"});
     first_screen();

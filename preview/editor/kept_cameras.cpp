@@ -121,11 +121,22 @@ CamerasByInput cameras_from(const std::string& text) {
 
 KeptCameras::KeptCameras(std::string path) : path_(std::move(path)) {}
 
+std::optional<KeptCameras::Stamp> KeptCameras::stamp() const {
+    std::error_code no_time, no_size;
+    const Stamp out{fs::last_write_time(path_, no_time), fs::file_size(path_, no_size)};
+    return no_time || no_size ? std::nullopt : std::optional(out);
+}
+
+bool KeptCameras::is_outdated() const {
+    return !path_.empty() && stamp() != taken_;
+}
+
 void KeptCameras::take_file() {
     if (path_.empty()) {
         return;
     }
     const bool was_broken = std::exchange(is_broken_, true);
+    taken_ = stamp(); // before it is read: what is written meanwhile is read again
     try {
         cameras_ = cameras_at(path_);
         is_broken_ = false;
@@ -167,6 +178,7 @@ std::string KeptCameras::write() {
             is_broken_ = false;
         }
         lutlib::io::write_file(path_, text_of(cameras_));
+        taken_ = stamp();
         return aside;
     } catch (const lutlib::Error& error) {
         path_.clear();

@@ -3,7 +3,10 @@
 
 #include "preview/scene/scene.h"
 
+#include <cstdint>
+#include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +32,8 @@ class KeptCameras {
     /// Of what goes by that name on the command line. Throws lutlib::Error once when the file is
     /// there and cannot be read; then those of this window alone are known.
     std::vector<NamedCamera> of(const std::string& input);
+    /// Whether somebody else has written the file, or taken it away, since it was read or written.
+    bool is_outdated() const;
     /// In place of one of the same name; without a name it gets one. A file that cannot be read is
     /// put aside first. Throws lutlib::Error where that is so since of(), and all is kept; where
     /// nothing can be written (and tries no more: it is
@@ -38,6 +43,13 @@ class KeptCameras {
     void forget(const std::string& input, const std::string& name);
 
   private:
+    /// What tells one state of the file from the next; empty: there is none.
+    struct Stamp {
+        std::filesystem::file_time_type time;
+        std::uintmax_t size = 0;
+        friend bool operator==(const Stamp&, const Stamp&) = default;
+    };
+    std::optional<Stamp> stamp() const;
     void take_file();
     std::string put_aside() const;
     /// Where it has put what was no cameras; empty: nothing.
@@ -46,6 +58,7 @@ class KeptCameras {
     std::string path_;
     bool is_broken_ = false; ///< what is there are no cameras
     CamerasByInput cameras_;
+    std::optional<Stamp> taken_; ///< of the file as it was read or written last
 };
 
 /// Where they are kept. Empty when there is no settings_folder().

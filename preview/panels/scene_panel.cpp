@@ -127,6 +127,9 @@ void camera_buttons(Ui& ui, const std::vector<NamedCamera>& cameras, const std::
 
 /// Cameras to go back to: the scene's first, those of its file, and those that were kept.
 void camera_controls(Ui& ui) {
+    if (ui.renew_bookmarks) {
+        ui.renew_bookmarks();
+    }
     camera_buttons(ui, {{"Camera as at first", ui.facts.usual_orbit}}, "camera.first.");
     camera_buttons(ui, ui.facts.cameras, "camera.");
     camera_buttons(ui, ui.bookmarks, "camera.kept.",

@@ -133,6 +133,7 @@ struct Ui {
     std::vector<NamedCamera> bookmarks;     ///< cameras that were kept of what is shown
     std::optional<NamedCamera> keep_camera; ///< for the program to keep; without a name it gets one
     std::string forget_camera;              ///< for the program to keep no longer; empty: none
+    std::function<void()> renew_bookmarks;  ///< takes in what other windows keep; null: nothing to
     std::string camera_name;                ///< typed for the next one
     std::vector<PickedColor> picked;        ///< the newest first
     float display_white = usual_display_white; ///< cd/m2, for which luminances are told

@@ -51,6 +51,11 @@ App::App(WindowSetup setup)
     ui_.export_engine = export_engine_of(ui_.history.draft());
     ui_.text_scale = memory_.memory().text_scale;
     ui_.wake = [] { glfwPostEmptyEvent(); };
+    ui_.renew_bookmarks = [this] {
+        if (kept_cameras_.is_outdated()) {
+            take_cameras();
+        }
+    };
     for (const DebugView& view : debug_views()) {
         ui_.facts.debug_views.push_back({view.name, view.help});
     }

@@ -127,6 +127,32 @@ TEST_F(KeptCamerasTest, say_once_that_their_file_is_broken_and_put_it_aside) {
     }
 }
 
+TEST_F(KeptCamerasTest, are_outdated_once_another_window_has_written_them) {
+    KeptCameras kept(path_);
+    EXPECT_TRUE(kept.of("sample").empty());
+    EXPECT_FALSE(kept.is_outdated()) << "there is no file";
+    KeptCameras other(path_);
+    other.keep("sample", {"a", {}});
+    EXPECT_FALSE(other.is_outdated()) << "by itself";
+    EXPECT_TRUE(kept.is_outdated());
+    EXPECT_EQ(names_of(kept.of("sample")), Names{"a"});
+    EXPECT_FALSE(kept.is_outdated());
+    // Of the same size, at another time.
+    lutlib::io::write_file(path_, contents(path_));
+    std::filesystem::last_write_time(path_, std::filesystem::last_write_time(path_) +
+                                                std::chrono::seconds(5));
+    EXPECT_TRUE(kept.is_outdated());
+    kept.of("sample");
+    std::filesystem::remove(path_);
+    EXPECT_TRUE(kept.is_outdated());
+    EXPECT_TRUE(kept.of("sample").empty());
+    lutlib::io::write_file(path_, "[");
+    EXPECT_TRUE(kept.is_outdated());
+    EXPECT_THROW(kept.of("sample"), lutlib::Error);
+    EXPECT_FALSE(kept.is_outdated()) << "what is broken is read once";
+    EXPECT_FALSE(KeptCameras("").is_outdated());
+}
+
 TEST_F(KeptCamerasTest, that_others_damage_meanwhile_are_kept_again_and_that_is_told) {
     KeptCameras kept(path_);
     kept.keep("sample", {"a", {}});

@@ -68,6 +68,31 @@ TEST_F(WindowCameras, are_there_in_the_next_window_of_the_same_scene_and_without
               3);
 }
 
+TEST_F(WindowCameras, that_another_window_keeps_are_in_the_lists_without_a_restart) {
+    start({"plain"});
+    const Screen first = first_screen();
+    click("tab.Scene");
+    EXPECT_EQ(places().count("camera.kept.0"), 0U);
+    // As another window writes them.
+    fs::create_directories(file("lutpreview"));
+    const std::string begin = R"({"cameras": {"plain": [{"name": "beside", "target": [0, 0, 0],)"
+                              R"( "distance": 4, "azimuth": 77})";
+    std::ofstream(file("lutpreview/cameras.json")) << begin + "]}}";
+    act(mouse_to({120, 120}));
+    wait_until([&] { return places().count("camera.kept.0") > 0; }, "the other's camera");
+    click("camera.kept.0");
+    const Screen beside = screen_where(
+        [&](const Screen& now) { return now.changed(first, picture()) > 0.05; }, "that camera");
+    click("tab.Look");
+    std::ofstream(file("lutpreview/cameras.json"))
+        << begin + R"(, {"name": "behind", "target": [0, 0, 0], "distance": 4, "azimuth": 180}]}})";
+    key("ctrl+p");
+    type("camera: behind");
+    key("Return");
+    screen_where([&](const Screen& now) { return now.changed(beside, picture()) > 0.05; },
+                 "the camera that was kept last");
+}
+
 TEST_F(WindowCameras, of_a_broken_file_are_told_of_and_lost_nowhere) {
     fs::create_directories(file("lutpreview"));
     std::ofstream(file("lutpreview/cameras.json")) << R"({"cameras": {"plain": [)";

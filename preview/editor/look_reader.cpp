@@ -22,7 +22,11 @@ std::vector<std::uint64_t> tickets_of(const std::vector<LookJob>& jobs) {
 ReadLook done(const LookJob& job) {
     ReadLook out{job.ticket, nullptr};
     try {
-        out.look = job.make();
+        if (job.make_scene) {
+            out.scene = job.make_scene();
+        } else {
+            out.look = job.make();
+        }
     } catch (const std::exception& error) {
         out.reason = lutlib::io::reason_of(error);
         std::replace(out.reason.begin(), out.reason.end(), '\n', ' ');

@@ -1,5 +1,5 @@
-// Looks made ready for small pictures of them, on a thread of their own, and the folder that they
-// lie in watched for changes.
+// Looks and built-in scenes made ready for small pictures of them, on a thread of their own, and
+// the folder that the looks lie in watched for changes.
 #pragma once
 
 #include "lutlib/io/watch.h"
@@ -13,6 +13,10 @@
 #include <thread>
 #include <vector>
 
+namespace preview {
+struct Shown;
+}
+
 namespace preview::editor {
 
 /// Who asks again, as after a change, takes another ticket.
@@ -20,11 +24,14 @@ struct LookJob {
     std::uint64_t ticket = 0;
     /// On the reader's thread; null: the file is no look at all. What it throws becomes a reason.
     std::function<std::shared_ptr<const LoadedLook>()> make;
+    /// In place of a look: a scene, likewise.
+    std::function<std::shared_ptr<const Shown>()> make_scene{};
 };
 
 struct ReadLook {
     std::uint64_t ticket = 0;
     std::shared_ptr<const LoadedLook> look; ///< null: there is none
+    std::shared_ptr<const Shown> scene{};   ///< likewise
     std::string reason{};                   ///< why not, in one line; empty where it is no look
 };
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 namespace preview {
 
@@ -91,9 +92,8 @@ FrameSettings of_thumbnail(FrameSettings settings, Size size) {
 }
 
 /// As it opens, in the finish that it is made for.
-void draw_scene(ThumbnailCells& cells, std::size_t cell, const std::string& name,
+void draw_scene(ThumbnailCells& cells, std::size_t cell, std::shared_ptr<const Shown> shown,
                 FrameSettings settings) {
-    auto shown = std::make_shared<const Shown>(load_shown(name, 0));
     editor::State state = editor::initial_state();
     take_shown(state, shown);
     const Size size = settings.output;
@@ -140,10 +140,12 @@ void ThumbnailShelf::take_news(panels::Ui& ui) {
             continue;
         }
         found->second.look = read.look;
+        found->second.scene = read.scene;
+        const bool is_none = read.look == nullptr && read.scene == nullptr;
         ThumbnailFact& fact = ui.thumbnails.facts[found->first];
         fact.reason = read.reason;
-        fact.is_no_look = read.look == nullptr && read.reason.empty();
-        if (read.look == nullptr) {
+        fact.is_no_look = is_none && read.reason.empty();
+        if (is_none) {
             fact.cell.reset();
         }
     }
@@ -158,10 +160,26 @@ editor::LookJob ThumbnailShelf::job_for(const ThumbnailKey& key, const Entry& en
                     return as_opened(version->recipe, codes);
                 }};
     }
+    if (key.kind == ThumbnailKind::scene) {
+        return {entry.ticket, {}, [name = key.name] {
+                    return std::make_shared<const Shown>(load_shown(name, 0));
+                }};
+    }
     return {entry.ticket, [path = key.name, codes = codes_]() -> std::shared_ptr<const LoadedLook> {
                 const auto look = lutlib::io::Look::open_if_look(path);
                 return look ? as_opened(look->as_recipe(), codes) : nullptr;
             }};
+}
+
+/// Whether its picture is of what there is now.
+bool ThumbnailShelf::is_current(const panels::Ui& ui, const ThumbnailKey& key,
+                                const Entry& entry) const {
+    if (key.kind != ThumbnailKind::scene) {
+        return entry.drawn == drawing_;
+    }
+    const auto fact = ui.thumbnails.facts.find(key);
+    return entry.drawn != 0 && fact != ui.thumbnails.facts.end() &&
+           fact->second.size == scene_size();
 }
 
 /// Looks of pictures that are drawn are needed again only where what is shown changes: then too
@@ -169,23 +187,27 @@ editor::LookJob ThumbnailShelf::job_for(const ThumbnailKey& key, const Entry& en
 void ThumbnailShelf::ask(panels::Ui& ui) {
     ++frame_;
     std::vector<editor::LookJob> jobs;
+    constexpr int most_scenes = 2; // of textures and meshes at once: one is drawn, one is built
+    int scenes = 0;
     for (const ThumbnailKey& key : ui.thumbnails.wanted) {
         if (key.kind == ThumbnailKind::version && !version_of(ui, key)) {
             continue; // it was taken away since the panel was drawn
         }
         Entry& entry = entries_[key];
         entry.seen = frame_;
-        if (key.kind == ThumbnailKind::scene) {
-            continue;
-        }
         if (key.kind == ThumbnailKind::version && entry.version != version_of(ui, key)) {
             forget_look(ui, key, entry);
             entry.version = version_of(ui, key);
         }
-        const bool is_due = entry.drawn != drawing_;
         const bool is_told =
             ui.thumbnails.facts[key].is_no_look || !ui.thumbnails.facts[key].reason.empty();
-        if (is_due && !entry.look && !is_told) {
+        const bool is_ready = entry.look != nullptr || entry.scene != nullptr;
+        scenes += entry.scene != nullptr ? 1 : 0;
+        if (key.kind == ThumbnailKind::scene && scenes >= most_scenes) {
+            continue;
+        }
+        if (!is_current(ui, key, entry) && !is_ready && !is_told) {
+            scenes += key.kind == ThumbnailKind::scene ? 1 : 0;
             entry.ticket = entry.ticket == 0 ? ++tickets_ : entry.ticket;
             jobs.push_back(job_for(key, entry));
         }
@@ -194,6 +216,7 @@ void ThumbnailShelf::ask(panels::Ui& ui) {
         const bool is_seen = entry->second.seen == frame_;
         if (!is_seen) {
             entry->second.look.reset();
+            entry->second.scene.reset();
             entry->second.ticket = 0;
         }
         const auto fact = ui.thumbnails.facts.find(entry->first);
@@ -275,12 +298,10 @@ bool ThumbnailShelf::is_due(const panels::Ui& ui, const ThumbnailKey& key) const
     if (found == entries_.end()) {
         return false;
     }
-    if (key.kind != ThumbnailKind::scene) {
-        return found->second.look && found->second.drawn != drawing_ && !ui.plays;
-    }
-    const auto fact = ui.thumbnails.facts.find(key);
-    return found->second.drawn == 0 || fact == ui.thumbnails.facts.end() ||
-           fact->second.size != scene_size();
+    const Entry& entry = found->second;
+    const bool is_ready = key.kind == ThumbnailKind::scene ? entry.scene != nullptr
+                                                           : entry.look != nullptr && !ui.plays;
+    return is_ready && !is_current(ui, key, entry);
 }
 
 bool ThumbnailShelf::draw(panels::Ui& ui, Screen& screen, const FrameInputs& inputs,
@@ -306,12 +327,13 @@ bool ThumbnailShelf::draw(panels::Ui& ui, Screen& screen, const FrameInputs& inp
     settings.output = is_scene ? scene_size() : settings.output;
     settings.raster = raster.on(screen.device, settings.output);
     const std::size_t cell = cell_for(ui, *next);
-    if (is_scene) {
-        draw_scene(*screen.thumbnails, cell, next->name, settings);
-    } else {
-        screen.thumbnails->draw(cell, inputs, settings, *entries_[*next].look);
-    }
     Entry& entry = entries_[*next];
+    if (is_scene) {
+        entry.ticket = 0;
+        draw_scene(*screen.thumbnails, cell, std::exchange(entry.scene, nullptr), settings);
+    } else {
+        screen.thumbnails->draw(cell, inputs, settings, *entry.look);
+    }
     entry.drawn = drawing_;
     if (entry.look && is_large(*entry.look)) {
         entry.look.reset();

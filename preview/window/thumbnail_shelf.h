@@ -1,5 +1,6 @@
-// What the window knows of the small pictures that its panels ask for: which looks are read for
-// them, which are drawn, and when that is due again.
+// What the window knows of the small pictures that its panels ask for: which looks are read and
+// which scenes are built for them (by a thread of its own), which are drawn, and when that is due
+// again.
 //
 // A picture is due when its look, or what is shown, has changed since it was drawn; of a scene that
 // is not shown, once. One is drawn in a frame, while nobody drags anything, of what is shown while
@@ -44,6 +45,7 @@ class ThumbnailShelf {
     };
     struct Entry {
         std::shared_ptr<const LoadedLook> look; ///< while it is seen
+        std::shared_ptr<const Shown> scene;     ///< until it is drawn
         std::shared_ptr<const editor::Version> version;
         std::uint64_t ticket = 0; ///< of the reading that is awaited or was taken; 0: none
         std::uint64_t drawn = 0;  ///< what drawing_ was; 0: never, or its look has changed
@@ -54,6 +56,8 @@ class ThumbnailShelf {
     void ask(panels::Ui& ui);
     void forget_look(panels::Ui& ui, const panels::ThumbnailKey& key, Entry& entry);
     bool is_due(const panels::Ui& ui, const panels::ThumbnailKey& key) const;
+    bool is_current(const panels::Ui& ui, const panels::ThumbnailKey& key,
+                    const Entry& entry) const;
     void notice_what_is_shown(const panels::Ui& ui, const FrameSettings& settings);
     std::size_t cell_for(panels::Ui& ui, const panels::ThumbnailKey& key);
     editor::LookJob job_for(const panels::ThumbnailKey& key, const Entry& entry) const;

@@ -94,6 +94,28 @@ TEST_F(LookReading, says_in_one_line_why_there_is_none_and_that_a_file_is_no_loo
     EXPECT_EQ(looks_[1].reason, "");
 }
 
+TEST_F(LookReading, makes_scenes_as_well_away_from_who_asks) {
+    const auto owner =
+        std::make_shared<int>(); // what a scene is does not matter, nor is known here
+    const std::shared_ptr<const Shown> shown(owner, reinterpret_cast<const Shown*>(owner.get()));
+    std::thread::id by;
+    LookJob scene{.ticket = 1, .make = {}, .make_scene = [&] {
+                      by = std::this_thread::get_id();
+                      return shown;
+                  }};
+    LookJob failing{.ticket = 2, .make = {}, .make_scene = []() -> std::shared_ptr<const Shown> {
+                        throw lutlib::Error("no memory");
+                    }};
+    reader_.ask("", {scene, failing, job(3)});
+    ASSERT_TRUE(until([&] { return looks_.size() == 3; }));
+    EXPECT_EQ(looks_[0].scene, shown);
+    EXPECT_FALSE(looks_[0].look);
+    EXPECT_NE(by, std::this_thread::get_id());
+    EXPECT_FALSE(looks_[1].scene);
+    EXPECT_EQ(looks_[1].reason, "no memory");
+    EXPECT_TRUE(looks_[2].look);
+}
+
 TEST_F(LookReading, tells_what_changes_in_the_folder_and_nothing_of_another) {
     const ScratchFolder one, other;
     const auto path_of = [](const ScratchFolder& folder) {

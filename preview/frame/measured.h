@@ -12,9 +12,10 @@ namespace preview {
 std::optional<float> measured_maximum(Executor& executor, const FrameInputs& inputs,
                                       const FrameSettings& settings);
 
-/// The exposure, in place of that of the settings, that makes what is at that texel of the output
-/// 18 % grey; without a place, the mean of the picture. In the range of exposures; before bloom and
-/// effects. Empty: it is dark, or a display-encoded picture, which holds no light.
+/// The exposure, in place of that of the settings, that makes what is at that texel of the output,
+/// as zoomed as the settings have it, 18 % grey; without a place, the mean of the picture. In the
+/// range of exposures; before bloom and effects. Empty: it is dark, or a display-encoded picture,
+/// which holds no light.
 std::optional<float> metered_exposure(Executor& executor, const FrameInputs& inputs,
                                       const FrameSettings& settings,
                                       std::optional<ProbePlace> place);

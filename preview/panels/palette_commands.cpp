@@ -62,7 +62,7 @@ void add_scenes(Commands& out, const Ui& ui) {
             [&row](Ui& to) { to.to_open.emplace_back(row.name); });
     }
     add(out, "meter: the picture's mean becomes 18 % grey",
-        [](Ui& to) { to.wants_metering = true; });
+        [](Ui& to) { to.metering = Metering{}; });
     add(out, "meter a place, which becomes 18 % grey", &start_metering);
     add(out, "surround the scene with a picture", &ask_for_surroundings);
     add(out, "play the scene, or stop it", [](Ui& to) { to.plays = !to.plays; });

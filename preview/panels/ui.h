@@ -83,6 +83,11 @@ struct Pick {
     int frames = 0;                    ///< since then
 };
 
+/// Of a place of the picture's part of the window; without one of the picture's mean.
+struct Metering {
+    std::optional<ProbePlace> place{};
+};
+
 /// The region for the scopes that is being dragged, see scope_region.h.
 struct RegionDrag {
     std::optional<OutputPoint> from; ///< where it began, in shares of the picture; empty: not yet
@@ -105,7 +110,8 @@ struct Ui {
     std::string engine_folder; ///< where strips go at the press of a key; empty: nobody named one
     std::string exported;      ///< what went there and what that lost, till it is closed
     bool wants_new_screen = false; ///< everything on the GPU shall be made anew
-    bool wants_metering = false;   ///< the exposure shall be that of the picture's mean
+    /// What the exposure shall be metered of, for the program; empty: nothing.
+    std::optional<Metering> metering;
     /// How large text and controls are, times the desktop's; the program keeps it in its range.
     float text_scale = 1;
     float panels_width = 0; ///< in heights of the text; 0: nobody has chosen one

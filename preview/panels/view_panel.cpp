@@ -1,7 +1,6 @@
 // What is compared, and how the picture is made.
 #include "preview/editor/commands.h"
 #include "preview/effects/effect.h"
-#include "preview/finish/metering.h"
 #include "preview/panels/eyedropper.h"
 #include "preview/panels/file_dialog.h"
 #include "preview/panels/parameter_control.h"
@@ -11,8 +10,6 @@
 #include "preview/scene/camera_settings.h"
 
 #include <imgui.h>
-
-#include <algorithm>
 
 namespace preview::panels {
 
@@ -85,7 +82,7 @@ void bloom_controls(Ui& ui) {
 /// The exposure by what the picture shows.
 void metering(Ui& ui) {
     if (ImGui::Button("Meter")) {
-        ui.wants_metering = true;
+        ui.metering = Metering{};
     }
     mark(ui, "meter");
     tip("The exposure with which the picture's mean, in stops, is 18 % grey", {}, false);
@@ -237,14 +234,10 @@ void zoom_controls(Ui& ui) {
 } // namespace
 
 void start_metering(Ui& ui) {
-    start_pick(ui, "Click what shall be 18 % grey", [](Ui& at, const Probe& probe) {
-        if (const std::optional<double> stops = stops_to_grey(probe.light)) {
-            const NumberRow<PictureSettings>& row = picture_number("exposure");
-            float& exposure = at.history.draft().exposure;
-            exposure = static_cast<float>(
-                std::clamp(static_cast<double>(exposure) + *stops, row.min, row.max));
-        }
-    });
+    // Not by what was measured of the shown picture: that is rounded at its exposure, and each time
+    // moves it a little.
+    start_pick(ui, "Click what shall be 18 % grey",
+               [](Ui& at, const Probe& /*probe*/) { at.metering = Metering{at.pointer}; });
 }
 
 void ask_for_surroundings(Ui& ui) {

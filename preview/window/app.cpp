@@ -343,8 +343,8 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
         panels::attempt(ui_, [&] { save_picture(to); });
         wake();
     }
-    if (std::exchange(ui_.wants_metering, false)) {
-        meter();
+    if (const auto metering = std::exchange(ui_.metering, {})) {
+        meter(metering->place);
     }
     thumbnails_.take(ui_);
     render(area);

@@ -65,7 +65,7 @@ class App {
     void move_time();
     FrameInputs frame_inputs() const;
     void save_picture(const std::string& path);
-    void meter();
+    void meter(const std::optional<ProbePlace>& place);
 
     WindowSetup setup_;
     MemoryFile memory_;

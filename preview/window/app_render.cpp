@@ -120,14 +120,17 @@ void App::save_picture(const std::string& path) {
     }
 }
 
-/// A step of undo. The dark and display-encoded pictures keep their exposure.
-void App::meter() {
-    FrameSettings settings = window_settings(ui_, setup_.frame, ui_.picture_size());
+/// A step of undo. The dark and display-encoded pictures keep their exposure. A place is one of
+/// what is seen, the mean that of the whole picture.
+void App::meter(const std::optional<ProbePlace>& place) {
+    const vk::Extent2D seen = output_area(ui_.picture_place, screen_->swapchain.extent()).extent;
+    FrameSettings settings = window_settings(
+        ui_, setup_.frame, place ? Size{seen.width, seen.height} : ui_.picture_size());
     settings.keeps_light = false;
     settings.raster =
         setup_.raster->on(screen_->device, picture_size(settings.output, *settings.compare));
     const std::optional<float> metered =
-        metered_exposure(screen_->executor, frame_inputs(), settings, {});
+        metered_exposure(screen_->executor, frame_inputs(), settings, place);
     if (metered) {
         ui_.history.draft().exposure = *metered;
         ui_.history.settle();

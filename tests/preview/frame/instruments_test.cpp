@@ -116,7 +116,7 @@ TEST_F(FrameTest, a_probe_tells_both_sides_of_the_same_texel_whatever_is_compare
     EXPECT_FALSE(kept(render_frame(executor, inputs, settings), "probe"));
 }
 
-TEST_F(FrameTest, metering_makes_the_place_or_the_mean_18_percent_grey_and_takes_one_frame) {
+TEST_F(FrameTest, metering_makes_the_place_or_the_mean_18_percent_grey_at_any_exposure) {
     const Loaded loaded(scene_at(*scene_named("studio"), 0));
     FrameSettings settings = settings_for(loaded.scene);
     settings.bloom = bloom_named("none");
@@ -128,6 +128,12 @@ TEST_F(FrameTest, metering_makes_the_place_or_the_mean_18_percent_grey_and_takes
     const Rendered spot = render_frame(executor, loaded.inputs(), settings);
     const lutlib::RgbD light = spot.probe.value().light;
     EXPECT_NEAR(0.2126 * light.r + 0.7152 * light.g + 0.0722 * light.b, metered_grey, 2e-4);
+    const float metered = settings.exposure;
+    for (const float exposure : {-12.0F, -0.013F, 3.37F, 11.0F}) {
+        settings.exposure = exposure;
+        EXPECT_EQ(metered_exposure(executor, loaded.inputs(), settings, place), metered)
+            << exposure;
+    }
 
     settings.exposure = metered_exposure(executor, loaded.inputs(), settings, {}).value();
     settings.keep_hdr = true;
@@ -140,6 +146,32 @@ TEST_F(FrameTest, metering_makes_the_place_or_the_mean_18_percent_grey_and_takes
     }
     EXPECT_NEAR(std::exp2(4 * stops / static_cast<double>(all.hdr.size())), metered_grey, 2e-3);
     EXPECT_EQ(all.hdr_size, size);
+}
+
+TEST_F(FrameTest, metering_a_place_has_all_digits_of_light_that_half_floats_have_not) {
+    Executor executor(device());
+    for (const float light : {1e-7F, 3e-4F, 0.18F, 9e4F}) {
+        const std::vector<float> rgba{light, light, light, 1, 0.5F, 0.5F, 0.5F, 1};
+        const GpuPicture picture(device(), {2, 1}, rgba, false);
+        FrameInputs inputs;
+        inputs.picture = &picture;
+        FrameSettings settings;
+        settings.output = {2, 1};
+        settings.bloom = bloom_named("none");
+        EXPECT_NEAR(metered_exposure(executor, inputs, settings, ProbePlace{0, 0}).value(),
+                    std::clamp(std::log2(0.18F / light), -20.0F, 20.0F), 1e-3F)
+            << light;
+        // Twice as large as it is, and side by side, where the second half is its left texel again.
+        settings.output = {4, 2};
+        settings.zoom.scale = 2;
+        EXPECT_NEAR(metered_exposure(executor, inputs, settings, ProbePlace{3, 1}).value(),
+                    std::log2(0.36F), 1e-3F);
+        settings.zoom = {};
+        settings.output = {4, 1};
+        settings.compare = &compare_side;
+        EXPECT_NEAR(metered_exposure(executor, inputs, settings, ProbePlace{3, 0}).value(),
+                    std::log2(0.36F), 1e-3F);
+    }
 }
 
 TEST_F(FrameTest, axes_are_counted_only_while_a_curve_is_seen) {

@@ -41,5 +41,28 @@ TEST_F(WindowMeter, makes_what_is_clicked_or_the_picture_18_percent_grey_and_is_
     screen_where(is(dark), "the exposure that was");
 }
 
+TEST_F(WindowMeter, changes_nothing_where_it_has_metered_already) {
+    start({"studio", "--exposure", "-2.5", "--without", "fxaa"}); // its bloom and tone map
+    key("F2");
+    const Screen dark = first_screen();
+    click("tab.View");
+    scroll_to("meter.pick");
+    const Point at = place("picture").at(0.4, 0.6);
+    const auto meter = [&] {
+        click("meter.pick");
+        click(at);
+        rest();
+    };
+    meter();
+    const Screen metered = screen_where(
+        [&](const Screen& now) { return now.changed(dark, picture()) > 0.5; }, "another exposure");
+    for (int i = 0; i < 3; ++i) {
+        meter();
+        EXPECT_EQ(desktop_->grab().changed(metered, picture()), 0) << i;
+    }
+    key("ctrl+z"); // one step: the others were none
+    screen_where(is(dark), "the exposure that was");
+}
+
 } // namespace
 } // namespace desktop

@@ -38,9 +38,7 @@ void palette(Ui& ui) {
                  ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoSavedSettings);
     if (ImGui::IsWindowAppearing()) {
-        if (ui.renew_bookmarks) {
-            ui.renew_bookmarks();
-        }
+        ui.cameras.renew();
         all = commands(ui);
         ui.palette_text.clear();
         ui.palette_at = 0;

@@ -66,13 +66,14 @@ void add_scenes(Commands& out, const Ui& ui) {
     add(out, "meter a place, which becomes 18 % grey", &start_metering);
     add(out, "surround the scene with a picture", &ask_for_surroundings);
     add(out, "play the scene, or stop it", [](Ui& to) { to.plays = !to.plays; });
-    add(out, "keep this camera", [](Ui& to) { to.keep_camera = {{}, to.history.draft().orbit}; });
+    add(out, "keep this camera", [](Ui& to) { to.cameras.keep = {{}, to.history.draft().orbit}; });
     add(out, "camera: as at first",
         [](Ui& to) { to.history.draft().orbit = to.facts.usual_orbit; });
-    for (const auto* const list : {&ui.facts.cameras, &ui.bookmarks}) {
+    for (const auto* const list : {&ui.facts.cameras, &ui.cameras.kept}) {
         for (const NamedCamera& camera : *list) {
             add(out,
-                text("camera", camera.name, list == &ui.bookmarks ? "kept" : "of the model's file"),
+                text("camera", camera.name,
+                     list == &ui.cameras.kept ? "kept" : "of the model's file"),
                 [orbit = camera.orbit](Ui& to) { to.history.draft().orbit = orbit; });
         }
     }

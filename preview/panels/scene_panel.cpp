@@ -1,4 +1,5 @@
 // The lights of the scene, by the table of their controls.
+#include "preview/panels/camera_list.h"
 #include "preview/panels/thumbnail.h"
 #include "preview/panels/tip.h"
 #include "preview/panels/ui.h"
@@ -7,10 +8,8 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace preview::panels {
 
@@ -100,54 +99,6 @@ void scene_list(Ui& ui) {
     }
     show_thumbnails(ui);
     ImGui::EndCombo();
-}
-
-/// `forget`: what the right button does to one; null: nothing.
-void camera_buttons(Ui& ui, const std::vector<NamedCamera>& cameras, const std::string& place,
-                    void (*forget)(Ui& ui, const NamedCamera& camera) = nullptr) {
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        if (ImGui::Button(cameras[i].name.c_str())) {
-            ui.history.draft().orbit = cameras[i].orbit;
-        }
-        mark(ui, place + std::to_string(i));
-        if (forget != nullptr) {
-            tip("Goes to this camera; the right button forgets it", {}, false);
-            if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
-                forget(ui, cameras[i]);
-            }
-        }
-        const float right = ImGui::GetItemRectMax().x;
-        if (right + em(6) < ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x) {
-            ImGui::SameLine();
-        }
-        ImGui::PopID();
-    }
-}
-
-/// Cameras to go back to: the scene's first, those of its file, and those that were kept.
-void camera_controls(Ui& ui) {
-    if (ui.renew_bookmarks) {
-        ui.renew_bookmarks();
-    }
-    camera_buttons(ui, {{"Camera as at first", ui.facts.usual_orbit}}, "camera.first.");
-    camera_buttons(ui, ui.facts.cameras, "camera.");
-    camera_buttons(ui, ui.bookmarks, "camera.kept.",
-                   [](Ui& of, const NamedCamera& camera) { of.forget_camera = camera.name; });
-    if (ImGui::GetCursorPosX() > ImGui::GetCursorStartPos().x) {
-        ImGui::NewLine(); // the buttons left room in theirs
-    }
-    if (ImGui::Button("Keep this camera")) {
-        ui.keep_camera = {std::exchange(ui.camera_name, {}), ui.history.draft().orbit};
-    }
-    mark(ui, "camera.keep");
-    tip("Kept for this scene or model until it is forgotten, in other windows too; without a "
-        "window --camera NAME renders it",
-        {}, false);
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-    ImGui::InputTextWithHint("##camera-name", "under a name of yours", &ui.camera_name);
-    mark(ui, "camera.name");
 }
 
 /// The moment of a built-in scene.

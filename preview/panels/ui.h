@@ -7,6 +7,7 @@
 #include "preview/editor/model.h"
 #include "preview/finish/picked_color.h"
 #include "preview/finish/probe.h"
+#include "preview/panels/camera_list.h"
 #include "preview/panels/errors.h"
 #include "preview/panels/exporting.h"
 #include "preview/panels/file_dialog.h"
@@ -130,18 +131,14 @@ struct Ui {
     Thumbnails thumbnails;
     std::optional<Pick> pick;
     std::optional<RegionDrag> region_drag;
-    std::optional<ProbePlace> pointer;      ///< the pixel of the picture's place under the mouse
-    std::string status_told;                ///< all of what was pointed at last; empty: nothing was
-    Rect picture_place;                     ///< in the last frame
-    std::string debug_view;                 ///< the intermediate that is shown; empty: the picture
-    double seconds = 0;                     ///< the moment of the scene
-    bool plays = false;                     ///< time goes on by itself
-    std::vector<NamedCamera> bookmarks;     ///< cameras that were kept of what is shown
-    std::optional<NamedCamera> keep_camera; ///< for the program to keep; without a name it gets one
-    std::string forget_camera;              ///< for the program to keep no longer; empty: none
-    std::function<void()> renew_bookmarks;  ///< takes in what other windows keep; null: nothing to
-    std::string camera_name;                ///< typed for the next one
-    std::vector<PickedColor> picked;        ///< the newest first
+    std::optional<ProbePlace> pointer; ///< the pixel of the picture's place under the mouse
+    std::string status_told;           ///< all of what was pointed at last; empty: nothing was
+    Rect picture_place;                ///< in the last frame
+    std::string debug_view;            ///< the intermediate that is shown; empty: the picture
+    double seconds = 0;                ///< the moment of the scene
+    bool plays = false;                ///< time goes on by itself
+    CameraList cameras;
+    std::vector<PickedColor> picked;           ///< the newest first
     float display_white = usual_display_white; ///< cd/m2, for which luminances are told
     bool scopes_frozen = false;                ///< they show what they counted when this was set
     std::array<Rect, scopes.size()> scope_places{}; ///< where scopes are seen; else empty

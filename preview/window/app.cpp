@@ -51,7 +51,7 @@ App::App(WindowSetup setup)
     ui_.export_engine = export_engine_of(ui_.history.draft());
     ui_.text_scale = memory_.memory().text_scale;
     ui_.wake = [] { glfwPostEmptyEvent(); };
-    ui_.renew_bookmarks = [this] {
+    ui_.cameras.take_others = [this] {
         if (kept_cameras_.is_outdated()) {
             take_cameras();
         }
@@ -270,16 +270,16 @@ void App::take_left_behind() {
 void App::take_cameras() {
     const std::string& input = ui_.facts.input;
     try {
-        if (const auto camera = std::exchange(ui_.keep_camera, {})) {
+        if (const auto camera = std::exchange(ui_.cameras.keep, {})) {
             kept_cameras_.keep(input, *camera);
         }
-        if (const std::string name = std::exchange(ui_.forget_camera, {}); !name.empty()) {
+        if (const std::string name = std::exchange(ui_.cameras.forget, {}); !name.empty()) {
             kept_cameras_.forget(input, name);
         }
-        ui_.bookmarks = kept_cameras_.of(input);
+        ui_.cameras.kept = kept_cameras_.of(input);
     } catch (const lutlib::Error& error) {
         tell(error.what());
-        ui_.bookmarks = kept_cameras_.of(input); // the window's own
+        ui_.cameras.kept = kept_cameras_.of(input); // the window's own
     }
 }
 
@@ -333,7 +333,7 @@ void App::frame(const std::vector<editor::InputEvent>& events) {
     if (!ImGui::IsAnyItemActive()) {
         ui_.history.settle();
     }
-    if (ui_.keep_camera || !ui_.forget_camera.empty()) {
+    if (ui_.cameras.asks()) {
         take_cameras();
     }
     request_looks();

@@ -21,7 +21,7 @@ Ui some_ui() {
         ui.facts.debug_views.push_back({view.name, view.help});
     }
     ui.facts.cameras = {{"door", {}}};
-    ui.bookmarks = {{"kept 1", {}}};
+    ui.cameras.kept = {{"kept 1", {}}};
     ui.recent = {"/looks/last.cube"};
     return ui;
 }
@@ -217,7 +217,7 @@ TEST(Palette, commands_change_what_they_say) {
     act("export look lut file");
     EXPECT_EQ(ui.file_dialog.typed, "look-export.cube");
     act("keep this camera");
-    EXPECT_TRUE(ui.keep_camera);
+    EXPECT_TRUE(ui.cameras.keep);
 }
 
 TEST(Actions, have_each_a_key_of_its_own_that_has_a_name) {

@@ -35,7 +35,7 @@ void close_all(Ui& ui) {
     ui.exported.clear();
     ui.to_replace.clear();
     ui.pick.reset();
-    ui.region_drag.reset();
+    ui.scopes_shown.region_drag.reset();
     ui.asks_to_quit = false;
     ui.file_dialog = {};
     ui.exporting.ready.reset();
@@ -110,7 +110,7 @@ std::vector<Action> own_actions() {
              "freeze the scopes: they keep what they show while the picture changes; or let them "
              "follow it again",
          .key = Key::f,
-         .act = [](Ui& ui) { ui.scopes_frozen = !ui.scopes_frozen; }},
+         .act = [](Ui& ui) { ui.scopes_shown.are_frozen = !ui.scopes_shown.are_frozen; }},
         {.help = "list of keys",
          .key = Key::f1,
          .act = [](Ui& ui) { ui.shows_help = !ui.shows_help; }},

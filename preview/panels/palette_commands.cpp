@@ -231,7 +231,8 @@ void add_scopes(Commands& out, const Ui&) {
         add(out, text("scope levels", row.label() + " (" + row.name() + ")"),
             [&row](Ui& ui) { ui.history.draft().scopes_seen.encoding = row; });
     }
-    add(out, "scopes: drag the region that they count", [](Ui& ui) { ui.region_drag.emplace(); });
+    add(out, "scopes: drag the region that they count",
+        [](Ui& ui) { ui.scopes_shown.region_drag.emplace(); });
     add(out, "scopes: count all of the picture",
         [](Ui& ui) { ui.history.draft().scopes_seen.region = {}; });
 }

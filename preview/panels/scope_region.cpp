@@ -41,10 +41,10 @@ bool any_scope_seen(const ScopeChoice& choice) {
 } // namespace
 
 bool takes_mouse_for_region(Ui& ui, const Seen& seen) {
-    if (!ui.region_drag) {
+    if (!ui.scopes_shown.region_drag) {
         return false;
     }
-    RegionDrag& drag = *ui.region_drag;
+    RegionDrag& drag = *ui.scopes_shown.region_drag;
     if (ImGui::IsItemHovered()) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
     }
@@ -66,7 +66,7 @@ bool takes_mouse_for_region(Ui& ui, const Seen& seen) {
     }
     if (!ImGui::IsItemActive()) {
         if (is_region) {
-            ui.region_drag.reset();
+            ui.scopes_shown.region_drag.reset();
         } else {
             drag.from.reset();
         }
@@ -106,9 +106,9 @@ void show_scope_region(const Ui& ui, const Rect& area) {
 void scope_region_controls(Ui& ui) {
     ScopeRegion& region = ui.history.draft().scopes_seen.region;
     ImGui::TextUnformatted("Where they measure");
-    ImGui::BeginDisabled(ui.region_drag.has_value());
+    ImGui::BeginDisabled(ui.scopes_shown.region_drag.has_value());
     if (ImGui::Button("Drag a region")) {
-        ui.region_drag.emplace();
+        ui.scopes_shown.region_drag.emplace();
     }
     ImGui::EndDisabled();
     mark(ui, "scope.region.drag");

@@ -36,15 +36,15 @@ std::array<float, scopes.size()> widths_in(const ScopeChoice& choice, const Rect
     return widths;
 }
 
-/// Writes a scope's figures in the window's font over its picture, of ui.scope_figures.
+/// Writes a scope's figures in the window's font over its picture, of ui.scopes_shown.figures.
 void write_figures(const Ui& ui, const Scope& scope, const Rect& place) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     const std::vector<LevelFigure> levels = level_figures(scope_levels(ui));
-    const ScopePlot plot =
-        scope_plot(scope, static_cast<std::uint32_t>(place.width * scale.x),
-                   static_cast<std::uint32_t>(place.height * scale.y), ui.scope_figures, levels);
+    const ScopePlot plot = scope_plot(scope, static_cast<std::uint32_t>(place.width * scale.x),
+                                      static_cast<std::uint32_t>(place.height * scale.y),
+                                      ui.scopes_shown.figures, levels);
     constexpr ImU32 color = IM_COL32(184, 163, 117, 255);
-    for (const ScopeLabel& label : scope_labels(scope, plot, ui.scope_figures, levels)) {
+    for (const ScopeLabel& label : scope_labels(scope, plot, ui.scopes_shown.figures, levels)) {
         ImGui::GetWindowDrawList()->AddText({place.x + static_cast<float>(label.x) / scale.x,
                                              place.y + static_cast<float>(label.y) / scale.y},
                                             color, label.text.data(),
@@ -131,8 +131,8 @@ void scopes_panel(Ui& ui) {
             ImGui::SetTooltip("%s", std::string(scopes[i].help).c_str());
         }
     }
-    if (ImGui::Button(ui.scopes_frozen ? "Follow the picture again (F)" : "Freeze (F)")) {
-        ui.scopes_frozen = !ui.scopes_frozen;
+    if (ImGui::Button(ui.scopes_shown.are_frozen ? "Follow the picture again (F)" : "Freeze (F)")) {
+        ui.scopes_shown.are_frozen = !ui.scopes_shown.are_frozen;
     }
     mark(ui, "scope.freeze");
     tip("they keep what they show while the picture changes", {}, false);
@@ -152,7 +152,7 @@ void scopes_panel(Ui& ui) {
 }
 
 void scope_strip(Ui& ui, const Rect& area) {
-    ui.scope_places = {};
+    ui.scopes_shown.places = {};
     const ScopeChoice& choice = ui.history.draft().scopes_seen;
     if (area.height < 1) {
         return;
@@ -168,14 +168,14 @@ void scope_strip(Ui& ui, const Rect& area) {
     ImGui::PopStyleVar(2);
     const std::array<float, scopes.size()> widths = widths_in(choice, area);
     const ImVec2 digit = ImGui::CalcTextSize("0"), scale = ImGui::GetIO().DisplayFramebufferScale;
-    ui.scope_figures = {static_cast<std::int32_t>(std::ceil(digit.x * scale.x)),
-                        static_cast<std::int32_t>(std::ceil(digit.y * scale.y))};
+    ui.scopes_shown.figures = {static_cast<std::int32_t>(std::ceil(digit.x * scale.x)),
+                               static_cast<std::int32_t>(std::ceil(digit.y * scale.y))};
     float x = area.x;
     for (std::size_t i = 0; i < scopes.size(); ++i) {
         if (widths[i] < 1) {
             continue;
         }
-        ui.scope_places[i] = {x, area.y, widths[i], area.height};
+        ui.scopes_shown.places[i] = {x, area.y, widths[i], area.height};
         ImGui::SetCursorScreenPos({x, area.y});
         ImGui::InvisibleButton(std::string(scopes[i].name).c_str(), {widths[i], area.height});
         mark(ui, "scope.seen." + std::string(scopes[i].name));
@@ -183,9 +183,9 @@ void scope_strip(Ui& ui, const Rect& area) {
             ImGui::SetTooltip("%s: %s", std::string(scopes[i].label).c_str(),
                               std::string(scopes[i].help).c_str());
         }
-        write_figures(ui, scopes[i], ui.scope_places[i]);
-        if (ui.scopes_frozen) {
-            write_frozen(ui.scope_places[i]);
+        write_figures(ui, scopes[i], ui.scopes_shown.places[i]);
+        if (ui.scopes_shown.are_frozen) {
+            write_frozen(ui.scopes_shown.places[i]);
         }
         x += widths[i];
     }

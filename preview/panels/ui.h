@@ -13,6 +13,8 @@
 #include "preview/panels/file_dialog.h"
 #include "preview/panels/look_strip.h"
 #include "preview/panels/look_use.h"
+#include "preview/panels/rect.h"
+#include "preview/panels/scopes_shown.h"
 #include "preview/panels/thumbnail.h"
 
 #include <functional>
@@ -24,11 +26,6 @@
 namespace preview::panels {
 
 using namespace editor;
-
-/// A part of the window, in its pixels.
-struct Rect {
-    float x = 0, y = 0, width = 0, height = 0;
-};
 
 struct PassTime {
     std::string name;
@@ -89,11 +86,6 @@ struct Metering {
     std::optional<ProbePlace> place{};
 };
 
-/// The region for the scopes that is being dragged, see scope_region.h.
-struct RegionDrag {
-    std::optional<OutputPoint> from; ///< where it began, in shares of the picture; empty: not yet
-};
-
 struct Ui {
     explicit Ui(State first) : history(std::move(first)) {}
 
@@ -130,7 +122,6 @@ struct Ui {
     LookStrip look_strip;
     Thumbnails thumbnails;
     std::optional<Pick> pick;
-    std::optional<RegionDrag> region_drag;
     std::optional<ProbePlace> pointer; ///< the pixel of the picture's place under the mouse
     std::string status_told;           ///< all of what was pointed at last; empty: nothing was
     Rect picture_place;                ///< in the last frame
@@ -140,9 +131,7 @@ struct Ui {
     CameraList cameras;
     std::vector<PickedColor> picked;           ///< the newest first
     float display_white = usual_display_white; ///< cd/m2, for which luminances are told
-    bool scopes_frozen = false;                ///< they show what they counted when this was set
-    std::array<Rect, scopes.size()> scope_places{}; ///< where scopes are seen; else empty
-    FigureSize scope_figures;      ///< of those that are written over the scopes, in their pixels
+    ScopesShown scopes_shown;
     const Compare* held = nullptr; ///< shown instead while a key is held
     /// Since the last frame: no press is lost, however short.
     std::vector<KeyPress> pressed;

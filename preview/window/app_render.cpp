@@ -153,7 +153,7 @@ void App::freeze_scopes(const FrameHandles& handles, const ScopeLevels& levels) 
     if (frozen_.take(screen_->executor, handles, screen_->frozen)) {
         ui_.facts.frozen_levels = levels;
     } else {
-        ui_.scopes_frozen = false;
+        ui_.scopes_shown.are_frozen = false;
         ui_.errors.add("show something that the scopes count before you freeze them" +
                        (ui_.facts.no_scopes.empty() ? "" : ": " + ui_.facts.no_scopes));
     }
@@ -172,11 +172,11 @@ void App::render(const panels::Rect& area) {
     for (std::size_t i = 0; i < scopes.size(); ++i) {
         settings.scope_sizes[i] = {scope_places[i].extent.width, scope_places[i].extent.height};
     }
-    if (!ui_.scopes_frozen) {
+    if (!ui_.scopes_shown.are_frozen) {
         frozen_.thaw();
         ui_.facts.frozen_levels.reset();
     }
-    settings.keeps_scopes = ui_.scopes_frozen && !frozen_.is_frozen();
+    settings.keeps_scopes = ui_.scopes_shown.are_frozen && !frozen_.is_frozen();
     const editor::State& state = ui_.history.draft();
     FrameInputs inputs = frame_inputs();
     inputs.kept_scopes = frozen_.on(screen.device, screen.frozen);

@@ -48,7 +48,7 @@ ScopeAreas scope_areas(const panels::Ui& ui, vk::Extent2D window) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     ScopeAreas areas;
     for (std::size_t i = 0; i < areas.size(); ++i) {
-        const panels::Rect& place = ui.scope_places[i];
+        const panels::Rect& place = ui.scopes_shown.places[i];
         const auto x = static_cast<std::uint32_t>(std::max(place.x * scale.x, 0.0F));
         const auto y = static_cast<std::uint32_t>(std::max(place.y * scale.y, 0.0F));
         const auto width = static_cast<std::uint32_t>(place.width * scale.x);
@@ -77,7 +77,7 @@ FrameSettings window_settings(const panels::Ui& ui, FrameSettings given, Size ou
     settings.scope_logarithmic = state.scopes_seen.logarithmic;
     settings.scope_gain = state.scopes_seen.gain;
     settings.scope_levels = panels::scope_levels(ui);
-    settings.scope_figures = ui.scope_figures;
+    settings.scope_figures = ui.scopes_shown.figures;
     if (ui.pointer) {
         settings.probe = {std::clamp(ui.pointer->x, 0, static_cast<int>(output.width) - 1),
                           std::clamp(ui.pointer->y, 0, static_cast<int>(output.height) - 1)};

@@ -178,12 +178,12 @@ TEST(Palette, commands_change_what_they_say) {
     act("part frame names");
     EXPECT_FALSE(state.without.has(Effect::names));
     act("scopes: drag the region");
-    EXPECT_TRUE(ui.region_drag);
+    EXPECT_TRUE(ui.scopes_shown.region_drag);
     state.scopes_seen.region = {0.1F, 0.2F, 0.3F, 0.4F};
     act("scopes: count all");
     EXPECT_EQ(state.scopes_seen.region, ScopeRegion{});
     act("freeze the scopes");
-    EXPECT_TRUE(ui.scopes_frozen);
+    EXPECT_TRUE(ui.scopes_shown.are_frozen);
     act("panel: Cube");
     EXPECT_EQ(panel_names()[ui.panel], "Cube");
     act("page of the look: hues");

@@ -5,6 +5,7 @@
 #include "common/brdf.glsl"
 #include "common/environment.glsl"
 #include "common/seen.glsl"
+#include "common/sanitise.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
 #include "common/lighting_constants.glsl"
 layout(binding = 0) uniform Views { View view; };
@@ -21,5 +22,6 @@ void main() {
         return;
     }
     vec3 ray = ray_at(view, vec2(at) + 0.5, vec2(size));
-    imageStore(target, at, vec4(background_at(normalize(ray), float(size.y)), 1.0));
+    vec3 light = background_at(normalize(ray), float(size.y));
+    imageStore(target, at, vec4(round_to_half(light), 1.0));
 }

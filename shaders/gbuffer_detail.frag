@@ -6,6 +6,7 @@
 #define DETAIL_BINDING 5
 #include "common/detail_surface.glsl"
 #include "common/normal_filter.glsl"
+#include "common/sanitise.glsl"
 layout(constant_id = 0) const bool filters_normals = false;
 layout(std430, binding = 4) readonly buffer Materials { Material materials[]; };
 layout(location = 0) in vec3 normal;
@@ -31,6 +32,6 @@ void main() {
     s.roughness = filtered_roughness(s.roughness, added);
     out_normal = to_bits(encode_octahedral(turned));
     out_material = pack_surface(s);
-    out_albedo = vec4(s.albedo, 1.0);
-    out_emission = vec4(s.emission, 1.0);
+    out_albedo = vec4(round_to_half(s.albedo), 1.0);
+    out_emission = vec4(round_to_half(s.emission), 1.0);
 }

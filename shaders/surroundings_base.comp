@@ -47,5 +47,5 @@ void main() {
         return;
     }
     vec3 mean = is_picture ? picture_mean(at, size) : sky_mean(at, size);
-    imageStore(target, at, vec4(sanitise(mean), 1.0));
+    imageStore(target, at, vec4(round_to_half(sanitise(mean)), 1.0));
 }

@@ -4,6 +4,7 @@
 // preview/reference/surroundings.h is the same in double.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "common/sanitise.glsl"
 #include "common/sphere.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(binding = 0) uniform sampler2D base;
@@ -49,6 +50,6 @@ void main() {
         barrier();
     }
     if (all(lessThan(at, target_size))) {
-        imageStore(target, at, vec4(sum / max(weights, 1e-20), 1.0));
+        imageStore(target, at, vec4(round_to_half(sum / max(weights, 1e-20)), 1.0));
     }
 }

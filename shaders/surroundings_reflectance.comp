@@ -5,6 +5,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "common/brdf.glsl"
+#include "common/sanitise.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(binding = 0) writeonly uniform image2D target;
 
@@ -39,5 +40,5 @@ void main() {
             }
         }
     }
-    imageStore(target, at, vec4(sum / float(steps * steps), 0.0, 1.0));
+    imageStore(target, at, vec4(round_to_half(vec3(sum / float(steps * steps), 0.0)), 1.0));
 }

@@ -32,6 +32,7 @@ layout(push_constant) uniform Push {
 };
 #include "common/lit_surface.glsl"
 #include "common/seen.glsl"
+#include "common/sanitise.glsl"
 
 void main() {
     vec3 ray = ray_at(view, gl_FragCoord.xy, vec2(width, height));
@@ -65,6 +66,7 @@ void main() {
     vec3 light = surface.is_unlit ? surface.emission
                                   : light_from(surface, position, shading, face, -normalize(ray),
                                                1.0);
+    // What is blended is rounded once it has been.
     float share = blends ? clamp(coverage, 0.0, 1.0) : 1.0;
-    out_light = vec4(light * share, share);
+    out_light = vec4(blends ? light * share : round_to_half(light), share);
 }

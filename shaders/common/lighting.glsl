@@ -32,6 +32,7 @@ layout(constant_id = 14) const bool counts_lights = false; // in place of their 
 #include "common/lit_surface.glsl"
 #include "common/background.glsl"
 #include "common/seen.glsl"
+#include "common/sanitise.glsl"
 
 Surface surface_at(ivec2 at) {
     uint word = texelFetch(material_numbers, at, 0).r;
@@ -131,6 +132,6 @@ void main() {
                                      ray_at(view, vec2(at) + 0.5, vec2(size)));
     }
     if (is_inside) {
-        imageStore(target, at, vec4(light_at(at, size), 1.0));
+        imageStore(target, at, vec4(round_to_half(light_at(at, size)), 1.0));
     }
 }

@@ -3,6 +3,7 @@
 #include "common/scene.glsl"
 #include "common/keys.glsl"
 #include "common/normal_filter.glsl"
+#include "common/sanitise.glsl"
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(constant_id = 0) const bool filters_normals = false;
 // Targets that the frame reads, by bits; the depth always is.
@@ -41,12 +42,12 @@ void store(ivec2 at, vec3 normal, uint word, float depth) {
 }
 
 #ifdef HAS_DETAIL
-void store_colors(ivec2 at, vec4 albedo, vec4 emission) {
+void store_colors(ivec2 at, vec3 albedo, vec3 emission) {
     if (writes_albedo) {
-        imageStore(albedos, at, albedo);
+        imageStore(albedos, at, vec4(round_to_half(albedo), 1.0));
     }
     if (writes_emission) {
-        imageStore(emissions, at, emission);
+        imageStore(emissions, at, vec4(round_to_half(emission), 1.0));
     }
 }
 #endif
@@ -67,7 +68,7 @@ void main() {
         }
         imageStore(depths, at, vec4(1.0));
 #ifdef HAS_DETAIL
-        store_colors(at, vec4(0.0), vec4(0.0));
+        store_colors(at, vec3(0.0), vec3(0.0));
 #endif
         return;
     }
@@ -104,7 +105,7 @@ void main() {
                            point.color, point.tangent, normal, coverage);
     s.roughness = filtered_roughness(s.roughness, added);
     uint word = pack_surface(s);
-    store_colors(at, vec4(s.albedo, 1.0), vec4(s.emission, 1.0));
+    store_colors(at, s.albedo, s.emission);
 #else
     uint word = (object.material.x + 1u) | (filters_normals ? pack_added(added) : 0u);
 #endif

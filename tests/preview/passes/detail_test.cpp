@@ -282,6 +282,25 @@ TEST_F(DetailTest, an_unlit_material_emits_its_albedo) {
     compare(scene, "unlit");
 }
 
+// Drivers may cut off where a shader leaves the rounding to half floats to them.
+TEST_F(DetailTest, colors_are_the_nearest_half_floats) {
+    Scene scene = detailed_scene();
+    for (VertexDetail& detail : scene.meshes[0].details) {
+        detail.color = glm::vec4(1);
+    }
+    constexpr double red = 0.7, half_step = 0x1p-12; // between halves below 1
+    scene.materials[0].albedo.r = scene.materials[0].emission.r = static_cast<float>(red);
+    for (const bool by_compute : {false, true}) {
+        if (by_compute && !has_compute()) {
+            continue;
+        }
+        const Pictures found = render(scene, view_block(scene.orbit, aspect), by_compute);
+        const std::size_t middle = std::size_t{size.height} / 2 * size.width + size.width / 2;
+        EXPECT_NEAR(found.albedo[middle].r, red, half_step) << by_compute;
+        EXPECT_NEAR(found.emission[middle].r, red, half_step) << by_compute;
+    }
+}
+
 TEST_F(DetailTest, a_scene_without_detail_has_no_buffer_for_it) {
     Scene scene = detailed_scene();
     scene.meshes[0].details.clear();

@@ -1,9 +1,22 @@
-// The surface model of preview/reference/ggx.h, formula for formula; its comment has the sources.
+// The surface model of preview/reference/ggx.h; its comment has the sources.
 #ifndef BRDF_GLSL
 #define BRDF_GLSL
 
 const float pi = 3.14159265358979;
 const float least_roughness = 0.045;
+
+/// n.h^2 (alpha^2 - 1) + 1 of unit vectors; 1 from behind. Where a smooth surface's highlight is, n.h
+/// is so near to 1 that floats of this form have lost their digits; the angle's sine keeps them.
+float ggx_width_squared(vec3 normal, vec3 halfway, float alpha) {
+    float n_dot_h = dot(normal, halfway);
+    vec3 sine = cross(normal, halfway);
+    float a = alpha * n_dot_h;
+    return n_dot_h > 0.0 ? min(dot(sine, sine) + a * a, 1.0) : 1.0;
+}
+
+float ggx_distribution(float width_squared, float alpha) {
+    return alpha * alpha / (pi * width_squared * width_squared);
+}
 
 float smith_visibility(float n_dot_l, float n_dot_v, float alpha) {
     float a2 = alpha * alpha;
@@ -24,21 +37,18 @@ Lobes lobes_of(vec3 normal, vec3 view, vec3 light, vec3 albedo, float roughness,
     vec3 sum = view + light;
     float squared = dot(sum, sum);
     vec3 halfway = squared > 1e-18 ? sum * inversesqrt(squared) : normal;
-    float n_dot_h = clamp(dot(normal, halfway), 0.0, 1.0);
     float v_dot_h = clamp(dot(view, halfway), 0.0, 1.0);
     float alpha = max(roughness, least_roughness);
     alpha *= alpha;
-    float a2 = alpha * alpha;
-    // n.h^2 (a^2 - 1) + 1. By the sine, as 1 - n.h^2 has no digits left where smooth surfaces shine.
-    vec3 sine = cross(normal, halfway);
-    float width = dot(sine, sine) + a2 * n_dot_h * n_dot_h;
-    float lobe = a2 / (pi * width * width) * smith_visibility(n_dot_l, n_dot_v, alpha);
+    float width_squared = ggx_width_squared(normal, halfway, alpha);
+    float lobe =
+        ggx_distribution(width_squared, alpha) * smith_visibility(n_dot_l, n_dot_v, alpha);
     float grazing = 1.0 - v_dot_h;
     float grazing2 = grazing * grazing;
     vec3 f0 = mix(vec3(0.04), albedo, metalness);
     vec3 fresnel = f0 + (1.0 - f0) * (grazing2 * grazing2 * grazing);
     return Lobes((1.0 - fresnel) * (1.0 - metalness) * albedo / pi, fresnel * lobe,
-                 inversesqrt(width));
+                 inversesqrt(width_squared));
 }
 
 /// Radiance towards `view` per unit of irradiance at normal incidence from `light`.

@@ -65,17 +65,20 @@ FrameInputs Checker::inputs_of(const Situation& situation, std::optional<Scene>&
     return out;
 }
 
-Checker::Seen Checker::see(const Situation& situation, bool with_bloom_apart) {
+Checker::Seen Checker::see(const Situation& situation, bool with_all_apart) {
     refuse_raster(device_, situation.settings);
     std::optional<Scene> moved;
     const FrameInputs inputs = inputs_of(situation, moved);
     Seen out;
     out.handles = build_frame(out.graph, inputs, situation.settings);
-    if (with_bloom_apart && out.handles.bloom) {
+    if (with_all_apart && out.handles.bloom) {
         Finishing bloomed;
         bloomed.picture = out.handles.hdr;
         bloomed.bloom = out.handles.bloomed;
         out.graph.present(add_bloom_composite(out.graph, bloomed));
+    }
+    if (with_all_apart) {
+        out.graph = with_lighting_apart(out.graph);
     }
     out.observed = observe(executor_, out.graph);
     return out;

@@ -109,7 +109,7 @@ class Checker {
     };
     /// GPU objects of what is shown, kept while it is the same.
     FrameInputs inputs_of(const Situation& situation, std::optional<Scene>& moved);
-    Seen see(const Situation& situation, bool with_bloom_apart = false);
+    Seen see(const Situation& situation, bool with_all_apart = false);
     PlantResult plant(const Seen& plain, std::uint32_t version, std::string_view name, float value);
 
     const gpu::Device& device_;

@@ -111,8 +111,12 @@ Observed read(Executor& executor, const Graph& graph, std::uint32_t version) {
     }
     const Decoding& decoding = decodings[static_cast<std::size_t>(resource.image.format)];
     out.channels = decoding.channels;
+    const auto bytes = executor.read_image(ImageHandle{version});
     if (decoding.decode != nullptr) {
-        decoding.decode(out.values, executor.read_image(ImageHandle{version}));
+        decoding.decode(out.values, bytes);
+    } else {
+        out.words.resize(bytes.size() / sizeof(std::uint32_t));
+        std::memcpy(out.words.data(), bytes.data(), out.words.size() * sizeof(std::uint32_t));
     }
     return out;
 }

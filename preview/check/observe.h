@@ -21,6 +21,7 @@ struct Observed {
     /// Texel after texel, rows from the top, layers one behind the other. Codes of normalised
     /// formats are shares of the largest; empty where the texels are no numbers (r32ui).
     std::vector<float> values;
+    std::vector<std::uint32_t> words; ///< of r32ui
 
     std::size_t texels() const { return values.size() / channels; }
 };

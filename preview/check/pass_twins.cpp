@@ -1,5 +1,7 @@
 #include "preview/check/pass_twins.h"
 
+#include "preview/check/lighting_twin.h"
+#include "preview/check/seen_surfaces.h"
 #include "preview/effects/effect.h"
 #include "preview/passes/resolve.h"
 #include "preview/reference/bloom.h"
@@ -27,7 +29,7 @@ double stops_of(const Situation& s) {
            (s.shown->scene ? static_cast<double>(s.shown->scene->exposure) : 0);
 }
 
-Image resolve_twin(const TwinInput& in) {
+Twin resolve_twin(const TwinInput& in) {
     const auto side = [](int length) { return static_cast<std::uint32_t>(length); };
     const Size extent = fitted({side(in.image.width), side(in.image.height)}, in.size);
     const auto width = static_cast<int>(in.size.width), height = static_cast<int>(in.size.height);
@@ -47,15 +49,19 @@ BloomPlan plan_for(const TwinInput& in) {
                      : BloomPlan{};
 }
 
-Image bloom_twin(const TwinInput& in) {
+Image bloomed(const TwinInput& in) {
     return reference::with_bloom(plan_for(in), in.image);
 }
 
-Image finish_twin(const TwinInput& in) {
+Twin bloom_twin(const TwinInput& in) {
+    return bloomed(in);
+}
+
+Twin finish_twin(const TwinInput& in) {
     const FrameSettings& settings = in.situation.settings;
     const Tonemap* const tonemap =
         settings.without.has(Effect::tonemap) ? tonemap_named("none") : settings.tonemap;
-    Image out = bloom_twin(in);
+    Image out = bloomed(in);
     for (RgbD& pixel : out.pixels) {
         pixel = tonemap->apply(pixel);
     }
@@ -98,12 +104,12 @@ double whole(double value) {
     return std::max(std::floor(value + 0.5), 1.0);
 }
 
-Image vignette_twin(const TwinInput& in) {
+Twin vignette_twin(const TwinInput& in) {
     return reference::vignette(in.image, number_of(in, "vignette", "strength"),
                                number_of(in, "vignette", "angle"));
 }
 
-Image fxaa_twin(const TwinInput& in) {
+Twin fxaa_twin(const TwinInput& in) {
     return reference::fxaa(in.image, number_of(in, "fxaa", "strength"));
 }
 
@@ -141,7 +147,7 @@ std::vector<double> circles_of(const TwinInput& in) {
     return out;
 }
 
-Image lens_twin(const TwinInput& in) {
+Twin lens_twin(const TwinInput& in) {
     const auto count = [&](std::string_view parameter) {
         return static_cast<int>(whole(number_of(in, "depth-of-field", parameter)));
     };
@@ -161,7 +167,7 @@ double fringe_of(const TwinInput& in) {
            number_of(in, "chromatic-aberration", "corner") / 1000 * rows_of(in);
 }
 
-Image fringes_twin(const TwinInput& in) {
+Twin fringes_twin(const TwinInput& in) {
     return reference::chromatic_aberration(in.image, fringe_of(in));
 }
 
@@ -169,13 +175,13 @@ int fringes_reach(const TwinInput& in) {
     return static_cast<int>(std::ceil(fringe_of(in))) + 1;
 }
 
-Image sharpen_twin(const TwinInput& in) {
+Twin sharpen_twin(const TwinInput& in) {
     return reference::sharpened(
         in.image, number_of(in, "sharpen", "strength"),
         static_cast<int>(whole(number_of(in, "sharpen", "reach") / 1000 * rows_of(in))));
 }
 
-Image grain_twin(const TwinInput& in) {
+Twin grain_twin(const TwinInput& in) {
     return reference::film_grain(
         in.image, {.amplitude = 0.15 * number_of(in, "film-grain", "strength"),
                    .cell = std::max(number_of(in, "film-grain", "size") / 1000 * rows_of(in), 1.0),
@@ -183,7 +189,7 @@ Image grain_twin(const TwinInput& in) {
                    .is_colored = number_of(in, "film-grain", "colored") != 0});
 }
 
-Image glitch_twin(const TwinInput& in) {
+Twin glitch_twin(const TwinInput& in) {
     const double strength = number_of(in, "glitch", "strength");
     const auto texels = [&](std::string_view parameter) {
         return number_of(in, "glitch", parameter) / 1000 * rows_of(in);
@@ -196,14 +202,14 @@ Image glitch_twin(const TwinInput& in) {
                                           .line = static_cast<int>(whole(texels("line")))});
 }
 
-Image pointillism_twin(const TwinInput& in) {
+Twin pointillism_twin(const TwinInput& in) {
     return reference::pointillism(
         in.image, {.strength = number_of(in, "pointillism", "strength"),
                    .cell = std::max(number_of(in, "pointillism", "size") / 1000 * rows_of(in), 2.0),
                    .is_colored = number_of(in, "pointillism", "colored") != 0});
 }
 
-Image vaporwave_twin(const TwinInput& in) {
+Twin vaporwave_twin(const TwinInput& in) {
     // Of a picture all is in front.
     std::vector<bool> is_background(in.image.pixels.size(), false);
     if (in.sampled.size() > 1 && in.sampled[1] != nullptr) {
@@ -218,7 +224,7 @@ Image vaporwave_twin(const TwinInput& in) {
                                  .moved = fields - 2 * std::floor(fields / 2)});
 }
 
-Image paintbrush_twin(const TwinInput& in) {
+Twin paintbrush_twin(const TwinInput& in) {
     const double cell = std::max(number_of(in, "paintbrush", "size") / 1000 * rows_of(in) /
                                      (2 * reference::stroke_half_width),
                                  2.0);
@@ -241,21 +247,9 @@ bool is_small(const Situation& s) {
 
 // ---- the scene
 
-Image occlusion_twin(const TwinInput& in) {
+Twin occlusion_twin(const TwinInput& in) {
     const FrameSettings& settings = in.situation.settings;
-    const Observed &depth = *in.sampled[0], &normals = *in.sampled[1];
-    reference::SeenSurfaces seen;
-    seen.width = static_cast<int>(depth.desc.width);
-    seen.height = static_cast<int>(depth.desc.height);
-    seen.view = view_block(settings.orbit, static_cast<float>(depth.desc.width) /
-                                               static_cast<float>(depth.desc.height));
-    seen.depth = depth.values;
-    for (std::size_t i = 0; i < seen.depth.size(); ++i) {
-        const auto word = [&](std::size_t c) {
-            return std::round(static_cast<double>(normals.values[2 * i + c]) * 65535);
-        };
-        seen.normal.push_back(reference::octahedral_normal(word(0), word(1)));
-    }
+    const reference::SeenSurfaces seen = seen_surfaces(in, *in.sampled[0], in.sampled[1]);
     const OcclusionSettings& asked = settings.occlusion;
     const std::vector<double> left = reference::occlusion(
         seen,
@@ -281,6 +275,10 @@ constexpr TwinRow rows[] = {
      [](const Situation& s) { return s.settings.occlusion.resolution->side > 1; }, occlusion_twin},
     {"ambient occlusion blurred along y", 1e-3, 1, 0.02, 1e-3,
      [](const Situation& s) { return s.settings.occlusion.resolution->side == 1; }, occlusion_twin},
+    // A rounding to half floats is 2^-11. Where a mirror's highlight or what is nearest on a rod or
+    // ring stands hangs on the roundings of floats.
+    {"lighting", 0x1p-10, 0x1p-14, 0.001, usual_drift,
+     [](const Situation& s) { return s.has_scene(); }, lighting_twin},
     // A rounding to half floats is 2^-11, of the smallest 2^-24.
     {"hdr resolve", 0x1p-10, 0x1p-14, 0, usual_drift,
      [](const Situation& s) { return s.has_light(); }, resolve_twin},

@@ -6,6 +6,7 @@
 #include "preview/check/situation.h"
 #include "preview/reference/image.h"
 
+#include <utility>
 #include <vector>
 
 namespace preview {
@@ -17,6 +18,18 @@ struct TwinInput {
     /// All that it samples, in its order; null for what was not observed.
     const std::vector<const Observed*>& sampled;
     Size size; ///< of the result
+    const Graph& graph;
+    const PassRecord& pass; ///< itself
+    const std::vector<Observed>& observed;
+};
+
+/// What a pass should have made.
+struct Twin {
+    reference::Image wanted;
+    reference::Image brightness; ///< that differences are relative to
+    reference::Image doubt;      ///< by which it may be off besides; empty: nothing
+
+    Twin(reference::Image image) : wanted(std::move(image)), brightness(wanted) {}
 };
 
 struct TwinRow {
@@ -26,7 +39,7 @@ struct TwinRow {
     double may_be_beyond; ///< share of the texels
     double drift;         ///< of pictures of many texels
     bool (*is_known)(const Situation& situation);
-    reference::Image (*twin)(const TwinInput& in);
+    Twin (*twin)(const TwinInput& in);
     /// Of a pass that the texture unit filters for: texels so far away count as its own brightness,
     /// for the unit's weights have 8 bits. Null: none.
     int (*reach)(const TwinInput& in) = nullptr;

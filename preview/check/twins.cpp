@@ -2,6 +2,9 @@
 
 #include "lutlib/half.h"
 #include "preview/check/pass_twins.h"
+#include "preview/check/read_by.h"
+#include "preview/graph/interpose.h"
+#include "preview/passes/copy.h"
 #include "preview/passes/resolve.h"
 
 #include <algorithm>
@@ -16,26 +19,6 @@ using lutlib::RgbD;
 using reference::Image;
 
 constexpr double drift_of_one_texel = 0x1p-10;
-
-Image image_of(const Observed& observed) {
-    Image out(static_cast<int>(observed.desc.width), static_cast<int>(observed.desc.height));
-    for (std::size_t i = 0; i < out.pixels.size(); ++i) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            out.pixels[i][c] = static_cast<double>(observed.values[4 * i + c]);
-        }
-    }
-    return out;
-}
-
-Image image_of(const ShownPicture& picture) {
-    Image out(static_cast<int>(picture.size.width), static_cast<int>(picture.size.height));
-    for (std::size_t i = 0; i < out.pixels.size(); ++i) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            out.pixels[i][c] = static_cast<double>(picture.rgba[4 * i + c]);
-        }
-    }
-    return out;
-}
 
 /// What a pass samples.
 struct Sampled {
@@ -75,10 +58,16 @@ Sampled sampled_by(const Situation& situation, const Graph& graph,
     return out;
 }
 
+/// Half floats hold no more light; of what the resolve reads they make infinities.
+double held(double value, Format format) {
+    constexpr double most = 65504;
+    return format == Format::rgba16f ? std::clamp(value, -most, most) : value;
+}
+
 /// As an image of that format should keep it.
 double stored(double value, Format format) {
     return format == Format::rgba16f ? static_cast<double>(lutlib::float_from_half(
-                                           lutlib::half_from(std::min(value, 65504.0))))
+                                           lutlib::half_from(held(value, format))))
                                      : value;
 }
 
@@ -108,23 +97,31 @@ double lit_texels(const Image& wanted) {
     return lit > 0 ? static_cast<double>(lit) : static_cast<double>(wanted.pixels.size());
 }
 
-TwinFigure compared(const TwinRow& row, const Image& wanted, const Image& brightness,
-                    const Observed& got) {
+/// What of a difference is beyond the doubt about it.
+double beyond_doubt(double off, double doubt) {
+    return std::isnan(off) ? HUGE_VAL : std::copysign(std::max(std::abs(off) - doubt, 0.0), off);
+}
+
+TwinFigure compared(const TwinRow& row, const Twin& should, const Observed& got) {
+    const Image& wanted = should.wanted;
+    const Format format = got.desc.format;
     TwinFigure out{.pass = std::string(row.pass), .bound = row.bound};
     out.may_be_beyond = static_cast<std::uint64_t>(
         std::ceil(row.may_be_beyond * static_cast<double>(wanted.pixels.size())));
     const std::size_t channels = got.channels == 4 ? 3 : 1;
-    RgbD sum_wanted, sum_got;
+    RgbD sum_wanted, sum_got, sum_doubt;
     for (std::size_t i = 0; i < wanted.pixels.size(); ++i) {
         double worst = 0;
         for (std::size_t c = 0; c < channels; ++c) {
-            const double twin = wanted.pixels[i][c],
-                         pass = static_cast<double>(got.values[got.channels * i + c]);
-            const double off =
-                std::abs(pass - twin) / (std::abs(brightness.pixels[i][c]) + row.floor);
-            worst = std::isnan(off) ? HUGE_VAL : std::max(worst, off);
-            sum_wanted[c] += stored(twin, got.desc.format);
+            const double twin = held(wanted.pixels[i][c], format),
+                         pass = held(static_cast<double>(got.values[got.channels * i + c]), format),
+                         doubt = should.doubt.pixels.empty() ? 0 : should.doubt.pixels[i][c];
+            const double brightness = held(std::abs(should.brightness.pixels[i][c]), format);
+            worst = std::max(worst,
+                             std::abs(beyond_doubt(pass - twin, doubt)) / (brightness + row.floor));
+            sum_wanted[c] += stored(twin, format);
             sum_got[c] += pass;
+            sum_doubt[c] += doubt;
         }
         out.largest = std::max(out.largest, worst);
         out.beyond += worst > row.bound ? 1 : 0;
@@ -132,34 +129,83 @@ TwinFigure compared(const TwinRow& row, const Image& wanted, const Image& bright
     const double texels = lit_texels(wanted);
     out.drift_bound = row.drift + drift_of_one_texel / std::sqrt(texels);
     for (std::size_t c = 0; c < channels; ++c) {
-        const double drift =
-            (sum_got[c] - sum_wanted[c]) / (std::abs(sum_wanted[c]) + row.floor * texels);
+        const double drift = beyond_doubt(sum_got[c] - sum_wanted[c], sum_doubt[c]) /
+                             (std::abs(sum_wanted[c]) + row.floor * texels);
         out.drift = std::abs(drift) > std::abs(out.drift) ? drift : out.drift;
     }
     return out;
 }
 
+constexpr std::string_view drawn_over = "lighting";
+
+/// The last version that the pass has written; none where the frame has no such pass.
+std::uint32_t written_by(const Graph& graph, std::string_view pass) {
+    std::uint32_t out = Version::none;
+    for (std::uint32_t version = 0; version < graph.versions().size(); ++version) {
+        const std::uint32_t producer = graph.versions()[version].producer;
+        if (producer != Version::none && graph.passes()[producer].name == pass) {
+            out = version;
+        }
+    }
+    return out;
+}
+
+/// What a pass has left, or the copy of it; null where neither was observed.
+const Observed* result_of(const Graph& graph, const std::vector<Observed>& observed,
+                          std::string_view pass) {
+    if (pass != drawn_over || left_by(observed, pass) != nullptr) {
+        return left_by(observed, pass);
+    }
+    const std::uint32_t version = written_by(graph, pass);
+    const auto found = std::find_if(observed.begin(), observed.end(), [&](const Observed& one) {
+        const PassRecord& copy = graph.passes()[one.order];
+        return copy.name == "copy" && copy.uses.front().version == version;
+    });
+    return version == Version::none || found == observed.end() ? nullptr : &*found;
+}
+
 } // namespace
+
+Graph with_lighting_apart(const Graph& graph) {
+    const std::uint32_t version = written_by(graph, drawn_over);
+    if (version == Version::none || !graph.versions()[version].retired) {
+        return graph;
+    }
+    return interposed(graph, ImageHandle{version}, [](Graph& copied, ImageHandle lit) {
+        const ImageHandle out = add_copy(copied, lit, copied.image_desc(lit).format);
+        copied.present(out);
+        return out;
+    });
+}
 
 std::vector<TwinFigure> twin_figures(const Situation& situation, const Graph& graph,
                                      const std::vector<Observed>& observed) {
     std::vector<TwinFigure> out;
     for (const TwinRow& row : twin_rows()) {
-        const Observed* const result = left_by(observed, row.pass);
+        const Observed* const result = result_of(graph, observed, row.pass);
         if (result == nullptr || (result->channels != 4 && result->channels != 1) ||
             !row.is_known(situation)) {
             continue;
         }
-        const Sampled sampled = sampled_by(situation, graph, observed, result->order);
+        const std::uint32_t order = result->pass == row.pass
+                                        ? result->order
+                                        : graph.versions()[written_by(graph, row.pass)].producer;
+        const Sampled sampled = sampled_by(situation, graph, observed, order);
         if (!sampled.is_complete) {
             continue;
         }
-        const TwinInput in{
-            situation, sampled.image, sampled.all, {result->desc.width, result->desc.height}};
-        const Image wanted = row.twin(in);
-        out.push_back(compared(
-            row, wanted, row.reach != nullptr ? brightest_about(in.image, row.reach(in)) : wanted,
-            *result));
+        const TwinInput in{.situation = situation,
+                           .image = sampled.image,
+                           .sampled = sampled.all,
+                           .size = {result->desc.width, result->desc.height},
+                           .graph = graph,
+                           .pass = graph.passes()[order],
+                           .observed = observed};
+        Twin should = row.twin(in);
+        if (row.reach != nullptr) {
+            should.brightness = brightest_about(in.image, row.reach(in));
+        }
+        out.push_back(compared(row, should, *result));
     }
     return out;
 }

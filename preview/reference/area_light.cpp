@@ -6,13 +6,12 @@
 
 namespace preview::reference {
 
-namespace {
-
-/// Across a direction.
 glm::dvec3 across(glm::dvec3 axis) {
     return glm::normalize(
         glm::cross(axis, std::abs(axis.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
 }
+
+namespace {
 
 glm::dvec3 point_of(const PointLight& light, glm::dvec3 from, double share, int number) {
     const glm::dvec3 centre(light.position), extent(light.extent);

@@ -7,6 +7,9 @@
 
 namespace preview::reference {
 
+/// A unit vector across a unit `axis`; where a ring about it begins.
+glm::dvec3 across(glm::dvec3 axis);
+
 /// Radiance of a surface at `position` towards unit `view` under the light alone and without its
 /// shadow: the mean over `points` points along its middle line, or evenly over the ball as it
 /// is seen.

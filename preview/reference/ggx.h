@@ -27,6 +27,12 @@ double ggx_distribution(double n_dot_h, double alpha);
 /// G2 / (4 n.l n.v).
 double smith_visibility(double n_dot_l, double n_dot_v, double alpha);
 
+/// The model without n.l, from unit `light` to unit `view`.
+struct Lobes {
+    lutlib::RgbD diffuse, specular;
+};
+Lobes lobes(const Surface& surface, glm::dvec3 view, glm::dvec3 light);
+
 /// Radiance towards unit `view` per unit of irradiance at normal incidence from unit `light`:
 /// the model times n.l. Zero from behind.
 lutlib::RgbD shade(const Surface& surface, glm::dvec3 view, glm::dvec3 light);

@@ -8,10 +8,11 @@
 // - A pass that has a twin in double agrees with it as far as twins.cpp says.
 // - What a NaN or infinity at a pass's input changes of the resolved light is within planted_reach
 //   texels of it.
-// - A change of a millionth moves 99 % of the finished picture by no more than most_p99 and at most
-//   most_moved of its texels by more than a code; one that moves the geometry on the screen
-//   most_moved_by_geometry, for rasterisers round corners to 1/256 of a texel, which is more than
-//   they move.
+// - A change of a millionth moves 99 % of the finished picture by no more than most_p99, and by
+// more
+//   than a code at most most_moved of its texels, those of one edge that antialiasing walks along
+//   to an end which hangs on a rounding, and, where it moves the geometry on the screen, of the
+//   texels beside edges the share by which rasterisers move these when they round corners.
 #pragma once
 
 #include "preview/check/situation.h"
@@ -27,8 +28,13 @@ namespace preview {
 inline constexpr int planted_reach = 16;    ///< texels of the resolved light
 inline constexpr double nudge_share = 1e-6; ///< of a value, or radians, metres
 inline constexpr double most_p99 = 0.25;    ///< codes of 255
-inline constexpr double most_moved_by_geometry = 0.005;
 inline constexpr double most_moved = 0.001; ///< of the texels
+/// Of those beside edges: a corner may be rounded by 1/256 of a texel, along both axes.
+inline constexpr double most_moved_of_edges = 2.0 / 256;
+/// How many texels fxaa.comp walks to the end of an edge.
+inline constexpr double antialiasing_reach = 25;
+/// A difference of neighbours from which fxaa.comp takes it for an edge, of 0..1.
+inline constexpr double edge_contrast = 0.0312;
 
 struct PassCount {
     std::string pass, name;
@@ -75,6 +81,7 @@ struct NudgeResult {
     std::vector<PassMove> passes{};
     double largest = 0, p99 = 0; ///< of the finished picture, codes of 255
     double moved = 0;            ///< share of its texels that move by more than a code
+    double may_move = 0;         ///< share of them that may
     std::string stiffest{};      ///< the pass that moves most for what its inputs do
     double gain = 0;             ///< by how much more, of means
     std::vector<std::string> faults{};

@@ -149,11 +149,11 @@ json json_of(const NudgeResult& one) {
                           {"p99", pass.p99},
                           {"mean", pass.mean}});
     }
-    return {{"name", one.name},         {"help", one.help},
-            {"faults", one.faults},     {"passes", passes},
-            {"largest", one.largest},   {"p99", one.p99},
-            {"moved", one.moved},       {"stiffest_pass", one.stiffest},
-            {"stiffest_gain", one.gain}};
+    return {{"name", one.name},          {"help", one.help},
+            {"faults", one.faults},      {"passes", passes},
+            {"largest", one.largest},    {"p99", one.p99},
+            {"moved", one.moved},        {"may_move", one.may_move},
+            {"stiffest_gain", one.gain}, {"stiffest_pass", one.stiffest}};
 }
 
 template <class Result>

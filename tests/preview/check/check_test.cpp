@@ -264,6 +264,37 @@ TEST_F(CheckTest, a_step_in_a_shader_is_stiff) {
     }
 }
 
+/// A built-in scene as it is usually checked, small: every other texel is beside an edge.
+Situation small_with_antialiasing(std::string_view scene, Size size) {
+    Shown shown;
+    shown.name = scene;
+    shown.scene = scene_at(*scene_named(scene), 0);
+    Situation out = situation_of(std::move(shown));
+    out.settings.output = size;
+    out.settings.shadow_size = 256;
+    set_usual(out.settings.effects, true);
+    return out;
+}
+
+TEST_F(CheckTest, small_pictures_move_as_their_corners_are_rounded_and_no_more) {
+    for (const auto& [scene, size] : {std::pair{"sample", Size{96, 54}}, {"studio", {64, 36}}}) {
+        Checker checker(device(), small_with_antialiasing(scene, size));
+        for (const Nudge& row : nudges(checker.situation())) {
+            const NudgeResult result = checker.check(row);
+            expect_no_fault(result.faults, std::string(scene) + ", " + row.name);
+            EXPECT_LT(result.may_move, row.moves_geometry ? 0.02 : 0.013) << row.name;
+        }
+        // A twentieth of a texel is more than any rounding.
+        const Nudge turn{.name = "a turn",
+                         .change = [](Situation& situation,
+                                      double) { situation.settings.orbit.azimuth += 0.05F; },
+                         .moves_geometry = true};
+        const NudgeResult result = checker.check(turn);
+        EXPECT_GT(result.moved, result.may_move) << scene;
+        EXPECT_FALSE(result.faults.empty()) << scene;
+    }
+}
+
 /// Every power of two that floats hold, denormals too, and their negatives.
 Shown powers_of_two() {
     Shown shown;

@@ -2,6 +2,7 @@
 
 #include "lutlib/error.h"
 #include "preview/gpu/commands.h"
+#include "preview/gpu/pipeline.h"
 
 #include <fmt/format.h>
 
@@ -279,6 +280,7 @@ Device::Device(const DeviceOptions& options) : messages_(std::make_unique<Messag
     vk::DeviceCreateInfo info({}, queue_info, {}, options.device_extensions, nullptr, &features);
     device_ = {physical_, info};
     queue_ = {device_, queue_family_, 0};
+    pipelines_ = std::make_unique<Pipelines>(*this);
 }
 
 Device::~Device() {

@@ -31,6 +31,8 @@ struct DeviceInfo {
 /// integrated, virtual, CPU. Throws lutlib::Error when there is no Vulkan driver.
 std::vector<DeviceInfo> list_devices();
 
+class Pipelines;
+
 class Device {
   public:
     /// Throws lutlib::Error when there is no driver, or no device of that name that has what we
@@ -66,6 +68,9 @@ class Device {
     /// Records commands, submits them and waits for their end. For set-up, not for frames.
     void run_once(const std::function<void(const vk::raii::CommandBuffer&)>& record) const;
 
+    /// What everything that runs on it shares, so that no pipeline is made twice.
+    Pipelines& pipelines() const { return *pipelines_; }
+
     /// Warnings and errors of the validation layers since the device was made.
     std::vector<std::string> validation_messages() const;
 
@@ -87,6 +92,7 @@ class Device {
     vk::PhysicalDeviceLimits limits_;
     vk::PhysicalDeviceMemoryProperties memory_;
     mutable std::uint64_t allocation_count_ = 0;
+    std::unique_ptr<Pipelines> pipelines_;
 };
 
 } // namespace preview::gpu

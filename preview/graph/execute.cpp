@@ -41,25 +41,15 @@ struct Executor::Slot {
 };
 
 struct Executor::Shared {
-    Shared(const gpu::Device& device, std::shared_ptr<gpu::Pipelines> with)
-        : pipelines(std::move(with)), neutral(device) {}
-    std::shared_ptr<gpu::Pipelines> pipelines; ///< maybe another executor's, too
+    explicit Shared(const gpu::Device& device) : neutral(device) {}
     NeutralResources neutral;
     DataBlocks data;
     PersistentObjects persistent;
 };
 
 Executor::Executor(const gpu::Device& device, std::uint32_t frames_in_flight)
-    : Executor(device, frames_in_flight,
-               std::make_unique<Shared>(device, std::make_shared<gpu::Pipelines>(device))) {}
-
-Executor::Executor(const gpu::Device& device, std::uint32_t frames_in_flight, const Executor& other)
-    : Executor(device, frames_in_flight,
-               std::make_unique<Shared>(device, other.shared_->pipelines)) {}
-
-Executor::Executor(const gpu::Device& device, std::uint32_t frames_in_flight,
-                   std::unique_ptr<Shared> shared)
-    : device_(device), shared_(std::move(shared)), repeated_(std::make_unique<Slot>(device)) {
+    : device_(device), shared_(std::make_unique<Shared>(device)),
+      repeated_(std::make_unique<Slot>(device)) {
     for (std::uint32_t slot = 0; slot < frames_in_flight; ++slot) {
         slots_.emplace_back(device);
     }
@@ -87,7 +77,7 @@ void Executor::render(const Graph& graph, const FrameEnd& end) {
         wait();
         realised_.reset();
         held_.clear(); // in case that making the new objects fails
-        realised_ = std::make_unique<Realised>(device_, *shared_->pipelines, shared_->neutral,
+        realised_ = std::make_unique<Realised>(device_, device_.pipelines(), shared_->neutral,
                                                shared_->data, shared_->persistent, graph, plan_);
         shape_ = std::move(shape);
         ++rebuilds_;
@@ -357,10 +347,6 @@ std::vector<StepTime> Executor::timings() {
         times.push_back({slot.step_names[index], intervals[index]});
     }
     return times;
-}
-
-std::size_t Executor::pipeline_count() const {
-    return shared_->pipelines->size();
 }
 
 std::size_t Executor::persistent_count() const {

@@ -38,8 +38,6 @@ class Realised;
 class Executor {
   public:
     explicit Executor(const gpu::Device& device, std::uint32_t frames_in_flight = 2);
-    /// With the pipelines of another on that device, which neither then makes twice.
-    Executor(const gpu::Device& device, std::uint32_t frames_in_flight, const Executor& other);
     Executor(const Executor&) = delete;
     Executor& operator=(const Executor&) = delete;
     ~Executor();
@@ -72,16 +70,12 @@ class Executor {
     /// Bytes of the transients' pool, and what they would take without sharing.
     std::uint64_t pool_bytes() const;
     std::uint64_t unshared_bytes() const;
-    /// How many pipelines there are, with those that another has made.
-    std::size_t pipeline_count() const;
     /// How many images and buffers are kept for later frames.
     std::size_t persistent_count() const;
 
   private:
     struct Slot;
-    struct Shared; ///< pipelines, stand-ins, data blocks, persistent objects: outlive every shape
-    Executor(const gpu::Device& device, std::uint32_t frames_in_flight,
-             std::unique_ptr<Shared> shared);
+    struct Shared; ///< stand-ins, data blocks, persistent objects: outlive every shape
     struct PresentedResource {
         std::string name;
         const gpu::Image* image = nullptr;

@@ -26,8 +26,8 @@ void copy_into(const vk::raii::CommandBuffer& commands, const gpu::Image& from,
 
 } // namespace
 
-ThumbnailCells::ThumbnailCells(const gpu::Device& device, const Executor& frames)
-    : device_(device), cells_(count), look_(device), executor_(device, 1, frames) {}
+ThumbnailCells::ThumbnailCells(const gpu::Device& device)
+    : device_(device), cells_(count), look_(device), executor_(device, 1) {}
 
 void ThumbnailCells::draw(std::size_t cell, FrameInputs inputs, const FrameSettings& settings,
                           const LoadedLook& look) {

@@ -18,8 +18,7 @@ class ThumbnailCells {
     /// Of some 160x90 pixels in 8 bits: less than 4 MB.
     static constexpr std::size_t count = 64;
 
-    /// What it renders with is mostly what `frames` render with already.
-    ThumbnailCells(const gpu::Device& device, const Executor& frames);
+    explicit ThumbnailCells(const gpu::Device& device);
 
     /// Renders a picture under `look`, of side B, into a cell in place of what that holds, without
     /// waiting for it. The light is kept for the next one that has the same. Throws as

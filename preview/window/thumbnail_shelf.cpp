@@ -321,7 +321,7 @@ bool ThumbnailShelf::draw(panels::Ui& ui, Screen& screen, const FrameInputs& inp
         return false;
     }
     if (!screen.thumbnails) {
-        screen.thumbnails.emplace(screen.device, screen.executor);
+        screen.thumbnails.emplace(screen.device);
     }
     const bool is_scene = next->kind == ThumbnailKind::scene;
     settings.output = is_scene ? scene_size() : settings.output;

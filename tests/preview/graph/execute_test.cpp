@@ -1,4 +1,5 @@
 #include "lutlib/error.h"
+#include "preview/gpu/pipeline.h"
 #include "preview/passes/copy.h"
 #include "tests/preview/graph/gpu_test.h"
 
@@ -120,7 +121,7 @@ TEST_F(ExecuteTest, a_repeated_frame_presents_again_and_computes_nothing) {
     EXPECT_EQ(as<float>(executor.read_image(copy)), texels);
 }
 
-TEST_F(ExecuteTest, shares_pipelines_with_another_executor_and_outlives_it) {
+TEST_F(ExecuteTest, makes_no_pipeline_that_another_has_made_and_outlives_it) {
     const ImageDesc desc{Format::rgba32f, 16, 9};
     const auto texels = ramp(desc.width, desc.height);
     const gpu::Image image = upload(desc, texels);
@@ -129,10 +130,11 @@ TEST_F(ExecuteTest, shares_pipelines_with_another_executor_and_outlives_it) {
     graph.present(copy);
     auto first = std::make_unique<Executor>(device());
     first->render(graph);
-    EXPECT_EQ(first->pipeline_count(), 1U);
-    Executor second(device(), 1, *first);
+    const std::size_t made = device().pipelines().size();
+    EXPECT_GE(made, 1U);
+    Executor second(device(), 1);
     second.render(graph);
-    EXPECT_EQ(second.pipeline_count(), 1U);
+    EXPECT_EQ(device().pipelines().size(), made);
     first.reset();
     second.render(graph);
     const std::vector<std::byte> bytes = second.read_image(copy);

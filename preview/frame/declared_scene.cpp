@@ -127,7 +127,7 @@ SurroundingsHandles declare_surroundings(Graph& graph, const Surroundings& surro
         return {};
     }
     SurroundingsInputs from;
-    from.are_kept = !settings.force_all;
+    from.are_kept = settings.reuses_maps();
     from.base = settings.surroundings_base;
     from.exposure = settings.exposure + inputs.scene->exposure;
     if (surroundings.kind == SurroundingsKind::picture) {
@@ -165,7 +165,7 @@ DeclaredScene declare_scene(Graph& graph, const FrameInputs& inputs, const Frame
         graph.withhold("lights", "every surface is unlit: no light changes any");
     }
 
-    out.shadows.are_kept = !settings.force_all;
+    out.shadows.are_kept = settings.reuses_maps();
     out.shadows.size = settings.shadow_size > 0 ? settings.shadow_size : scene.shadow_size;
     const std::vector<LightBlock> blocks = blocks_of(graph, lights, inputs, settings, out.shadows);
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);

@@ -78,8 +78,12 @@ struct FrameSettings : PictureSettings {
     /// Run every pass, even those that this scene does not need: every skip that measures or looks
     /// at the scene is off, and nothing is kept from an earlier frame.
     bool force_all = false;
+    /// But for shadow maps and those of the surroundings, which are none of what is measured: these
+    /// stay while neither lights nor casters move.
+    bool forced_keeps_maps = false;
 
     bool reuses_light() const { return keeps_light && !force_all; }
+    bool reuses_maps() const { return !force_all || forced_keeps_maps; }
     bool shows_intermediate() const { return view != nullptr || effect_view != nullptr; }
 };
 

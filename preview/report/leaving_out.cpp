@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace preview::report {
 
@@ -144,10 +145,10 @@ SavingRow saving_of(Renderer& renderer, const SavingStage& stage, int rounds) {
     SavingRow out;
     out.name = stage.name;
     out.bound = stage.bound;
-    out.forced = renderer.costs_of(forced, rounds);
-    out.usual = renderer.costs_of(stage.situation, rounds);
-    out.largest = largest_difference(renderer.render_as_usual(forced).finished,
-                                     renderer.render_as_usual(stage.situation).finished);
+    reference::Image wanted, got;
+    std::tie(out.forced, wanted) = renderer.costs_of(forced, rounds);
+    std::tie(out.usual, got) = renderer.costs_of(stage.situation, rounds);
+    out.largest = largest_difference(wanted, got);
     return out;
 }
 

@@ -35,15 +35,12 @@ reference::Image image_of(const std::vector<double>& values, Size size) {
 
 Truth occlusion_truth(const TruthRequest& request) {
     const Situation& base = request.base;
-    const gpu::Device& device = request.tools.renderer.device();
-    const GpuShown shown(device, base.shown);
-    FrameInputs inputs = shown.inputs();
-    inputs.lights = &base.lights;
-    inputs.surroundings = &base.surroundings;
-    inputs.look_a = base.look_a;
-    Executor executor(device);
+    Renderer& renderer = request.tools.renderer;
+    Executor& executor = renderer.executor();
+    FrameSettings settings = base.settings;
+    settings.forced_keeps_maps = true;
     Graph graph;
-    const FrameHandles handles = build_frame(graph, inputs, base.settings);
+    const FrameHandles handles = build_frame(graph, renderer.inputs_of(base), settings);
     Graph surfaces = graph;
     surfaces.present(handles.surfaces.depth);
     surfaces.present(handles.surfaces.normal);
@@ -69,8 +66,9 @@ Truth occlusion_truth(const TruthRequest& request) {
     const std::vector<double> left = reference::occlusion_of_every_pixel(seen, model);
 
     const std::vector<float> floats(left.begin(), left.end());
-    const gpu::Image exact = gpu::make_image(device, {Format::r32f, size.width, size.height},
-                                             std::as_bytes(std::span(floats)));
+    const gpu::Image exact =
+        gpu::make_image(renderer.device(), {Format::r32f, size.width, size.height},
+                        std::as_bytes(std::span(floats)));
     const Graph lit =
         interposed(graph, handles.occlusion, [&](Graph& to, ImageHandle) -> ImageHandle {
             return add_copy(to, to.import("exact occlusion", exact, exact.desc()), Format::r32f);

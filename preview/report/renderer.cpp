@@ -143,8 +143,10 @@ FrameInputs Renderer::inputs_of(const Situation& situation) {
 }
 
 Frame Renderer::render(const Situation& situation, const Looked& looked) {
+    FrameSettings settings = situation.settings;
+    settings.forced_keeps_maps = true;
     Graph graph;
-    const FrameHandles handles = build_frame(graph, inputs_of(situation), situation.settings);
+    const FrameHandles handles = build_frame(graph, inputs_of(situation), settings);
     const ImageHandle result =
         looked.result != nullptr ? looked.result(graph, handles) : ImageHandle{};
     if (result) {
@@ -178,10 +180,10 @@ Frame Renderer::render_as_usual(const Situation& situation) {
     }
 }
 
-Costs Renderer::costs_of(const Situation& situation, int rounds) {
+std::pair<Costs, Image> Renderer::costs_of(const Situation& situation, int rounds) {
     const FrameInputs inputs = measured(situation);
     Graph graph;
-    build_frame(graph, inputs, situation.settings);
+    const FrameHandles handles = build_frame(graph, inputs, situation.settings);
     for (int frame = 0; frame < warm_up; ++frame) {
         executor_.render(graph);
     }
@@ -195,7 +197,7 @@ Costs Renderer::costs_of(const Situation& situation, int rounds) {
     out.passes = executor_.plan().steps.size();
     out.bytes = bytes_moved(graph, executor_.plan());
     out.memory = executor_.pool_bytes();
-    return out;
+    return {std::move(out), frame_of(executor_, graph, handles, {}, {}).finished};
 }
 
 void Renderer::forget() {

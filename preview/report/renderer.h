@@ -49,12 +49,14 @@ class Renderer {
     /// Throws lutlib::Error on a device without timestamps.
     explicit Renderer(const gpu::Device& device);
 
-    /// One frame. Situations with the same `shown` share its GPU objects.
+    /// One frame; maps stay from the one before where nothing has moved. Situations with the same
+    /// `shown` share its GPU objects.
     Frame render(const Situation& situation, const Looked& looked = {});
 
     /// As the program itself draws it: measured first, and then a frame after one that was alike.
     Frame render_as_usual(const Situation& situation);
-    Costs costs_of(const Situation& situation, int rounds);
+    /// Of frames as the program draws them, and the picture of the last.
+    std::pair<Costs, reference::Image> costs_of(const Situation& situation, int rounds);
 
     /// Seconds that the passes take that `counts` accepts, of all situations in turn, `rounds`
     /// times, warm.
@@ -64,19 +66,22 @@ class Renderer {
     /// Forgets the GPU objects of what has been shown.
     void forget();
 
+    /// The graph of a frame of this runs on this.
+    FrameInputs inputs_of(const Situation& situation);
+    Executor& executor() { return executor_; }
+
     const gpu::Device& device() const { return device_; }
     bool is_cpu() const { return is_cpu_; }
     /// Whether shaders can write images of that format and sample them, filtered.
     bool can_store(Format format) const;
 
   private:
-    FrameInputs inputs_of(const Situation& situation);
     /// With the HDR maximum measured, as far as the frame asks for it.
     FrameInputs measured(const Situation& situation);
 
     const gpu::Device& device_;
     bool is_cpu_;
-    Executor executor_; ///< of all frames, for it keeps their pipelines
+    Executor executor_; ///< of all frames, for it keeps maps from one to the next
     std::vector<std::unique_ptr<GpuShown>> shown_;
 };
 

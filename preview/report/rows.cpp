@@ -12,7 +12,7 @@ namespace preview::report {
 namespace {
 
 constexpr int pan_frames = 6, pan_step = 1; // texels
-constexpr int turn_frames = 4;
+constexpr std::size_t turn_frames = 4;
 constexpr std::size_t few_pixels = 100'000;
 
 /// One input of a study at one size.
@@ -54,11 +54,11 @@ Truth truth_of(const StudyTools& tools, const Study& study, const TruthRequest& 
     return {std::move(frame.finished), std::move(frame.result)};
 }
 
-/// How restless the pass is while its input moves.
+/// How restless the pass is while its input moves; `first` is of the input as it stands.
 double unrest_of(const StudyTools& tools, const Study& study, const Input& input,
-                 const Variant& variant) {
-    std::vector<reference::Image> frames;
-    for (int k = 0; k < pan_frames; ++k) {
+                 const Variant& variant, const Frame& first) {
+    std::vector<reference::Image> frames{first.result};
+    for (int k = 1; k < pan_frames; ++k) {
         Situation moved = with_picture(input.situation, *input.picture, k * pan_step);
         variant.set(moved);
         frames.push_back(tools.renderer.render(moved, study.looked).result);
@@ -66,71 +66,97 @@ double unrest_of(const StudyTools& tools, const Study& study, const Input& input
     return unrest(frames, pan_step);
 }
 
-/// Truths by key, of each frame of a turn.
-using Truths = std::map<std::string, std::vector<Truth>>;
-
-/// Of a scene: how restless the pass's error is while the camera turns by half a texel a frame.
-double unrest_of_turn(const StudyTools& tools, const Study& study, const Input& input,
-                      const Variant& variant, std::vector<Truth>& truths) {
-    std::vector<reference::Image> got, wanted;
-    for (int k = 0; k < turn_frames; ++k) {
-        Situation base = input.situation;
-        Orbit& orbit = base.settings.orbit;
-        const auto height = static_cast<float>(base.settings.output.height);
+/// The input after `k` steps of a turn by half a texel each.
+Situation turned(Situation situation, std::size_t k) {
+    if (k > 0) {
+        Orbit& orbit = situation.settings.orbit;
+        const auto height = static_cast<float>(situation.settings.output.height);
         orbit = turned_on_the_spot(orbit,
                                    0.5F * static_cast<float>(k) * orbit.field_of_view / height, 0);
-        Situation varied = base;
-        variant.set(varied);
-        Frame frame = tools.renderer.render(varied, study.looked);
-        if (truths.size() == static_cast<std::size_t>(k)) {
-            truths.push_back(truth_of(tools, study, {tools, base, variant, varied, frame}));
-        }
-        got.push_back(std::move(frame.result));
-        wanted.push_back(truths[static_cast<std::size_t>(k)].result);
     }
-    return unrest_of_error(got, wanted);
+    return situation;
 }
 
-void add_pass_error(const StudyTools& tools, const Study& study, const Input& input,
-                    const Variant& variant, const Frame& frame, std::vector<Truth>& truths,
-                    Row& row) {
-    const bool is_impulse = input.picture != nullptr && input.picture->impulse != nullptr;
-    row.pass = pass_error(frame.result, truths.front().result,
-                          is_impulse ? input.picture->impulse(row.size) : std::nullopt);
-    if (input.picture != nullptr && input.picture->name == "sun disc") {
-        row.pass->unrest = unrest_of(tools, study, input, variant);
-    } else if (input.picture == nullptr && input.situation.has_scene() &&
-               !study.takes_test_pictures &&
-               !(study.is_truth_slow && truths.front().result.pixels.size() > few_pixels)) {
-        row.pass->unrest = unrest_of_turn(tools, study, input, variant, truths);
+/// Of a scene: whether it is asked how restless the pass's error is while the camera turns.
+bool is_turned(const Study& study, const Input& input, const Frame& first) {
+    const std::size_t pixels = first.result.pixels.size();
+    return input.picture == nullptr && input.situation.has_scene() && !study.takes_test_pictures &&
+           pixels > 0 && !(study.is_truth_slow && pixels > few_pixels);
+}
+
+/// What the variant makes of the input, and of each further step of a turn.
+std::vector<Frame> frames_of(const StudyTools& tools, const Study& study, const Input& input,
+                             const Variant& variant) {
+    std::vector<Frame> out;
+    std::size_t count = 1;
+    for (std::size_t k = 0; k < count; ++k) {
+        Situation varied = turned(input.situation, k);
+        variant.set(varied);
+        out.push_back(tools.renderer.render(varied, study.looked));
+        count = is_turned(study, input, out.front()) ? turn_frames : 1;
     }
+    return out;
+}
+
+/// Adds the truths that are not known yet, one after another: then their maps are drawn once.
+void add_truths(const StudyTools& tools, const Study& study, const Input& input,
+                const Variant& variant, const std::vector<Frame>& frames,
+                std::vector<Truth>& truths) {
+    for (std::size_t k = truths.size(); k < frames.size(); ++k) {
+        const Situation base = turned(input.situation, k);
+        Situation varied = base;
+        variant.set(varied);
+        truths.push_back(truth_of(tools, study, {tools, base, variant, varied, frames[k]}));
+    }
+}
+
+PassError pass_error_of(const StudyTools& tools, const Study& study, const Input& input,
+                        const Variant& variant, const std::vector<Frame>& frames,
+                        const std::vector<Truth>& truths) {
+    const bool is_impulse = input.picture != nullptr && input.picture->impulse != nullptr;
+    PassError out = pass_error(frames.front().result, truths.front().result,
+                               is_impulse ? input.picture->impulse(input.situation.settings.output)
+                                          : std::nullopt);
+    if (input.picture != nullptr && input.picture->name == "sun disc") {
+        out.unrest = unrest_of(tools, study, input, variant, frames.front());
+    } else if (frames.size() > 1) {
+        std::vector<reference::Image> got, wanted;
+        for (std::size_t k = 0; k < frames.size(); ++k) {
+            got.push_back(frames[k].result);
+            wanted.push_back(truths[k].result);
+        }
+        out.unrest = unrest_of_error(got, wanted);
+    }
+    return out;
 }
 
 void add_rows(const StudyTools& tools, const Study& study, const Input& input,
               std::span<const Variant> variants, std::vector<Row>& rows) {
-    Truths all;
+    std::map<std::string, std::vector<Truth>> all; // by key, of each step of a turn
     for (const Variant& variant : variants) {
+        const std::vector<Frame> frames = frames_of(tools, study, input, variant);
         Situation varied = input.situation;
         variant.set(varied);
-        const Frame frame = tools.renderer.render(varied, study.looked);
         std::vector<Truth>& truths =
             all[study.truth_key != nullptr ? study.truth_key(varied, variant) : std::string()];
-        if (truths.empty()) {
-            truths.push_back(
-                truth_of(tools, study, {tools, input.situation, variant, varied, frame}));
-        }
+        add_truths(tools, study, input, variant, frames, truths);
         Row row{.study = &study,
                 .input = input.name,
                 .size = input.situation.settings.output,
                 .variant = variant.name,
                 .is_usual = variant.is_usual,
                 .is_choice = variant.is_choice};
-        row.picture = picture_error(frame.finished, truths.front().finished);
-        if (!frame.result.pixels.empty()) {
-            add_pass_error(tools, study, input, variant, frame, truths, row);
+        row.picture = picture_error(frames.front().finished, truths.front().finished);
+        if (!frames.front().result.pixels.empty()) {
+            row.pass = pass_error_of(tools, study, input, variant, frames, truths);
         }
         rows.push_back(std::move(row));
     }
+}
+
+/// Whether its time has that of maps, which else rest as they do in the program.
+bool counts_maps(const Study& study) {
+    return study.counts("shadow of a light") || study.counts("surroundings levels");
 }
 
 /// What other rows of the same group beat in time and in the finished picture's error.
@@ -182,6 +208,7 @@ std::vector<Row> rows_of(const StudyTools& tools, const Study& study, const Situ
         }
         for (const Variant& variant : variants) {
             timed.push_back(inputs.front().situation);
+            timed.back().settings.forced_keeps_maps = !counts_maps(study);
             variant.set(timed.back());
         }
         const auto times = tools.renderer.time(timed, study.counts, settings.rounds);

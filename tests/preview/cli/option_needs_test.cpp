@@ -97,7 +97,7 @@ const Example examples[] = {
     {Need::surroundings_kind, "--noise-hue 9", "--surroundings noise", "--surroundings sky"},
     {Need::motion, "--time 3", "studio", "chart"},
     {Need::casting_light, "--shadow-size 99", "", "", Of::scene, Of::shadowless},
-    {Need::light, "--tonemap agx", "", "", Of::light, Of::codes},
+    {Need::light, "--look-at before", "--b x.cube", "--b x.cube", Of::light, Of::codes},
     {Need::light_to_write, "--exr light", "-o x.exr", "-o x.exr", Of::light, Of::codes},
     {Need::bloom, "--bloom-radius 2", "", "--bloom none"},
 };

@@ -107,6 +107,20 @@ std::chrono::milliseconds Process::processor_time() const {
     return std::chrono::milliseconds((user + system) * 1000 / sysconf(_SC_CLK_TCK));
 }
 
+bool Process::has_work() const {
+    std::error_code gone; // threads end while they are looked at
+    const fs::path threads = "/proc/" + std::to_string(id_) + "/task";
+    for (fs::directory_iterator it(threads, gone), end; !gone && it != end; it.increment(gone)) {
+        const std::string stat = contents(it->path() / "stat");
+        const std::size_t name = stat.rfind(')');
+        if (name != std::string::npos && name + 2 < stat.size() &&
+            (stat[name + 2] == 'R' || stat[name + 2] == 'D')) {
+            return true;
+        }
+    }
+    return false;
+}
+
 Said say(const std::vector<std::string>& words, const fs::path& folder) {
     const std::string log = "said.txt";
     fs::remove(folder / log);

@@ -36,6 +36,8 @@ class Process {
     int wait();
     /// The processor time that it has taken so far.
     std::chrono::milliseconds processor_time() const;
+    /// Whether any of its threads runs, or would if others left it a core.
+    bool has_work() const;
 
   private:
     pid_t id_ = -1;
@@ -90,6 +92,8 @@ class Desktop {
     const std::string& display() const { return display_; }
     /// As when its user logs out, or it crashes.
     void end_server() { server_.reset(); }
+    /// Whether the server has yet to do what it was told.
+    bool has_work() const { return server_ && server_->has_work(); }
     Screen grab() const;
     /// xdotool's commands, one after another. Throws std::runtime_error.
     void xdotool(std::vector<std::string> words) const;

@@ -138,7 +138,7 @@ Twin lighting_twin(const TwinInput& in) {
         for (int x = 0; x < width; ++x) {
             Lit found;
             if (surfaces.shows(x, y)) {
-                found = lit(surfaces.at(x, y), by);
+                found = lit(surfaces.at(x, y), by, surfaces.rounding(x, y));
             } else {
                 const Filtered seen = around.behind(environment, surfaces.direction(x, y));
                 found = {seen.light, seen.light, seen.doubt};

@@ -2,8 +2,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace preview {
 
@@ -66,6 +66,11 @@ glm::dvec3 GBufferRead::direction(int x, int y) const {
     return glm::normalize(glm::dvec3(seen_.view.forward) +
                           place(x, seen_.width) * glm::dvec3(seen_.view.right) +
                           place(y, seen_.height) * glm::dvec3(seen_.view.up));
+}
+
+double GBufferRead::rounding(int x, int y) const {
+    return 0x1p-22 *
+           (glm::length(glm::dvec3(seen_.view.position_near)) + glm::length(seen_.position(x, y)));
 }
 
 /// Where textures have turned the normal: of the plane through what the picture shows beside it, on

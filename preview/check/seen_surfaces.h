@@ -19,6 +19,8 @@ class GBufferRead {
     bool shows(int x, int y) const { return seen_.shows(x, y); }
     glm::dvec3 direction(int x, int y) const; ///< from the eye, unit
     reference::LitSurface at(int x, int y) const;
+    /// By how many metres floats may place it elsewhere.
+    double rounding(int x, int y) const;
 
   private:
     void find_face(reference::LitSurface& surface, int x, int y) const;

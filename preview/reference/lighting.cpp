@@ -130,9 +130,17 @@ void add_surroundings(Lit& to, const LitSurface& surface, const Illumination& by
     }
 }
 
-} // namespace
+/// Whether some light stands so near, or so near the surface's horizon, that it matters where
+/// floats place the surface.
+bool hangs_on_place(const LitSurface& surface, const Illumination& by, double rounding) {
+    return std::any_of(by.lights.begin(), by.lights.end(), [&](const LightBlock& light) {
+        const dvec3 towards = dvec3(light.position_layer) - surface.position;
+        return !(light.range.w > 0) &&
+               std::abs(glm::dot(surface.material.normal, towards)) < 1e4 * rounding;
+    });
+}
 
-Lit lit(const LitSurface& surface, const Illumination& by) {
+Lit lit_where_it_is(const LitSurface& surface, const Illumination& by) {
     Lit out;
     add(out, surface.emission, {});
     if (surface.is_unlit) {
@@ -151,6 +159,24 @@ Lit lit(const LitSurface& surface, const Illumination& by) {
         add(out, unshadowed * arriving.share, doubt * arriving.doubt);
     }
     add_surroundings(out, surface, by);
+    return out;
+}
+
+} // namespace
+
+Lit lit(const LitSurface& surface, const Illumination& by, double rounding) {
+    Lit out = lit_where_it_is(surface, by);
+    if (surface.is_unlit || !hangs_on_place(surface, by, rounding)) {
+        return out;
+    }
+    for (int i = 0; i < 6; ++i) {
+        LitSurface moved = surface;
+        moved.position[i / 2] += i % 2 == 0 ? rounding : -rounding;
+        const RgbD there = lit_where_it_is(moved, by).light;
+        for (std::size_t c = 0; c < 3; ++c) {
+            out.doubt[c] += std::abs(there[c] - out.light[c]);
+        }
+    }
     return out;
 }
 

@@ -6,7 +6,6 @@
 #include "preview/reference/surroundings_map.h"
 #include "preview/scene/environment.h"
 
-#include <functional>
 #include <span>
 
 namespace preview::reference {
@@ -41,6 +40,8 @@ struct Lit {
     lutlib::RgbD light, magnitude, doubt;
 };
 
-Lit lit(const LitSurface& surface, const Illumination& by);
+/// `rounding`: by how many metres floats may place the surface elsewhere. Where a light is so near,
+/// or so near the surface's horizon, that this matters, it is part of the doubt.
+Lit lit(const LitSurface& surface, const Illumination& by, double rounding);
 
 } // namespace preview::reference

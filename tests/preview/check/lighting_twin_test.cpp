@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -168,6 +169,18 @@ TEST_F(LightingTwinTest, every_kind_of_light_is_its_twins_with_its_shadow) {
         situation.lights = row.lights;
         expect_near(situation, row.name);
     }
+}
+
+// It has a direction in place of the position that a ball would have.
+TEST_F(LightingTwinTest, a_suns_thickness_changes_nothing) {
+    Situation situation = situation_of(things());
+    situation.lights = {sun()};
+    const Seen thin = see(situation);
+    situation.lights[0].thickness = 0.2F;
+    const Seen thick = see(situation);
+    EXPECT_EQ(left_by(thin.observed, "lighting")->values,
+              left_by(thick.observed, "lighting")->values);
+    expect_near(situation, "a thick sun");
 }
 
 TEST_F(LightingTwinTest, every_filter_of_shadows_is_its_twins) {

@@ -8,10 +8,11 @@
 // - A pass that has a twin in double agrees with it as far as twins.cpp says.
 // - What a NaN or infinity at a pass's input changes of the resolved light is within planted_reach
 //   texels of it.
-// - A change of a millionth moves 99 % of the finished picture by no more than most_p99. By more than
-//   a code it moves at most most_moved of its texels, those of one edge that antialiasing walks along
-//   to an end which hangs on a rounding, and, where it moves the geometry on the screen, of the
-//   texels beside edges the share by which rasterisers move these when they round corners.
+// - A change of a millionth moves 99 % of the finished picture by no more than most_p99. By more
+//   than a code it moves at most most_moved of its texels, those of one edge that antialiasing
+//   walks along to an end which hangs on a rounding, and, where it moves the geometry on the
+//   screen, of the texels beside edges the share by which rasterisers move these when they round
+//   corners.
 #pragma once
 
 #include "preview/check/situation.h"

@@ -7,7 +7,9 @@
 layout(local_size_x = 1) in;
 layout(constant_id = 10) const bool is_still_a = false; // a still in place of the look
 layout(constant_id = 11) const bool is_still_b = false;
-layout(binding = 13) uniform Place {
+// A buffer, as Mesa's software device (22.3) writes beyond its stack where a branch hangs on more than
+// four numbers of a uniform block and nothing else.
+layout(std430, binding = 13) readonly buffer Place {
     ivec4 at; // x, y
     ivec4 extent_a, extent_b; // corner and size of the stills
     vec4 surround; // about them, a code

@@ -28,7 +28,7 @@ BufferHandle add_probe(Graph& graph, const Finishing& finishing, ProbePlace plac
     bind_finish(graph, pass, finishing,
                 std::array{std::uint32_t{static_cast<bool>(stills[0].picture)},
                            std::uint32_t{static_cast<bool>(stills[1].picture)}});
-    pass.uniform(graph.data_of("probed place", block));
+    pass.storage(graph.data_of("probed place", block));
     const BufferHandle out = pass.write(graph.buffer("probe", 12 * sizeof(float)));
     pass.read(stills[0].picture);
     pass.read(stills[1].picture);

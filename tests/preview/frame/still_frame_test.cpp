@@ -155,10 +155,14 @@ TEST_F(StillFrame, is_seen_larger_viewed_and_told_as_the_picture_is) {
     settings.compare = &compare_split;
     settings.probe = ProbePlace{20, 30};
     Executor executor(device());
-    const Rendered probed = render_frame(executor, inputs, settings);
-    ASSERT_TRUE(probed.probe);
-    const Codes told = codes_of(probed.probe->a);
-    EXPECT_EQ((Code{told.r, told.g, told.b}), code_of(codes, size, 20, 30));
+    for (const GpuLook* const look : {inputs.look_b, static_cast<const GpuLook*>(nullptr)}) {
+        FrameInputs with = inputs;
+        with.look_b = look;
+        const Rendered probed = render_frame(executor, with, settings);
+        ASSERT_TRUE(probed.probe);
+        const Codes told = codes_of(probed.probe->a);
+        EXPECT_EQ((Code{told.r, told.g, told.b}), code_of(codes, size, 20, 30));
+    }
     settings.probe.reset();
     settings.zoom = {.scale = 2, .x = 0, .y = 0};
     const Rendered larger = render_frame(executor, inputs, settings);

@@ -33,8 +33,11 @@ std::string usual_text(const LightControl& control, const PointLight* usual) {
 void control_row(Ui& ui, const LightControl& control, PointLight& light, const PointLight* usual,
                  const std::string& place) {
     const std::string label(control.label);
+    const std::string_view idle =
+        control.idle_because != nullptr ? control.idle_because(light, true) : "";
     glm::vec3 value = control.get(light);
     bool changed = false;
+    ImGui::BeginDisabled(!idle.empty());
     switch (control.kind) {
     case LightControl::Kind::flag: {
         bool is_set = value.x != 0;
@@ -59,8 +62,13 @@ void control_row(Ui& ui, const LightControl& control, PointLight& light, const P
                                     "%.2f", ImGuiSliderFlags_AlwaysClamp);
         break;
     }
+    ImGui::EndDisabled();
     mark(ui, place);
-    tip(control.help, usual_text(control, usual), control.kind != LightControl::Kind::flag);
+    if (idle.empty()) {
+        tip(control.help, usual_text(control, usual), control.kind != LightControl::Kind::flag);
+    } else {
+        idle_tip(idle);
+    }
     if (changed) {
         control.set(light, value);
     }

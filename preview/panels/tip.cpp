@@ -25,4 +25,13 @@ void tip(std::string_view help, const std::string& usual, bool is_number) {
     ImGui::EndTooltip();
 }
 
+void idle_tip(std::string_view why) {
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        ImGui::BeginTooltip();
+        ImGui::TextUnformatted("It changes nothing here:");
+        ImGui::TextUnformatted(why.data(), why.data() + why.size());
+        ImGui::EndTooltip();
+    }
+}
+
 } // namespace preview::panels

@@ -10,4 +10,7 @@ namespace preview::panels {
 /// can be typed.
 void tip(std::string_view help, const std::string& usual, bool is_number = true);
 
+/// Of a control that is switched off because it changes nothing, and why.
+void idle_tip(std::string_view why);
+
 } // namespace preview::panels

@@ -246,6 +246,7 @@ TEST_F(Window, switches_effects_and_lights_and_brings_them_back) {
     click("light.key.on");
     const Screen dark = screen_where(
         [&](const Screen& now) { return now.changed(before, picture()) > 0.9; }, "less light");
+    click("light.key.size"); // a ball has none: nothing that could be undone
     click("tab.Passes");
     click("effect.bloom");
     screen_where([&](const Screen& now) { return now.changed(dark, picture()) > 0.05; },

@@ -164,7 +164,9 @@ LightBlock light_block(const PointLight& light, const LightShadow& shadow, int f
     }
     block.up_thickness.w = light.is_point() ? 0 : light.thickness;
     block.forward.w = light.ends() ? 1 / (light.reach * light.reach) : 0;
-    block.extent_shape = glm::vec4(light.extent, static_cast<float>(light.lit_shape()));
+    if (light.lit_shape() != PointLight::Shape::point) {
+        block.extent_shape = glm::vec4(light.extent, static_cast<float>(light.lit_shape()));
+    }
     if (light.is_sun) {
         block.extent_shape =
             glm::vec4(shadow.views.empty() ? glm::vec3(0) : shadow.views.front().frustum.origin, 0);

@@ -163,7 +163,7 @@ TEST_F(WindowStorm, of_mouse_and_keys_makes_no_message_and_no_crash) {
 TEST_F(WindowStorm, over_a_scene_makes_none_either) {
     const int batches = support::is_thorough() ? 40 : 6;
     for (const unsigned seed : support::all_or<unsigned>({2, 3, 4}, {2})) {
-        rage(seed, batches, {"plain", "--b", "look.cube", "--without", "shadows"});
+        rage(seed, batches, {"plain", "--b", "look.cube"});
     }
 }
 

@@ -65,9 +65,10 @@ bool is_idle(const lutlib::Recipe& recipe, const lutlib::Operation& operation) {
 void tell_idle_operators(const lutlib::Recipe& recipe, std::size_t first) {
     for (std::size_t i = first; i < recipe.operations.size(); ++i) {
         if (is_idle(recipe, recipe.operations[i])) {
-            print(fmt::format("lutconv: operator {} changes nothing here: with these values every "
-                              "colour stays as it is\n",
-                              recipe.operations[i].op->name),
+            print(fmt::format(
+                      "lutconv: operator {} changes nothing here: with these values none of "
+                      "{} colours tried changes\n",
+                      recipe.operations[i].op->name, 2 * trial_side * trial_side * trial_side),
                   std::string(lutlib::io::standard_stream));
         }
     }

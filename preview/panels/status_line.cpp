@@ -19,7 +19,8 @@ constexpr StatusForm forms_of_line[] = {
     {.before = true, .a = true, .differences = ToldDifferences::all},
     {.before = true, .differences = ToldDifferences::of_b, .is_without_a = true},
     {.before = true, .a = true},
-    {.before = true},
+    {.before = true, .is_without_a = true},
+    {.a = true},
     {},
 };
 

@@ -71,7 +71,12 @@ LightEdit edit_light(std::vector<PointLight>& lights, const std::string& text) {
     }
     PointLight& light = light_named(lights, text.substr(0, dot), text);
     const LightControl& control = control_named(text.substr(dot + 1, equals - dot - 1), text);
-    control.set(light, values_of(control, text.substr(equals + 1), text));
+    const glm::vec3 values = values_of(control, text.substr(equals + 1), text);
+    if (control.kind == LightControl::Kind::color && values == glm::vec3(0)) {
+        reject(text, fmt::format("black is no colour of a light; to switch it off give {}.on=0",
+                                 text.substr(0, dot)));
+    }
+    control.set(light, values);
     return {static_cast<std::size_t>(&light - lights.data()), &control};
 }
 

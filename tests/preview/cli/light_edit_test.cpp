@@ -45,11 +45,26 @@ TEST(LightEdit, takes_a_value_for_every_control_and_keeps_the_rest) {
 
 TEST(LightEdit, refuses_what_it_cannot_do_and_names_what_there_is) {
     const Scene scene = scene_at(*scene_named("studio"), 0);
-    for (const char* text :
-         {"", "key", "key.on", "=1", "key.=1", "nobody.on=1", "key.sound=1",
-          "key.intensity=", "key.intensity=x", "key.intensity=1,2", "key.intensity=nan",
-          "key.intensity=0", "key.intensity=inf", "key.color=1,2", "key.color=1,0.5,0.5,0.5",
-          "key.color=2,0,0", "key.on=2", "key.position=1,2,1e9", "9.on=1"}) {
+    for (const char* text : {"",
+                             "key",
+                             "key.on",
+                             "=1",
+                             "key.=1",
+                             "nobody.on=1",
+                             "key.sound=1",
+                             "key.intensity=",
+                             "key.intensity=x",
+                             "key.intensity=1,2",
+                             "key.intensity=nan",
+                             "key.intensity=0",
+                             "key.intensity=inf",
+                             "key.color=1,2",
+                             "key.color=1,0.5,0.5,0.5",
+                             "key.color=2,0,0",
+                             "key.color=0,0,0",
+                             "key.on=2",
+                             "key.position=1,2,1e9",
+                             "9.on=1"}) {
         std::vector<PointLight> lights = scene.lights;
         EXPECT_THROW(edit_light(lights, text), lutlib::UsageError) << text;
         EXPECT_TRUE(lights == scene.lights) << text;

@@ -184,6 +184,12 @@ bool report_renderer(const Options& options) {
                 lutlib::io::print_err("lutpreview: " + doing + "\n");
             }
         });
+    if (!options.passes.empty()) {
+        for (const report::LeftOutStudy& none : made.left_out) {
+            lutlib::io::print_err(fmt::format("lutpreview: {} of --passes is not measured: {}\n",
+                                              none.study->name, none.reason));
+        }
+    }
     write(options, made);
     for (const std::string& message : device.validation_messages()) {
         lutlib::io::print_err("lutpreview: " + message + "\n");

@@ -114,7 +114,7 @@ std::string combination_text(const Choice& choice, const Combination& combinatio
 
 std::string recommendation_text(const RendererReport& report) {
     if (!report.choice) {
-        return "No pass of this input has settings to choose among.";
+        return "No pass that was measured has settings to choose among.";
     }
     const Choice& c = *report.choice;
     return fmt::format(

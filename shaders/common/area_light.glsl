@@ -1,6 +1,6 @@
 // Balls, rods and rings that shine, by their simplest approximations; the integrals that these stand
-// for, with their errors, are in preview/reference/area_light.h. After common/scene.glsl and
-// common/brdf.glsl.
+// for are in preview/reference/area_light.h, and docs/renderer-report.md has the errors. After
+// common/scene.glsl and common/brdf.glsl.
 //
 // Diffuse: the irradiance of a line is exact, cut at the surface's horizon, and a ring is eight
 // lines whose second moment is the ring's. Specular: all of the light shines from its point that is

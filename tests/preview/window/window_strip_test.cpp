@@ -51,6 +51,14 @@ class WindowStrip : public Window {
         wait_until([&] { return has("picture-of." + name); }, "the picture of " + name);
     }
     int drawn() const { return place("thumbnails-drawn").x; }
+    /// Of those beside the strip's own.
+    void choose_folder(const std::string& name) {
+        click("strip.folder");
+        click("file.up");
+        type(name);
+        key("Return");
+        click("file.choose");
+    }
     /// Waits until so many have been drawn since the start and no more are.
     void wait_drawn(int count) {
         wait_until([&] { return drawn() >= count; }, std::to_string(count) + " pictures");
@@ -171,11 +179,7 @@ TEST_F(WindowStrip, follows_its_folder) {
     wait_until([&] { return !has("strip.aa.cube"); }, "the deleted look to go");
     fs::create_directory(file("others"));
     fs::copy_file(file("look.cube"), file("others/c.cube"));
-    click("strip.folder");
-    click("file.up");
-    type("others");
-    key("Return");
-    click("file.choose");
+    choose_folder("others");
     wait_for_picture("c.cube");
     EXPECT_FALSE(has("strip.a.cube"));
     click("strip.own");
@@ -191,11 +195,7 @@ TEST_F(WindowStrip, is_open_in_the_next_window_with_its_folder) {
     quit();
     start_unsized({"--size", "800x530", "picture.ppm", "--b", "looks/a.cube"});
     wait_for_picture("b.json");
-    click("strip.folder");
-    click("file.up");
-    type("others");
-    key("Return");
-    click("file.choose");
+    choose_folder("others");
     wait_for_picture("c.cube");
     quit();
     start_unsized({"--size", "800x530", "picture.ppm", "--b", "looks/a.cube"});
